@@ -60,7 +60,7 @@ internal sealed class OrbitCommand : Command
         {
             cancellation.ThrowIfCancellationRequested();
             var camera = way?.Frame(scene.Camera, frame, frames) ?? CameraMotion.Orbit(scene.Camera, frame, frames);
-            if (camera.Flaw is { } flaw) throw new ProblemException($"frame {frame} cannot be drawn: {flaw}");
+            if (camera.ValidationError is { } flaw) throw new ProblemException($"frame {frame} cannot be drawn: {flaw}");
             var view = scene with { Camera = camera };
             var whole = LineRange.Whole(camera.Height);
             var output = Path.Combine(folder, $"{name}-{DrawCommand.Padded(frame, frames)}.png");

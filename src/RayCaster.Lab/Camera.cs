@@ -45,7 +45,7 @@ public class Camera
     public Ray RayThrough(int c, int r)
     {
         var d = Direction(c + SampleOffset, r + SampleOffset);
-        return new Ray(Position, d) { Bias = Bias, ZNear = ZNear, ZFar = ZFar, ZPerT = ClipsByDistance ? 1 : -(d * W) };
+        return new Ray(Position, d) { Bias = Bias, ZNear = ZNear, ZFar = ZFar, DepthPerT = ClipsByDistance ? 1 : -(d * W) };
     }
 
     /// <summary>The colour that a ray shows at its hit: the farther, the darker, and black from twice the target's distance on.</summary>

@@ -1,6 +1,6 @@
 namespace Lab;
 
-/// <summary>An endless plane, seen from both sides.</summary>
+/// <summary>An infinite plane, seen from both sides.</summary>
 public class Plane(Vector3 point, Vector3 normal) : Model
 {
     public Vector3 Q = point; // any point of the plane

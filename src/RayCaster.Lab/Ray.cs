@@ -11,8 +11,8 @@ public class Ray(Vector3 origin, Vector3 direction)
 
     public Model HitModel; // the model hit there; null for none
 
-    // What zNear and zFar measure is z = t ZPerT. A ray made without a camera is not clipped.
-    public double Bias, ZNear, ZFar = double.MaxValue, ZPerT = 1;
+    // What zNear and zFar measure is z = t DepthPerT. A ray made without a camera is not clipped.
+    public double Bias, ZNear, ZFar = double.MaxValue, DepthPerT = 1;
 
     public Vector3 At(double t) =>
         // BEGIN SOLUTION "Ray"
@@ -44,7 +44,7 @@ public class Ray(Vector3 origin, Vector3 direction)
         // BEGIN SOLUTION "zNear & zFar"
         // STUB Todo.Note("zNear & zFar");
         // STUB var isBetween = true;
-        var z = t * ZPerT;
+        var z = t * DepthPerT;
         var isBetween = ZNear <= z && z <= ZFar;
         // END SOLUTION
 

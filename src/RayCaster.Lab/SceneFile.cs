@@ -14,8 +14,8 @@ public static class SceneFile
             ZNear = view.ZNear,
             ZFar = view.ZFar,
             Bias = view.Bias,
-            ClipsByDistance = view.Clip == Clip.Distance,
-            SampleOffset = view.Sample == Sample.Center ? 0.5 : 0,
+            ClipsByDistance = view.Clip == ClipMode.Distance,
+            SampleOffset = view.Sample == PixelSample.Center ? 0.5 : 0,
         };
         var scene = new Scene(camera, Of(from.Background));
         foreach (var model in from.Models)

@@ -125,7 +125,7 @@ internal sealed partial class Tab
             Position = VectorOf(value.GetProperty("position")),
             Target = VectorOf(value.GetProperty("target")),
         });
-        Look(view with { Camera = camera?.Flaw is null ? camera : null });
+        Look(view with { Camera = camera?.ValidationError is null ? camera : null });
         Rest();
     }
 

@@ -17,11 +17,11 @@ internal static class PeerScene
         var camera = scene.Camera;
         foreach (var v in new[] { camera.Position, camera.U, camera.V, camera.W }) Vector(v);
         Vector(new(scene.Background.R, scene.Background.G, scene.Background.B));
-        foreach (var number in new[] { camera.PlaneHeight, camera.ZNear, camera.ZFar, camera.Bias, camera.Reach }) Float(number);
+        foreach (var number in new[] { camera.PlaneHeight, camera.ZNear, camera.ZFar, camera.Bias, camera.FadeDistance }) Float(number);
         writer.Write(camera.Width);
         writer.Write(camera.Height);
-        writer.Write(camera.Clip == Clip.Distance ? 1 : 0);
-        writer.Write(camera.Sample == Sample.Center ? 1 : 0);
+        writer.Write(camera.Clip == ClipMode.Distance ? 1 : 0);
+        writer.Write(camera.Sample == PixelSample.Center ? 1 : 0);
         writer.Write(withModels ? scene.Models.Count : 0);
         if (!withModels) return;
 

@@ -12,12 +12,12 @@ public class Step06Clipping
 
     [StackTraceHidden]
     private static void AssertCounts(
-        bool expected, double t, double bias = 1e-6, double zNear = 0.01, double zFar = 100, double zPerT = 1, string slide = "zNear & zFar")
+        bool expected, double t, double bias = 1e-6, double zNear = 0.01, double zFar = 100, double depthPerT = 1, string slide = "zNear & zFar")
     {
-        var ray = new Ray(Vector3.Zero, new(1, 0, 0)) { Bias = bias, ZNear = zNear, ZFar = zFar, ZPerT = zPerT };
+        var ray = new Ray(Vector3.Zero, new(1, 0, 0)) { Bias = bias, ZNear = zNear, ZFar = zFar, DepthPerT = depthPerT };
         Assert.True(ray.Counts(t) == expected, string.Create(CultureInfo.InvariantCulture,
             $"Counts({t:G6}): expected {expected}, but got {!expected}, for Bias = {bias:G6}, ZNear = {zNear:G6}, ZFar = {zFar:G6}, " +
-            $"ZPerT = {zPerT:G6}, so z = {t * zPerT:G6}.\n  {RayAssert.Cite(slide)}{Chance.Again}"));
+            $"DepthPerT = {depthPerT:G6}, so z = {t * depthPerT:G6}.\n  {RayAssert.Cite(slide)}{Chance.Again}"));
     }
 
     [Fact]
@@ -32,8 +32,8 @@ public class Step06Clipping
     [Fact]
     public void TheyMeasureZNotT()
     {
-        AssertCounts(true, 10, zFar: 6, zPerT: 0.5); // z = 5
-        AssertCounts(false, 4, zNear: 3, zPerT: 0.5); // z = 2
+        AssertCounts(true, 10, zFar: 6, depthPerT: 0.5); // z = 5
+        AssertCounts(false, 4, zNear: 3, depthPerT: 0.5); // z = 2
     }
 
     [Fact]
@@ -59,9 +59,9 @@ public class Step06Clipping
     {
         for (var i = 0; i < Teacher.Rays; i++)
         {
-            var (t, bias, zNear, zPerT) = (chance.Number(), chance.Length(1), chance.Length(), chance.Length(1));
+            var (t, bias, zNear, depthPerT) = (chance.Number(), chance.Length(1), chance.Length(), chance.Length(1));
             var zFar = zNear + chance.Length();
-            AssertCounts(new ClipRange(bias, zNear, zFar).Counts<Scalar>(t, zPerT) != 0, t, bias, zNear, zFar, zPerT);
+            AssertCounts(new ClipRange(bias, zNear, zFar).CountsMask<Scalar>(t, depthPerT) != 0, t, bias, zNear, zFar, depthPerT);
         }
     }
 

@@ -19,8 +19,8 @@ internal static class RandomScene
             ZNear = zNear,
             ZFar = random.Next(3) == 0 ? zNear + 15 * random.NextDouble() : 1000,
             Bias = random.Next(2) * 1e-6,
-            Clip = (Clip)random.Next(2),
-            Sample = (Sample)random.Next(2),
+            Clip = (ClipMode)random.Next(2),
+            Sample = (PixelSample)random.Next(2),
         });
 
         var models = new List<Model>();

@@ -31,7 +31,7 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
     /// <summary>The same with rays half a pixel farther up and to the right, or back.</summary>
     public static Scene HalfAPixelAway(Scene scene)
     {
-        var other = scene.Camera.Sample == Sample.Corner ? Sample.Center : Sample.Corner;
+        var other = scene.Camera.Sample == PixelSample.Corner ? PixelSample.Center : PixelSample.Corner;
         return scene with { Camera = new(scene.Camera.Parameters with { Sample = other }) };
     }
 

@@ -38,7 +38,7 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
         part.Enter(tile);
         if (others is not null) MeetOthers(tile, others);
         part.Refresh();
-        batch.Meet(part, order.Sorted);
+        batch.Intersect(part, order.Sorted);
         consumer.Take(part.Rays);
     }
 

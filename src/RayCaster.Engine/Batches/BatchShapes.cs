@@ -20,7 +20,7 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     public abstract void Free();
 
     /// <summary>Intersects rays with shapes as the part lists them.</summary>
-    public abstract void Meet(BatchTile<N> part, int first, int end, bool isClear);
+    public abstract void Intersect(BatchTile<N> part, int first, int end, bool isClear);
 }
 
 internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>
@@ -81,7 +81,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
     public override void Free() => arranged.Free();
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public override void Meet(BatchTile<N> part, int first, int end, bool isClear)
+    public override void Intersect(BatchTile<N> part, int first, int end, bool isClear)
     {
         var (range, rays) = (clip, part.Rays);
         var shapes = arranged.Items;
@@ -93,8 +93,8 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
             var at = packets[i];
             var crossings = it.Shape.Intersect(rays.RaysAt<N>(at));
             // Testing which crossings count costs about as much as the formula of a sphere.
-            var hit = isClear ? N.Or(crossings.Near, crossings.Far) : range.First(crossings, rays.ZPerTAt<N>(at));
-            rays.Keep(at, hit, Lanes.Broadcast<N>(it.Model));
+            var hit = isClear ? N.IfNaN(crossings.Near, crossings.Far) : range.First(crossings, rays.ZPerTAt<N>(at));
+            rays.MergeNearest(at, hit, Lanes.Broadcast<N>(it.Model));
         }
     }
 }

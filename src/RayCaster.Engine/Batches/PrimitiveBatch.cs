@@ -60,7 +60,7 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
 
     /// <summary>Intersects the rays of a part with members, in their order.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void Meet(BatchTile<N> part, ReadOnlySpan<(int Member, float NearestOfRest)> order)
+    public void Intersect(BatchTile<N> part, ReadOnlySpan<(int Member, float NearestOfRest)> order)
     {
         var members = this.members.Items;
         var (group, isClear) = (0, false); // one call for members of one kind, which nearly always is the whole batch
@@ -77,12 +77,12 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
                 ref readonly var member = ref members[order[i].Member];
                 if (member.Kind != group || member.IsClear != isClear)
                 {
-                    groups[group].Meet(part, first, end, isClear);
+                    groups[group].Intersect(part, first, end, isClear);
                     (first, group, isClear) = (end, member.Kind, member.IsClear);
                 }
                 end = part.List(member, order[i].Member);
             }
-            groups[group].Meet(part, first, end, isClear);
+            groups[group].Intersect(part, first, end, isClear);
             part.Refresh();
         }
     }

@@ -27,7 +27,7 @@ internal sealed class ScreenBounds
 
     public ScreenBounds(Camera camera)
     {
-        (this.camera, sample, byDistance) = (camera, camera.SampleOffset, camera.Clip == Clip.Distance);
+        (this.camera, sample, byDistance) = (camera, camera.SampleOffset, camera.Clip == ClipMode.Distance);
         (leftmost, lengthLeft) = Slope(-1, camera.PlaneWidth, camera.Width);
         (rightmost, lengthRight) = Slope(camera.Width + 1, camera.PlaneWidth, camera.Width);
         (lowest, lengthLow) = Slope(-1, camera.PlaneHeight, camera.Height);

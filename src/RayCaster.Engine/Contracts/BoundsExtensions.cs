@@ -19,7 +19,7 @@ public static class BoundsExtensions
     /// <summary>No ray from the origin of space has a hit in a box at a lesser t; 0 where the box contains that origin.</summary>
     /// <remarks>
     /// It is a little less than the distance. A triangle's t is a mean of its corners' depths along the axis k that the ray follows most
-    /// (<see cref="AlongRay{N}"/>), t = z / d_k. For a triangle that is seen almost exactly edge-on the weights of that mean are all rounding,
+    /// (<see cref="RaySpace{N}"/>), t = z / d_k. For a triangle that is seen almost exactly edge-on the weights of that mean are all rounding,
     /// and t may be the depth of any corner: the ray meets the box, but only the hit's coordinate along k is sure to lie in it. Of rays that
     /// meet the box, |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), where i and j are the two other axes.
     /// </remarks>

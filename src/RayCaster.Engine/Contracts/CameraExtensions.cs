@@ -6,7 +6,7 @@ internal static class CameraExtensions
     extension(Camera camera)
     {
         /// <summary>How far from its pixel's lower left corner a ray passes, to the right and upwards, in pixels.</summary>
-        public double SampleOffset => camera.Sample == Sample.Center ? 0.5 : 0;
+        public double SampleOffset => camera.Sample == PixelSample.Center ? 0.5 : 0;
 
         /// <summary>How far U, V and W are from right angles and from length 1. It is all rounding, but large where up is nearly the view direction.
         /// A ray then meets a point a little beside the pixel to which U and V project it.</summary>

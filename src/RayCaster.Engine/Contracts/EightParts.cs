@@ -7,7 +7,7 @@ internal sealed class EightParts(Camera camera)
 
     private readonly Tile[] tiles = new Tile[Count];
     private Ray<Interval> rays;
-    private Interval zPerT;
+    private Interval depthPerT;
     private bool isAimed;
 
     /// <summary>A part; it may be empty.</summary>
@@ -27,7 +27,7 @@ internal sealed class EightParts(Camera camera)
     }
 
     /// <summary>What z gains for one unit of t along the <see cref="Rays"/>, which must be read first.</summary>
-    public ref readonly Interval ZPerT => ref zPerT;
+    public ref readonly Interval DepthPerT => ref depthPerT;
 
     /// <summary>Cuts a rectangle into parts, from left to right and then upwards.</summary>
     /// <param name="whole">The rectangle; parts that lie beyond its sides are narrower, lower or empty.</param>
@@ -56,7 +56,7 @@ internal sealed class EightParts(Camera camera)
         }
         var direction = camera.Direction(Range(left, right), Range(bottom, top));
         rays = new(camera.Position, direction);
-        zPerT = camera.ZPerT(direction);
+        depthPerT = camera.DepthPerT(direction);
         isAimed = true;
     }
 

@@ -15,7 +15,7 @@ internal abstract class ModelView
     /// <param name="shared">What the thread's views share; null until the first view that needs it has made it.</param>
     public virtual ModelView ForThread(ref object? shared) => this;
 
-    /// <summary>Goes to a tile, before <see cref="Meet"/> is called for its rows; returns the range of the model's hits.</summary>
+    /// <summary>Goes to a tile, before <see cref="Intersect"/> is called for its rows; returns the range of the model's hits.</summary>
     public virtual HitRange Enter(in Tile tile, HitRange known) => known;
 
     /// <summary>Returns the ranges of the model's hits in some parts.</summary>
@@ -23,7 +23,7 @@ internal abstract class ModelView
 
     /// <summary>Intersects some rays in the tile with the model and keeps hits that are nearer than all before.</summary>
     /// <param name="index">The model's place in the scene, for ties.</param>
-    public abstract void Meet(RayStream rays, int index);
+    public abstract void Intersect(RayStream rays, int index);
 
     /// <summary>Calls the visitor with a single shape and returns what that returns; false for other models.</summary>
     public virtual bool Accept(IShapeVisitor visitor) => false;

@@ -16,7 +16,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     private readonly Columns columns = new(camera, MaxLength);
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
-    private readonly double[] zPerT = new double[capacity];
+    private readonly double[] depthPerT = new double[capacity];
     private readonly double[] near = new double[capacity], far = new double[capacity]; // the crossings with one model
     private readonly double[] t = new double[capacity];
     private readonly double[] model = new double[capacity];
@@ -78,7 +78,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
             direction.X.Store(x, first + i);
             direction.Y.Store(y, first + i);
             direction.Z.Store(z, first + i);
-            camera.ZPerT(direction).Store(zPerT, first + i);
+            camera.DepthPerT(direction).Store(depthPerT, first + i);
             Lanes.Broadcast<N>(double.PositiveInfinity).Store(t, first + i);
             Lanes.Broadcast<N>(-1).Store(model, first + i);
         }
@@ -113,7 +113,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N ZPerTAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(zPerT, pixel);
+    public N ZPerTAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(depthPerT, pixel);
 
     /// <summary>Sets the hits of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -125,7 +125,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     /// <summary>Stores a model's crossings with the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Note<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N>
+    public void StoreCrossings<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N>
     {
         crossings.Near.Store(near, pixel);
         crossings.Far.Store(far, pixel);
@@ -133,22 +133,22 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     /// <summary>Keeps those of the stored crossings that count and are nearer than all hits before.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    public void KeepNoted<N>(int modelIndex) where N : struct, IPacket<N>
+    public void MergeStored<N>(int modelIndex) where N : struct, IPacket<N>
     {
         for (var i = 0; i < Length; i += N.Count)
-            Keep(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), Lanes.Broadcast<N>(modelIndex));
+            MergeNearest(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), Lanes.Broadcast<N>(modelIndex));
     }
 
     /// <summary>The first of the crossings that counts, in each lane, or NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N First<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N> =>
-        camera.ClipRange.First(crossings, N.Load(zPerT, pixel));
+        camera.ClipRange.First(crossings, N.Load(depthPerT, pixel));
 
     /// <summary>Keeps the hits of a model that are nearer than all before.</summary>
     /// <param name="hit">The model's t in each lane, NaN for none.</param>
     /// <param name="modelIndex">The model's index in the scene: of equal hits, the first model's stays, in whatever order they are found.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Keep<N>(int pixel, N hit, N modelIndex) where N : struct, IPacket<N>
+    public void MergeNearest<N>(int pixel, N hit, N modelIndex) where N : struct, IPacket<N>
     {
         var (nearest, models) = (NearestAt<N>(pixel), ModelsAt<N>(pixel));
         var better = Ray.IsNearer(hit, nearest) | (N.Equal(hit, nearest) & (modelIndex < models));
@@ -159,7 +159,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     {
         for (var i = 0; i < Length; i++)
         {
-            var ray = new Ray(Origin, DirectionAt(i)) { ClipRange = camera.ClipRange, ZPerT = zPerT[i] };
+            var ray = new Ray(Origin, DirectionAt(i)) { ClipRange = camera.ClipRange, DepthPerT = depthPerT[i] };
             if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i])))
                 continue;
             t[i] = hit;

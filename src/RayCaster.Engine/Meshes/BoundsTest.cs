@@ -4,7 +4,7 @@ namespace RayCaster.Engine;
 internal readonly struct BoundsTest<N> where N : struct, IPacket<N>, IReal<N>
 {
     private readonly N inverseX, inverseY, inverseZ;
-    private readonly N mostlyX, isYAtLeastZ; // masks: the axis that a ray follows most, as AlongRay chooses it
+    private readonly N mostlyX, isYAtLeastZ; // masks: the axis that a ray follows most, as RaySpace chooses it
 
     /// <param name="direction">The rays' directions; they share one origin.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -16,7 +16,7 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     // in a larger method, the compiler would turn operators into calls
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public Crossings<N> Intersect(in Ray<N> rays, RawSpan<int> triangles, int first) => Triangle.Intersect(
-        new AlongRay<N>(rays),
+        new RaySpace<N>(rays),
         N.Gather(vertices, indices, triangles, first, 0), N.Gather(vertices, indices, triangles, first, 1),
         N.Gather(vertices, indices, triangles, first, 2));
 
@@ -50,7 +50,7 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     {
         var direction = screen.Camera.Direction(N.Load(columns, 0), N.Load(rows, 0));
         var crossings = Intersect(new Ray<N>(screen.Camera.Position, direction), new(triangles), 0);
-        var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.ZPerT(direction));
+        var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.DepthPerT(direction));
         hit.Store(hits, 0);
         (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(nearness, 0);
     }

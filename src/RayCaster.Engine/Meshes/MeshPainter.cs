@@ -28,7 +28,7 @@ internal sealed class MeshPainter
         var (r, g, b) = scene.Background.ToBytes();
         background = r | (g << 8) | (b << 16);
         // Beyond this t there is no light, even after rounding.
-        var most = 2 * scene.Camera.Reach;
+        var most = 2 * scene.Camera.FadeDistance;
         var light = scene.Attenuation(new ErrorBound(0, most, most * Roundings));
         Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + FloatBytes.RoundingOfTheEnds;
         // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the

@@ -59,11 +59,11 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         return formulaOnly is null ? range : range with { Least = 0 };
     }
 
-    public override void Meet(RayStream rays, int index)
+    public override void Intersect(RayStream rays, int index)
     {
-        if (shows) OwnFilter().Meet(rays, index);
+        if (shows) OwnFilter().Intersect(rays, index);
         if (formulaOnly is null) return;
-        for (var i = 0; i < rays.Length; i += N.Count) rays.Keep(i, formulaOnly.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
+        for (var i = 0; i < rays.Length; i += N.Count) rays.MergeNearest(i, formulaOnly.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
     }
 
     public override void Free()

@@ -10,7 +10,7 @@ internal sealed class ScreenSpace
     public ScreenSpace(Camera camera)
     {
         (Camera, origin, u, v, w) = (camera, camera.Position, camera.U, camera.V, camera.W);
-        (Scale, Unit) = (camera.Height / camera.PlaneHeight, camera.Reach / 2);
+        (Scale, Unit) = (camera.Height / camera.PlaneHeight, camera.FadeDistance / 2);
         (right, up, ahead) = (Scale / Unit * u, Scale / Unit * v, -w);
         (CenterX, CenterY) = (camera.Width / 2.0 - camera.SampleOffset, camera.Height / 2.0 - camera.SampleOffset);
         Guard = 256 + Math.Max(camera.Width, camera.Height) / 4.0;
@@ -30,7 +30,7 @@ internal sealed class ScreenSpace
         LeastWidth = (float)(4e6 * DoubleMargin + 16 * Margin);
         IsFine = DoubleMargin < 1e-2 && camera.Skew * longest < 1e-7 && Unit is > 1e-250 and < 1e250;
 
-        var byDistance = camera.Clip == Clip.Distance;
+        var byDistance = camera.Clip == ClipMode.Distance;
         var nearest = Math.Max(camera.ZNear, camera.Bias);
         LeastDepth = (byDistance ? nearest : Math.Max(camera.ZNear, camera.Bias / longest)) / (byDistance ? longest : 1) * (1 - 1e-6);
         MostSureW = (float)(Unit / nearest * (1 - 1e-5));

@@ -75,7 +75,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     }
 
     /// <summary>Keeps the mesh's hits for some pixels of a row.</summary>
-    public void Meet(RayStream rays, int index) => hits.Meet(rays, index);
+    public void Intersect(RayStream rays, int index) => hits.Intersect(rays, index);
 
     /// <inheritdoc cref="TileHits{N}.Paint"/>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => hits.Paint(painter, rgb, first, step);

@@ -22,7 +22,7 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
 
     /// <summary>Keeps the mesh's hits for some pixels of a row.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void Meet(RayStream rays, int index)
+    public void Intersect(RayStream rays, int index)
     {
         var (decided, hasDecided, proposed) = (pixels.Decided, pixels.HasDecided, pixels.Proposed);
         var first = (rays.Row - pixels.Tile.Row) * TilePixels.Stride + rays.Column - pixels.Tile.Column;
@@ -36,7 +36,7 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
                 var other = N.Load(decided, at);
                 hit = N.Select(hit <= other, hit, other);
             }
-            rays.Keep(i, hit, Lanes.Broadcast<N>(index));
+            rays.MergeNearest(i, hit, Lanes.Broadcast<N>(index));
         }
     }
 

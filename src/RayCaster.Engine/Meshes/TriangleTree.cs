@@ -53,7 +53,7 @@ public sealed class TriangleTree
         if (nodes.Length == 0) return hit;
 
         var ray = rays.RaysAt<N>(pixel);
-        var along = new AlongRay<N>(ray);
+        var along = new RaySpace<N>(ray);
         var (origin, ahead) = (rays.Origin, rays.DirectionAt(pixel));
         var test = new BoundsTest<N>(ray.Direction);
 

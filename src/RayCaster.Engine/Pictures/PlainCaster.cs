@@ -26,7 +26,7 @@ internal sealed class PlainCaster<N>(Frame<N> frame) : IStripCaster where N : st
         for (var row = part.Row; row < part.EndRow; row++)
         {
             rays.Aim<N>(row);
-            foreach (var i in near) views[i].Meet(rays, i);
+            foreach (var i in near) views[i].Intersect(rays, i);
             consumer.Take(rays);
         }
     }

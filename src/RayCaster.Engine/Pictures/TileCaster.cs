@@ -68,11 +68,11 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 
     private void CastBatch(BatchCaster<N> batch, in Tile tile, List<Candidate> list)
     {
-        batch.Cast(tile, list.Count > 0 ? Meet : null, consumer);
+        batch.Cast(tile, list.Count > 0 ? Intersect : null, consumer);
 
-        void Meet(RayStream rays)
+        void Intersect(RayStream rays)
         {
-            foreach (var candidate in list) views[candidate.Index].Meet(rays, places[candidate.Index]);
+            foreach (var candidate in list) views[candidate.Index].Intersect(rays, places[candidate.Index]);
         }
     }
 
@@ -175,7 +175,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         for (var row = part.Row; row < part.EndRow; row += rows)
         {
             rays.Aim<N>(row, rows);
-            foreach (var candidate in list) views[candidate.Index].Meet(rays, places[candidate.Index]);
+            foreach (var candidate in list) views[candidate.Index].Intersect(rays, places[candidate.Index]);
             consumer.Take(rays);
         }
     }

@@ -55,7 +55,7 @@ internal sealed class FloatPainter : IShapeVisitor
     private void Write(int column, int row, Span<byte> rgb)
     {
         var ray = camera.RayThrough(part.Column + column, part.Row + row);
-        ray.Meet(scene.Models[covered.Index]);
+        ray.Intersect(scene.Models[covered.Index]);
         (rgb[0], rgb[1], rgb[2]) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
     }
 
@@ -66,10 +66,10 @@ internal sealed class FloatPainter : IShapeVisitor
         var color = scene.Models[index].Color;
         var brightest = Math.Max(color.R, Math.Max(color.G, color.B));
         if (brightest > 1) return false;
-        var steepest = -FloatLevel.SlopeOf(brightest, camera.Reach);
+        var steepest = -FloatLevel.SlopeOf(brightest, camera.FadeDistance);
         var error = Error(shape, index, GoodError / steepest);
         if (!(error * steepest < MostError)) return false;
-        var levels = new FloatLevels(color, camera.Reach, error);
+        var levels = new FloatLevels(color, camera.FadeDistance, error);
         if (FloatBytes.IsWide) Paint<P, WideFloatPacket>(shape, levels);
         else Paint<P, FloatPacket>(shape, levels);
         return true;
@@ -88,8 +88,8 @@ internal sealed class FloatPainter : IShapeVisitor
     private double Error<P>(in Tile part, in P shape) where P : struct, IPrimitive
     {
         var direction = rays.Directions(part);
-        var hit = camera.ClipRange.First(shape.Intersect(new Ray<ErrorBound>(camera.Position, direction)), camera.ZPerT(direction));
-        return hit.Hi <= camera.Reach ? hit.Error : double.PositiveInfinity;
+        var hit = camera.ClipRange.First(shape.Intersect(new Ray<ErrorBound>(camera.Position, direction)), camera.DepthPerT(direction));
+        return hit.Hi <= camera.FadeDistance ? hit.Error : double.PositiveInfinity;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
@@ -107,7 +107,7 @@ internal sealed class FloatPainter : IShapeVisitor
             {
                 var direction = camera.Direction(columns.Load<F>(firstColumn + packet * F.Count), upwards);
                 var crossings = shape.Intersect(new Ray<F>(origin, direction));
-                var t = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
+                var t = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.DepthPerT(direction));
                 doubts[next] = t.Write(levels, rgb, place);
             }
         }

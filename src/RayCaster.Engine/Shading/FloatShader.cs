@@ -18,7 +18,7 @@ internal sealed class FloatShader
         var (r, g, b) = scene.Background.ToBytes();
         background = r | g << 8 | b << 16;
         // Beyond this t there is no light, even after rounding.
-        var t = ErrorBound.From(0, 2 * scene.Camera.Reach);
+        var t = ErrorBound.From(0, 2 * scene.Camera.FadeDistance);
         var steps = new ErrorBound(0, FloatColors.MostSteps, 0); // floats represent integers exactly
         var level = Color.Level(scene.Attenuation(t) * colors.Step * steps);
         error = level.Error + 255 * colors.Step / 2 + FloatBytes.RoundingOfTheEnds; // a colour's error is half a step

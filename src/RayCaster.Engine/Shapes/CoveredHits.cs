@@ -38,7 +38,7 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
                 var i = Math.Min(next, width - N.Count);
                 var direction = camera.Direction(columns.At<N>(i), upwards);
                 var crossings = shape.Intersect(new Ray<N>(origin, direction));
-                var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
+                var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.DepthPerT(direction));
                 hit.Store(t, to + i);
             }
         }

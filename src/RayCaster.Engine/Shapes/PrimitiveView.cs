@@ -13,6 +13,6 @@ internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeVie
     protected override void Intersect(RayStream rays)
     {
         var shape = primitive; // a local, so that its constants stay in registers
-        for (var i = 0; i < rays.Length; i += N.Count) rays.Note(i, shape.Intersect(rays.RaysAt<N>(i)));
+        for (var i = 0; i < rays.Length; i += N.Count) rays.StoreCrossings(i, shape.Intersect(rays.RaysAt<N>(i)));
     }
 }

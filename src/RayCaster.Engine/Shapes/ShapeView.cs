@@ -13,8 +13,8 @@ internal abstract class ShapeView<N>(Bounds? bounds, Camera camera) : ModelView 
     public sealed override HitRanges Narrow(EightParts parts, HitRange whole)
     {
         Intersect(parts, out var crossings);
-        var nearCounts = clip.Counts(crossings.Near, parts.ZPerT);
-        var hit = clip.First(crossings, parts.ZPerT, nearCounts);
+        var nearCounts = clip.CountsMask(crossings.Near, parts.DepthPerT);
+        var hit = clip.First(crossings, parts.DepthPerT, nearCounts);
         return new(
             // a hit that counts is not behind the camera
             WidePacket.Select(hit.IsNothing, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)),
@@ -22,10 +22,10 @@ internal abstract class ShapeView<N>(Bounds? bounds, Camera camera) : ModelView 
             nearCounts.Lo);
     }
 
-    public sealed override void Meet(RayStream rays, int index)
+    public sealed override void Intersect(RayStream rays, int index)
     {
         Intersect(rays);
-        rays.KeepNoted<N>(index);
+        rays.MergeStored<N>(index);
     }
 
     /// <summary>Finds where the rays of some parts may cross the shape.</summary>

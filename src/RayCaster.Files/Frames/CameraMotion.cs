@@ -54,7 +54,7 @@ public static class CameraMotion
     private static Camera At(Camera camera, Vector3 position, Vector3 target)
     {
         var moved = new Camera(camera.Parameters with { Position = position, Target = target });
-        return moved.Flaw is null ? moved : camera;
+        return moved.ValidationError is null ? moved : camera;
     }
 
     /// <summary>Turns v about an axis of length 1 (Rodrigues' formula).</summary>

@@ -11,7 +11,7 @@ namespace RayCaster.Files;
 /// These values are hashed, in this order: the text "raycaster picture 2"; width, height; position, target, up; fovY, h = 2 tan(fovY / 2); zNear,
 /// zFar, bias; clip and sample as 0 or 1; the background; the digest of the models. In that are hashed: the number of models, and of each its colour
 /// and its kind. Then of a primitive its numbers; of a mesh the number of vertices and of indices, and each of them, as the scene places it; of a
-/// model in plain doubles and ifs its <see cref="Model.Numbers"/>. A number is the eight bytes of a double, the lowest first; a text is its length
+/// scalar shape its <see cref="Model.Numbers"/>. A number is the eight bytes of a double, the lowest first; a text is its length
 /// and its UTF-8 bytes.
 /// <para>The last bit of tan, sin and cos may depend on the system. Therefore h and the placed vertices are hashed: if two systems compute
 /// different ones, their digests differ.</para>

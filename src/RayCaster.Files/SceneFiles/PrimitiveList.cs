@@ -10,7 +10,7 @@ internal static class PrimitiveList
 {
     public static readonly PrimitiveType[] All =
     [
-        new("plane", "An endless plane, visible from both sides.", o =>
+        new("plane", "An infinite plane, visible from both sides.", o =>
             Model.Of(new Plane(
                 o.Vector("point", "Q, any point of the plane."),
                 o.Direction("normal", "n, across the plane; any length but zero.")))),

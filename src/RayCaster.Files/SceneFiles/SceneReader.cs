@@ -97,9 +97,9 @@ public static class SceneReader
             ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", Limits.None, orElse.ZFar),
             Bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
             Clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
-                "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth,
+                "depth", "distance") == "distance" ? ClipMode.Distance : ClipMode.Depth,
             Sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
-                "corner", "center") == "center" ? Sample.Center : Sample.Corner,
+                "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner,
         };
         o.Close();
 

@@ -20,8 +20,8 @@ internal static class ColorMistakes
             .Or("1 − t / 2 · |T − P|, without brackets", Fade((t, D, _) => 1 - t / 2 * D))
             .Or("1 − t / 2, without |T − P|", Fade((t, _, _) => 1 - t / 2))
             .Or("1 − t, without 2 |T − P|", Fade((t, _, _) => 1 - t))
-            .Or("1 − t / |2 T − P|", lab => lab.Reach.Is(() => lab.Length.Do(2 * lab.T - lab.P)))
-            .Or("1 − t / (2 |T + P|)", lab => lab.Reach.Is(() => lab.Length.Do(2 * (lab.T + lab.P)))),
+            .Or("1 − t / |2 T − P|", lab => lab.FadeDistance.Is(() => lab.Length.Do(2 * lab.T - lab.P)))
+            .Or("1 − t / (2 |T + P|)", lab => lab.FadeDistance.Is(() => lab.Length.Do(2 * (lab.T + lab.P)))),
         new Mistake("att-inv", Concerns.Color, Slides.Shading, "t / (2 |T − P|): far is bright",
             lab => lab.Attenuation.Becomes(fade => t => 1 - fade(t)),
             "Far things are brighter than near ones.",
@@ -46,8 +46,8 @@ internal static class ColorMistakes
             "|X| is the distance of X from which point?",
             "1 − t / (2 |T − P|): t is the distance from the camera.")
             .Or("attenuation by the hit's distance from the target", lab => lab.Distance.Is((t, d) => lab.Length.Do(lab.P + t * d - lab.T)))
-            .Or("1 − t / (2 |T|)", lab => lab.Reach.Is(() => 2 * lab.Length.Do(lab.T)))
-            .Or("1 − t / (2 |P|)", lab => lab.Reach.Is(() => 2 * lab.Length.Do(lab.P))),
+            .Or("1 − t / (2 |T|)", lab => lab.FadeDistance.Is(() => 2 * lab.Length.Do(lab.T)))
+            .Or("1 − t / (2 |P|)", lab => lab.FadeDistance.Is(() => 2 * lab.Length.Do(lab.P))),
         new Mistake("att-int", Concerns.Color, Slides.Shading, "the attenuation cut to an integer: 0",
             lab => lab.Attenuation.Becomes(fade => t => Math.Truncate(fade(t))),
             "Every model is black.",
@@ -56,7 +56,7 @@ internal static class ColorMistakes
             .Or("t cut to an integer", lab => lab.Attenuation.Becomes(fade => t => fade(Math.Truncate(t))))
             .Or("t / (2 |T − P|) cut to an integer", Fade((t, D, _) => 1 - Math.Truncate(t / (2 * D))))
             .Or("t and 2 |T − P| cut to integers, and divided as such", lab => lab.Attenuation.Is(t =>
-                (int)lab.Reach.Do() is var reach and not 0 ? 1 - (int)t / reach : double.NaN)),
+                (int)lab.FadeDistance.Do() is var reach and not 0 ? 1 - (int)t / reach : double.NaN)),
         new Mistake("att-square", Concerns.Color, Slides.Shading, "attenuation by the square: 1 − t² / (2 |T − P|)²",
             Fade((t, D, _) => 1 - t * t / (4 * D * D)),
             "Near things are too bright or all too dark: the light falls in another curve.",
@@ -140,7 +140,7 @@ internal static class ColorMistakes
 
     /// <summary>Another attenuation, from t, |T − P| and the camera.</summary>
     private static Action<Lab> Fade(Func<double, double, Camera, double> attenuation) => lab =>
-        lab.Attenuation.Is(t => attenuation(t, lab.Reach.Do() / 2, lab.Camera));
+        lab.Attenuation.Is(t => attenuation(t, lab.FadeDistance.Do() / 2, lab.Camera));
 
     private static Action<Lab> Gamma(double exponent) => lab => lab.Clamp.Becomes(clamp => channel => Math.Pow(clamp(channel), exponent));
 

@@ -15,7 +15,7 @@ internal sealed partial class Lab
         (Scene, models) = (scene, [.. scene.Models]);
         var camera = Camera;
         (P, T, Width, Height) = (camera.Position, camera.Target, camera.Width, camera.Height);
-        (clip, half) = (camera.ClipRange, camera.Sample == RayCaster.Sample.Center ? 0.5 : 0);
+        (clip, half) = (camera.ClipRange, camera.Sample == RayCaster.PixelSample.Center ? 0.5 : 0);
 
         foreach (var mistake in mistakes)
         {
@@ -39,7 +39,7 @@ internal sealed partial class Lab
         V = AxisV.Do(W, U);
         h = PlaneHeight.Do(Camera.FovY);
         w = PlaneWidth.Do(h);
-        reach = Reach.Do();
+        reach = FadeDistance.Do();
     }
 
     /// <summary>The shapes whose own formulas its mistakes change.</summary>
@@ -198,14 +198,14 @@ internal sealed partial class Lab
         Model<Triangle> { Primitive: var triangle } when !TrianglesReachOut
             && new Line(P, d).Misses(triangle.Bounds) => null,
         _ => CrossingsOf(model, d) is { } crossed ? First.Do(crossed, d)
-            : model.Intersect(new Ray(P, d) { ClipRange = Camera.ClipRange, ZPerT = Camera.Clip == Clip.Depth ? -(d * W) : 1 }),
+            : model.Intersect(new Ray(P, d) { ClipRange = Camera.ClipRange, DepthPerT = Camera.Clip == ClipMode.Depth ? -(d * W) : 1 }),
     };
 
     /// <summary>The nearest hit of all triangles. A tree rejects triangles, also behind the camera; the steps decide which hits count.</summary>
     private double? NearestOf(Mesh mesh, Vector3 d)
     {
         if (double.IsNaN(d.X + d.Y + d.Z)) return null; // of a mistaken camera: hits nothing, and no bounds would reject it
-        var along = new AlongRay<Scalar>(RayOf(d));
+        var along = new RaySpace<Scalar>(RayOf(d));
         return TrianglesReachOut ? Enumerable.Range(0, mesh.TriangleCount).Min(HitOf) : mesh.Tree.Nearest(P, d, HitOf);
 
         double? HitOf(int triangle) => First.Do(Triangle.IsChanged ? Triangle.Do(mesh[triangle], d) : mesh[triangle].Intersect(along), d);

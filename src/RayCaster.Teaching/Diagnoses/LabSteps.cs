@@ -83,11 +83,11 @@ internal sealed partial class Lab
 
     /// <summary>(t, depth) → whether it is not nearer than zNear, which measures one of both.</summary>
     public Step<Func<double, double, bool>> Near => field ??= new(
-        (t, depth) => clip.IsBeyondNear<Scalar>(Camera.Clip == Clip.Depth ? depth : t).Value != 0);
+        (t, depth) => clip.IsBeyondNear<Scalar>(Camera.Clip == ClipMode.Depth ? depth : t).Value != 0);
 
     /// <summary>(t, depth) → whether it is not beyond zFar, which measures one of both.</summary>
     public Step<Func<double, double, bool>> Far => field ??= new(
-        (t, depth) => clip.IsWithinFar<Scalar>(Camera.Clip == Clip.Depth ? depth : t).Value != 0);
+        (t, depth) => clip.IsWithinFar<Scalar>(Camera.Clip == ClipMode.Depth ? depth : t).Value != 0);
 
     /// <summary>(t, depth) → whether it is between both.</summary>
     public Step<Func<double, double, bool>> Clipped => field ??= new((t, depth) => Near.Do(t, depth) && Far.Do(t, depth));
@@ -122,7 +122,7 @@ internal sealed partial class Lab
     public Step<Func<double, Vector3, double>> Distance => field ??= new((t, _) => t);
 
     /// <summary>→ 2 |T − P|, the distance at which all light is gone.</summary>
-    public Step<Func<double>> Reach => field ??= new(() => Length.Do(2 * (T - P)));
+    public Step<Func<double>> FadeDistance => field ??= new(() => Length.Do(2 * (T - P)));
 
     /// <summary>The distance → the attenuation.</summary>
     public Step<Func<double, double>> Attenuation => field ??= new(t => 1 - t / reach);

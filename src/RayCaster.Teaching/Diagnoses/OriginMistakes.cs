@@ -59,7 +59,7 @@ internal static class OriginMistakes
         lab.Plane.Becomes(cross => (plane, d) => From(Start(d), t => cross(plane with { Point = plane.Point - t * d }, d)));
         lab.Sphere.Becomes(cross => (sphere, d) => From(Start(d), t => cross(sphere with { Center = sphere.Center - t * d }, d)));
 
-        double Start(Vector3 d) => lab.Camera.ZNear / (lab.Camera.Clip == Clip.Depth ? -(d * lab.W) : 1);
+        double Start(Vector3 d) => lab.Camera.ZNear / (lab.Camera.Clip == ClipMode.Depth ? -(d * lab.W) : 1);
 
         Crossings<Scalar> From(double t, Func<double, Crossings<Scalar>> cross)
         {

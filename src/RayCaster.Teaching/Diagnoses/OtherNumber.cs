@@ -61,9 +61,9 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
             lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x));
             lab.PlaneWidth.Becomes(w => h => w(h) * Math.Pow(2, x));
         }, x => $"The same picture, about {Times(x, "high", "low")}: look at h, while w is right.");
-        yield return Of((lab, x) => lab.Reach.Becomes(reach => () => reach() * Math.Pow(2, x)),
-            x => $"All outlines are right, only the light: it ends at about {Number(c.Reach * Math.Pow(2, x))}, " +
-                $"while 2 |T − P| is {Number(c.Reach)}. Look at the attenuation, and at the camera's target.");
+        yield return Of((lab, x) => lab.FadeDistance.Becomes(reach => () => reach() * Math.Pow(2, x)),
+            x => $"All outlines are right, only the light: it ends at about {Number(c.FadeDistance * Math.Pow(2, x))}, " +
+                $"while 2 |T − P| is {Number(c.FadeDistance)}. Look at the attenuation, and at the camera's target.");
         yield return new(x => new(With(c.Position, c.Target, zNear: c.ZNear * Math.Pow(2, x))), times,
             x => $"All is right if zNear is about {Number(c.ZNear * Math.Pow(2, x))}; the scene says {Number(c.ZNear)}.");
         yield return new(x => new(With(c.Position, c.Target, zFar: c.ZFar * Math.Pow(2, x))), times,

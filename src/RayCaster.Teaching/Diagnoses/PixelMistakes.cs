@@ -128,7 +128,7 @@ internal static class PixelMistakes
     /// <summary>Half a pixel farther or nearer than the scene says; 1 is from the corner to the centre, or from the centre to the corner.</summary>
     private static Action<Lab> Sampled(int columns, int rows) => lab => lab.Sample.Becomes(sample =>
     {
-        var half = lab.Camera.Sample == Sample.Corner ? 0.5 : -0.5;
+        var half = lab.Camera.Sample == PixelSample.Corner ? 0.5 : -0.5;
         return (c, r) => sample(c + columns * half, r + rows * half);
     });
 }

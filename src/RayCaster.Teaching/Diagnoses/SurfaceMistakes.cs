@@ -64,10 +64,10 @@ internal static class SurfaceMistakes
             .Or("circle: |X − C| ≤ R²", CircleRadius(R => R * R)),
         new Mistake("circ-inf", Concerns.Circles, Slides.Circle, "circle: the radius is not asked",
             CircleRadius(_ => double.PositiveInfinity),
-            "A circle covers the picture like an endless plane.",
+            "A circle covers the picture like an infinite plane.",
             "What is there of a circle that a plane has not?",
             "The plane's crossing X counts only where |X − C| ≤ R.")
-            .Or("circle: |X − C| > R, an endless plane with a hole", lab => lab.Circle.Becomes(cross => (circle, d) =>
+            .Or("circle: |X − C| > R, an infinite plane with a hole", lab => lab.Circle.Becomes(cross => (circle, d) =>
                 double.IsNaN(cross(circle, d).Near) ? cross(circle with { Radius = double.PositiveInfinity }, d) : None))
             .Or(Within("|X − C| without x", (lab, X, C) => new(0, X.Y - C.Y, X.Z - C.Z)))
             .Or(Within("|X − C| without y", (lab, X, C) => new(X.X - C.X, 0, X.Z - C.Z)))

@@ -88,9 +88,9 @@ internal static class VectorMistakes
             .Or("d is divided by x² + y² + z²", AllowAnyLength + (lab => lab.Direction.Is(d => d / (d * d))))
             .Or("d = ux U + uy V − W / tan(fovY / 2) is divided by x² + y² + z²",
                 AllowAnyLength + Zoom + (lab => lab.Direction.Is(d => d / (d * d))))
-            .Or("the light reaches (T − P)²", lab => lab.Reach.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
-            .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
-            .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
+            .Or("the light reaches (T − P)²", lab => lab.FadeDistance.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
+            .Or("the light reaches 2 (T − P)²", lab => lab.FadeDistance.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
+            .Or("the light reaches (2 (T − P))²", lab => lab.FadeDistance.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
         CrossMistakes.OfY,
         CrossMistakes.OfZ,
         new Mistake("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
@@ -184,7 +184,7 @@ internal static class VectorMistakes
     /// <summary>zNear and zFar, where they measure the distance, are compared with |X − P|, where X − P = t d.</summary>
     private static void ClipByLength(Lab lab)
     {
-        if (lab.Camera.Clip == Clip.Depth) return;
+        if (lab.Camera.Clip == ClipMode.Depth) return;
         lab.Depth.Is((t, d) => lab.Length.Do(t * d));
         lab.Near.Becomes(near => (_, length) => near(length, length));
         lab.Far.Becomes(far => (_, length) => far(length, length));
@@ -193,7 +193,7 @@ internal static class VectorMistakes
     private static Action<Lab> SquareLength => lab => lab.Length.Becomes(length => a => length(a) * length(a));
 
     /// <summary>Twice the length, where the length of twice the vector is another.</summary>
-    private static Action<Lab> DoubleReach => lab => lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
+    private static Action<Lab> DoubleReach => lab => lab.FadeDistance.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
 
     /// <summary>The sphere's formula for a direction of any length: t counts in its lengths.</summary>
     private static Action<Lab> AllowAnyLength => lab => lab.Sphere.Is((s, d) =>

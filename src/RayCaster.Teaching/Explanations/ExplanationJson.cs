@@ -14,7 +14,7 @@ public static class ExplanationJson
         {
             pixel.Ray.Origin,
             pixel.Ray.Direction,
-            pixel.Ray.ZPerT,
+            pixel.Ray.DepthPerT,
             Slide = Slides.PixelTranslation,
             Steps = pixel.RaySteps,
         },
@@ -40,7 +40,7 @@ public static class ExplanationJson
             camera.Bias,
             camera.Clip,
             camera.Sample,
-            camera.Reach,
+            camera.FadeDistance,
             Slide = Slides.Camera,
             Steps = pixel.CameraSteps,
         };

@@ -37,10 +37,10 @@ public sealed class ExplanationText
     private void Ray()
     {
         var (camera, ray) = (pixel.Scene.Camera, pixel.Ray);
-        Section("Ray", camera.Sample == Sample.Corner ? "through the pixel's lower left corner" : "through the pixel's middle");
+        Section("Ray", camera.Sample == PixelSample.Corner ? "through the pixel's lower left corner" : "through the pixel's middle");
         Steps(2, pixel.RaySteps);
         Line(2, $"X(t) = P + t d = {Digits.Of(ray.Origin)} + t · {Digits.Of(ray.Direction)}");
-        Line(2, camera.Clip == Clip.Depth ? $"z = t · (−d·W) = t · {Digits.Of(ray.ZPerT)}" : "z = t");
+        Line(2, camera.Clip == ClipMode.Depth ? $"z = t · (−d·W) = t · {Digits.Of(ray.DepthPerT)}" : "z = t");
         var least = camera.Bias == 0 ? "t ≥ 0" : $"t > bias = {Digits.Of(camera.Bias)}";
         Line(2, $"A crossing counts where {least} and zNear = {Digits.Of(camera.ZNear)} ≤ z ≤ zFar = {Digits.Of(camera.ZFar)}");
     }

@@ -34,7 +34,7 @@ internal sealed class ModelExplanation
 
     public string Reason { get; }
 
-    /// <summary>The steps of its formula; empty for a model in plain doubles and ifs, of which only t is known.</summary>
+    /// <summary>The steps of its formula; empty for a scalar shape, of which only t is known.</summary>
     public IReadOnlyList<FormulaStep> Steps { get; } = [];
 
     /// <summary>The crossings, nearest first; if there is none, one entry says why.</summary>
@@ -81,12 +81,12 @@ internal sealed class ModelExplanation
             };
             var isStep = term.Chosen.Operation is Operation.Name;
             var untested = double.IsNaN(t) && term.Operation is Operation.If && double.IsFinite(term.B.Value) ? term.B.Value : (double?)null;
-            crossings.Add(new(t, t * pixel.Ray.ZPerT, outcome, reason, isStep ? "" : writer.Of(term), untested));
+            crossings.Add(new(t, t * pixel.Ray.DepthPerT, outcome, reason, isStep ? "" : writer.Of(term), untested));
         }
         return crossings;
     }
 
-    /// <summary>The crossing of a model in plain doubles and ifs.</summary>
+    /// <summary>The crossing of a scalar shape.</summary>
     private CrossingExplanation OfPlainDoubles()
     {
         var t = Trial.T;
@@ -94,7 +94,7 @@ internal sealed class ModelExplanation
             : !Trial.Outcome.IsMiss() ? Reasons.Of(Trial.Outcome, t, pixel)
             : double.IsFinite(t) ? "its Intersect gives no hit, though this t counts"
             : "its Intersect finds no crossing";
-        return new(t, t * pixel.Ray.ZPerT, Trial.Outcome, reason);
+        return new(t, t * pixel.Ray.DepthPerT, Trial.Outcome, reason);
     }
 
     /// <summary>
@@ -104,8 +104,8 @@ internal sealed class ModelExplanation
     private IReadOnlyList<FormulaStep> Corners(Ray<Derivation> ray)
     {
         if (Shape is not Model<Triangle> { Primitive: var (A, B, C) }) return [];
-        var along = new AlongRay<Derivation>(ray);
-        var (a, b, c) = (along.See(A).As("a", "along.See(A)"), along.See(B).As("b", "along.See(B)"), along.See(C).As("c", "along.See(C)"));
+        var along = new RaySpace<Derivation>(ray);
+        var (a, b, c) = (along.Transform(A).As("a", "along.Transform(A)"), along.Transform(B).As("b", "along.Transform(B)"), along.Transform(C).As("c", "along.Transform(C)"));
         return FormulaStep.LeadingTo(a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z);
     }
 }

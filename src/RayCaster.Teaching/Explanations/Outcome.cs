@@ -48,8 +48,8 @@ internal static class Outcomes
         !double.IsFinite(t) ? Outcome.NoNumber
         : t < 0 ? Outcome.Behind
         : ray.ClipRange.IsAhead<Scalar>(t).Value == 0 ? Outcome.UnderBias
-        : ray.ClipRange.IsBeyondNear<Scalar>(t * ray.ZPerT).Value == 0 ? Outcome.BeforeNear
-        : ray.ClipRange.IsWithinFar<Scalar>(t * ray.ZPerT).Value != 0 ? Outcome.Shows
+        : ray.ClipRange.IsBeyondNear<Scalar>(t * ray.DepthPerT).Value == 0 ? Outcome.BeforeNear
+        : ray.ClipRange.IsWithinFar<Scalar>(t * ray.DepthPerT).Value != 0 ? Outcome.Shows
         : Outcome.BeyondFar;
 
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;

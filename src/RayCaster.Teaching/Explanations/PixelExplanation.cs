@@ -112,7 +112,7 @@ public sealed class PixelExplanation
     /// <summary>How far a crossing is from counting.</summary>
     private double Lacking(Trial trial)
     {
-        var (t, z, camera) = (trial.T, trial.T * Ray.ZPerT, Scene.Camera);
+        var (t, z, camera) = (trial.T, trial.T * Ray.DepthPerT, Scene.Camera);
         return trial.Outcome switch
         {
             Outcome.Behind => -t,

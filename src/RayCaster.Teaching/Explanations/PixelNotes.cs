@@ -50,7 +50,7 @@ internal static class PixelNotes
 
     private static IEnumerable<string> Light(PixelExplanation pixel)
     {
-        var (t, reach) = (pixel.Ray.HitParameter, pixel.Scene.Camera.Reach);
+        var (t, reach) = (pixel.Ray.HitParameter, pixel.Scene.Camera.FadeDistance);
         if (pixel.Winner is not null && t >= reach)
             yield return $"all light is lost: {Reasons.Compare("t", t, "≥", "2 |T − P|", reach)}, so the attenuation is 0";
         if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })

@@ -20,13 +20,13 @@ public static class RaySection
         var v = camera.V;
         var across = d - d * v * v;
         var u = across.Length > 1e-9 ? across.Normalized : -1 * camera.W; // along V itself any direction will do
-        var shown = double.IsFinite(pixel.Ray.HitParameter) ? pixel.Ray.HitParameter : camera.Reach / 2;
+        var shown = double.IsFinite(pixel.Ray.HitParameter) ? pixel.Ray.HitParameter : camera.FadeDistance / 2;
         var length = pixel.Models.SelectMany(model => model.Crossings).Select(crossing => crossing.T)
             .Where(t => t > 0 && t <= 2 * shown).Append(shown).Max();
         var (endU, endV) = (length * (d * u), length * (d * v));
         var fan = new Fan(camera.Position, u, v, Math.Atan2(d * v, d * u), camera.FovY * Math.PI / 180, 20 * length);
         var depth = -(camera.W * u);
-        var isDepth = camera.Clip == Clip.Depth && depth > 0;
+        var isDepth = camera.Clip == ClipMode.Depth && depth > 0;
         return new
         {
             Direction = (double[])[d * u, d * v],
@@ -62,7 +62,7 @@ public static class RaySection
             foreach (var angle in angles)
             {
                 var (sin, cos) = Math.SinCos(angle);
-                // a model in plain doubles and ifs has no formula to cut
+                // a scalar shape has no formula to cut
                 if (model.Intersect(new Ray<Scalar>(origin, cos * u + sin * v)) is not { } crossings) break;
                 double a = crossings.Near, b = crossings.Far;
                 if (!IsDrawn(a) && !IsDrawn(b)) End();

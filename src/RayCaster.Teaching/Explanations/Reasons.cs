@@ -6,7 +6,7 @@ internal static class Reasons
     /// <summary>Why a crossing does not count.</summary>
     public static string Of(Outcome refusal, double t, PixelExplanation pixel)
     {
-        var (z, camera) = (t * pixel.Ray.ZPerT, pixel.Scene.Camera);
+        var (z, camera) = (t * pixel.Ray.DepthPerT, pixel.Scene.Camera);
         return refusal switch
         {
             Outcome.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",

@@ -27,7 +27,7 @@ internal sealed record Trial(Model Model, int Index, Outcome Outcome, double T, 
     private static Trial OfMesh(Mesh mesh, int index, Ray ray)
     {
         var tally = new Tally();
-        var along = new AlongRay<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
+        var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
         var (best, chosen) = ((IsRefused: true, Distance: double.PositiveInfinity), new Trial(mesh, index, Outcome.PassesBy, double.NaN, tally));
         for (var i = 0; i < mesh.TriangleCount; i++)
         {
@@ -42,7 +42,7 @@ internal sealed record Trial(Model Model, int Index, Outcome Outcome, double T, 
 
     private static Outcome JudgeShape(Model model, Ray ray, Crossings<Scalar> crossings, out double t)
     {
-        t = ray.ClipRange.First(crossings, (Scalar)ray.ZPerT);
+        t = ray.ClipRange.First(crossings, (Scalar)ray.DepthPerT);
         if (!double.IsNaN(t)) return Outcome.Shows;
 
         // The far crossing comes closer to counting, unless both are too far away.
@@ -55,7 +55,7 @@ internal sealed record Trial(Model Model, int Index, Outcome Outcome, double T, 
     /// <summary>A mesh is hit if one of its triangles is. If not, a crossing in front of the camera decides before one behind it.</summary>
     private static Outcome JudgeMesh(Mesh mesh, Ray ray, out double t)
     {
-        var along = new AlongRay<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
+        var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
         var (refusal, closest) = (Outcome.PassesBy, double.NegativeInfinity);
         var hit = mesh.Tree.Nearest(ray.Origin, ray.Direction, triangle =>
         {

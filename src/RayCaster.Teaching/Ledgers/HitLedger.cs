@@ -78,7 +78,7 @@ public sealed class HitLedger
                 if (shown >= 0) Models[shown][Outcome.Hidden]++;
                 (nearest, shown) = (t, i);
             }
-            else Models[i].Count(outcome == Outcome.Shows ? Outcome.Hidden : outcome, t * ray.ZPerT);
+            else Models[i].Count(outcome == Outcome.Shows ? Outcome.Hidden : outcome, t * ray.DepthPerT);
         }
         Rays++;
         if (shown < 0) return;
@@ -87,7 +87,7 @@ public sealed class HitLedger
         var color = Scene.Shade(nearest, Scene.Models[shown]).ToBytes();
         OnlyColor = Hits == 0 || OnlyColor == color ? color : null;
         Hits++;
-        if (nearest >= Scene.Camera.Reach) Unlit++;
+        if (nearest >= Scene.Camera.FadeDistance) Unlit++;
         Range = (Math.Min(Range.Least, nearest), Math.Max(Range.Greatest, nearest));
     }
 

@@ -44,7 +44,7 @@ internal sealed class MapHits(Scene scene, HitMap hits)
     /// <summary>The renderer says only which mesh is hit, and at which t: its triangle is the first whose formula gives that t to the bit.</summary>
     private Triangle TriangleAt(Mesh mesh, double t, Vector3 d)
     {
-        var along = new AlongRay<Scalar>(new Ray<Scalar>(camera.Position, d));
+        var along = new RaySpace<Scalar>(new Ray<Scalar>(camera.Position, d));
         int? first = null;
         mesh.Tree.Nearest(camera.Position, d, triangle =>
         {
@@ -64,7 +64,7 @@ internal sealed class MapHits(Scene scene, HitMap hits)
     private Vector3 Hit(double x, double y, Model model)
     {
         var d = Direction(x, y);
-        var ray = new Ray(camera.Position, d) { ClipRange = camera.ClipRange, ZPerT = camera.ZPerT<Scalar>((Vector3<Scalar>)d) };
+        var ray = new Ray(camera.Position, d) { ClipRange = camera.ClipRange, DepthPerT = camera.DepthPerT<Scalar>((Vector3<Scalar>)d) };
         return ray.At(model.Intersect(ray) ?? double.NaN);
     }
 

@@ -12,7 +12,7 @@ public sealed class Camera
     public const long MaxPixels = 10_000_000_000;
 
     /// <summary>Computes the camera's axes and the size of its picture plane. If they cannot be computed, they are NaN or infinite
-    /// (<see cref="Flaw"/>).</summary>
+    /// (<see cref="ValidationError"/>).</summary>
     public Camera(CameraParameters parameters)
     {
         Parameters = parameters;
@@ -21,7 +21,7 @@ public sealed class Camera
         V = W % U;
         PlaneHeight = 2 * Math.Tan(parameters.FovY * Math.PI / 180 / 2);
         PlaneWidth = PlaneHeight * Width / Height;
-        Reach = (2 * (Target - Position)).Length;
+        FadeDistance = (2 * (Target - Position)).Length;
         ClipRange = new ClipRange(parameters.Bias, parameters.ZNear, parameters.ZFar);
     }
 
@@ -56,10 +56,10 @@ public sealed class Camera
     public double Bias => Parameters.Bias;
 
     /// <inheritdoc cref="CameraParameters.Clip"/>
-    public Clip Clip => Parameters.Clip;
+    public ClipMode Clip => Parameters.Clip;
 
     /// <inheritdoc cref="CameraParameters.Sample"/>
-    public Sample Sample => Parameters.Sample;
+    public PixelSample Sample => Parameters.Sample;
 
     /// <summary>W = −(T − P) normalised: backwards.</summary>
     public Vector3 W { get; }
@@ -77,13 +77,13 @@ public sealed class Camera
     public double PlaneWidth { get; }
 
     /// <summary>2 |T − P|: the distance from which on all is black.</summary>
-    public double Reach { get; }
+    public double FadeDistance { get; }
 
     /// <summary>Decides by bias, zNear and zFar which crossings count.</summary>
     public ClipRange ClipRange { get; }
 
     /// <summary>Why this camera cannot take a picture, in words; null if it can.</summary>
-    public string? Flaw
+    public string? ValidationError
     {
         get
         {
@@ -108,7 +108,7 @@ public sealed class Camera
     public Ray RayThrough(int column, int row)
     {
         var d = Direction<Scalar>(column, row);
-        return new Ray(Position, new(d.X, d.Y, d.Z)) { ClipRange = ClipRange, ZPerT = ZPerT(d) };
+        return new Ray(Position, new(d.X, d.Y, d.Z)) { ClipRange = ClipRange, DepthPerT = DepthPerT(d) };
     }
 
     /// <summary>d = (uc U + ur V − W) normalised.</summary>
@@ -130,7 +130,7 @@ public sealed class Camera
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Across<N>(N c) where N : struct, IReal<N>
     {
-        if (Sample == Sample.Center) c += 0.5;
+        if (Sample == PixelSample.Center) c += 0.5;
         var uc = (PlaneWidth * c / Width - PlaneWidth / 2).As("uc");
         return uc * (Vector3<N>)U;
     }
@@ -140,13 +140,13 @@ public sealed class Camera
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Upwards<N>(N r) where N : struct, IReal<N>
     {
-        if (Sample == Sample.Center) r += 0.5;
+        if (Sample == PixelSample.Center) r += 0.5;
         var ur = (PlaneHeight * r / Height - PlaneHeight / 2).As("ur");
         return ur * (Vector3<N>)V;
     }
 
     /// <summary>The z of one unit of t along d: −d·W if z is the depth, 1 if it is the distance.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N ZPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
-        Clip == Clip.Depth ? -(direction * W) : 1;
+    public N DepthPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
+        Clip == ClipMode.Depth ? -(direction * W) : 1;
 }

@@ -1,7 +1,7 @@
 namespace RayCaster;
 
 /// <summary>What zNear and zFar measure.</summary>
-public enum Clip
+public enum ClipMode
 {
     /// <summary>The depth along the view direction: the clip planes are planes.</summary>
     Depth,
@@ -11,7 +11,7 @@ public enum Clip
 }
 
 /// <summary>Where in its pixel a ray passes.</summary>
-public enum Sample
+public enum PixelSample
 {
     /// <summary>Through the pixel's lower left corner, as on the slide.</summary>
     Corner,
@@ -47,8 +47,8 @@ public sealed record CameraParameters(Vector3 Position, Vector3 Target)
     public double Bias { get; init; } = 1e-6;
 
     /// <summary>Whether z, which zNear and zFar limit, is a depth or a distance.</summary>
-    public Clip Clip { get; init; } = Clip.Depth;
+    public ClipMode Clip { get; init; } = ClipMode.Depth;
 
     /// <summary>Where in its pixel a ray passes.</summary>
-    public Sample Sample { get; init; } = Sample.Corner;
+    public PixelSample Sample { get; init; } = PixelSample.Corner;
 }

@@ -71,7 +71,7 @@ public interface IReal<N> where N : struct, IReal<N>
 
     /// <summary><paramref name="value"/> where it is a number, <paramref name="instead"/> where it is NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    static virtual N Or(N value, N instead) => N.Select(value <= double.PositiveInfinity, value, instead);
+    static virtual N IfNaN(N value, N instead) => N.Select(value <= double.PositiveInfinity, value, instead);
 
     /// <summary>A vector's coordinates, each divided by the same number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -34,7 +34,7 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
     {
         var t0 = ((B0 - P) / d).As("t0");
         var t1 = ((B1 - P) / d).As("t1");
-        return new(N.Or(N.Min(t0, t1), double.NegativeInfinity), N.Or(N.Max(t0, t1), double.PositiveInfinity));
+        return new(N.IfNaN(N.Min(t0, t1), double.NegativeInfinity), N.IfNaN(N.Max(t0, t1), double.PositiveInfinity));
     }
 
     /// <summary>The axis of the face that X lies on, outwards.</summary>

@@ -20,10 +20,10 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
     public override double? Intersect(Ray ray)
     {
         double? nearest = null;
-        var along = new AlongRay<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
+        var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
         for (var i = 0; i < TriangleCount; i++)
         {
-            double t = ray.ClipRange.First<Scalar>(this[i].Intersect(along), ray.ZPerT);
+            double t = ray.ClipRange.First<Scalar>(this[i].Intersect(along), ray.DepthPerT);
             if (t < (nearest ?? double.PositiveInfinity)) nearest = t;
         }
         return nearest;

@@ -51,7 +51,7 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     public override double? Intersect(Ray ray)
     {
         var crossings = Primitive.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction));
-        double t = ray.ClipRange.First<Scalar>(crossings, ray.ZPerT);
+        double t = ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT);
         return double.IsNaN(t) ? null : t;
     }
 

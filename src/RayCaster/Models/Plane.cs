@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>An endless plane, visible from both sides (slide "Plane").</summary>
+/// <summary>An infinite plane, visible from both sides (slide "Plane").</summary>
 /// <param name="Point">Q, any point of the plane.</param>
 /// <param name="Normal">n, perpendicular to the plane; any length but zero, because it cancels in t.</param>
 public readonly record struct Plane(Vector3 Point, Vector3 Normal) : IPrimitive, ISurface

@@ -23,19 +23,19 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     /// the view without gaps, also at corners (after Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013).</para>
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => Intersect(new AlongRay<N>(ray));
+    public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => Intersect(new RaySpace<N>(ray));
 
     /// <summary>The same, for a caller that intersects many triangles with one ray.</summary>
     // Not inlined: in a method that grows too large, the runtime silently turns inlined operators into calls.
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    public Crossings<N> Intersect<N>(in AlongRay<N> along) where N : struct, IReal<N> => Intersect(along, A, B, C);
+    public Crossings<N> Intersect<N>(in RaySpace<N> along) where N : struct, IReal<N> => Intersect(along, A, B, C);
 
     /// <summary>The same for corners over any kind of number: in a packet each lane has its own triangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Crossings<N> Intersect<N>(in AlongRay<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
+    public static Crossings<N> Intersect<N>(in RaySpace<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
         where N : struct, IReal<N>
     {
-        var (a, b, c) = (along.See(cornerA), along.See(cornerB), along.See(cornerC));
+        var (a, b, c) = (along.Transform(cornerA), along.Transform(cornerB), along.Transform(cornerC));
         var w = (b.X * c.Y - b.Y * c.X).As("w");
         var u = (c.X * a.Y - c.Y * a.X).As("u");
         var v = (a.X * b.Y - a.Y * b.X).As("v");

@@ -45,7 +45,7 @@ public static class ScalarRenderer
     public static Ray Cast(Scene scene, int column, int row)
     {
         var ray = scene.Camera.RayThrough(column, row);
-        foreach (var model in scene.Models) ray.Meet(model);
+        foreach (var model in scene.Models) ray.Intersect(model);
         return ray;
     }
 }

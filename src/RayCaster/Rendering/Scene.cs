@@ -14,7 +14,7 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
 
     /// <summary>1 − t / (2 |T − P|), not below 0: from twice the target's distance on all is black.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N Attenuation<N>(N t) where N : struct, IReal<N> => N.Max(0, 1 - t / Camera.Reach).As("attenuation");
+    public N Attenuation<N>(N t) where N : struct, IReal<N> => N.Max(0, 1 - t / Camera.FadeDistance).As("attenuation");
 
     /// <summary>The same scene in a picture of another size.</summary>
     public Scene WithSize(int width, int height) => this with { Camera = Camera.WithSize(width, height) };

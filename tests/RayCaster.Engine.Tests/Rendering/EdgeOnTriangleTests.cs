@@ -22,7 +22,7 @@ public class EdgeOnTriangleTests
                 FovY = 1,
                 Width = 1,
                 Height = 1,
-                Sample = Sample.Center,
+                Sample = PixelSample.Center,
                 ZNear = 0,
             });
             d = camera.RayThrough(0, 0).Direction;

@@ -56,8 +56,8 @@ internal static class RandomCrowd
                 ZNear = unit * zNear,
                 ZFar = unit * zFar,
                 Bias = unit * random.Next(2) * 1e-6,
-                Clip = (Clip)random.Next(2),
-                Sample = (Sample)random.Next(2),
+                Clip = (ClipMode)random.Next(2),
+                Sample = (PixelSample)random.Next(2),
             }),
             models, new Color(0.1, 0.2, 0.3));
 

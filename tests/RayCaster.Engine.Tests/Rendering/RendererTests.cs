@@ -152,7 +152,7 @@ public class RendererTests
         }
         models.Insert(random.Next(models.Count), Model.Of(new Plane(new(0, 0, -4), new(0, 0, 1))));
         var position = new Vector3(Next(9), Next(9), Next(9));
-        var camera = new Camera(new(position, new(0.1, 0, 0)) { Width = 100, Height = 83, Sample = (Sample)(seed % 2) });
+        var camera = new Camera(new(position, new(0.1, 0, 0)) { Width = 100, Height = 83, Sample = (PixelSample)(seed % 2) });
         AssertEqual(new Scene(camera, models), $"seed {seed}");
     }
 
@@ -187,7 +187,7 @@ public class RendererTests
             var (position, target) = (new Vector3(Next(2), Next(2), 9 + Next(1)), Vector3.Zero);
             var up = (position - target).Normalized + 3e-12 * new Vector3(Next(1), Next(1), Next(1));
             var camera = new Camera(new(position, target) { Up = up, FovY = 0.2, Width = 150, Height = 150 });
-            if (camera.Flaw is null) AssertEqual(new Scene(camera, models), $"picture {i}");
+            if (camera.ValidationError is null) AssertEqual(new Scene(camera, models), $"picture {i}");
         }
     }
 

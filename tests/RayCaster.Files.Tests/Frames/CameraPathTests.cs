@@ -121,8 +121,8 @@ public class CameraPathTests
     [InlineData(1, 2, 9, "the camera at [1, 2, 9] looks along up, which is [0, 0, 1]")]
     public void ACameraThatSeesNothingSaysWhy(double x, double y, double z, string flaw)
     {
-        Assert.Null(Scene.Flaw);
-        Assert.Equal(flaw, new Camera(Scene.Parameters with { Position = new(x, y, z) }).Flaw);
+        Assert.Null(Scene.ValidationError);
+        Assert.Equal(flaw, new Camera(Scene.Parameters with { Position = new(x, y, z) }).ValidationError);
     }
 
     private static CameraKey[] Keys =>

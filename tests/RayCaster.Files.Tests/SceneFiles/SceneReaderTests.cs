@@ -27,7 +27,7 @@ public class SceneReaderTests
 
         Assert.Equal((new Vector3(20, 1, 2), new Vector3(0, 0.5, 0), new Vector3(0, 1, 0)), (camera.Position, camera.Target, camera.Up));
         Assert.Equal((60.0, 64, 48, 0.5, 50.0, 0.0), (camera.FovY, camera.Width, camera.Height, camera.ZNear, camera.ZFar, camera.Bias));
-        Assert.Equal((Clip.Distance, Sample.Center), (camera.Clip, camera.Sample));
+        Assert.Equal((ClipMode.Distance, PixelSample.Center), (camera.Clip, camera.Sample));
         Assert.Equal(new Color(1, 128 / 255.0, 0), scene.Background);
     }
 

@@ -13,8 +13,8 @@ public class DerivationTests
             var (c, r) = (random.Next(scene.Camera.Width), random.Next(scene.Camera.Height));
             var (plain, derived) = (scene.Camera.Direction<Scalar>(c, r), scene.Camera.Direction<Derivation>(c, r));
             AssertSame([plain.X, plain.Y, plain.Z], [derived.X, derived.Y, derived.Z]);
-            var zPerT = scene.Camera.ZPerT(derived);
-            AssertSame([scene.Camera.ZPerT(plain)], [zPerT]);
+            var depthPerT = scene.Camera.DepthPerT(derived);
+            AssertSame([scene.Camera.DepthPerT(plain)], [depthPerT]);
             foreach (var model in scene.Models)
                 foreach (var shape in Some.ShapesOf(model))
                 {
@@ -22,7 +22,7 @@ public class DerivationTests
                     var crossings = shape.Intersect(new Ray<Derivation>(scene.Camera.Position, derived))!.Value;
                     AssertSame([expected.Near, expected.Far], [crossings.Near, crossings.Far]);
                     AssertSame(
-                        [scene.Camera.ClipRange.First(expected, scene.Camera.ZPerT(plain))], [scene.Camera.ClipRange.First(crossings, zPerT)]);
+                        [scene.Camera.ClipRange.First(expected, scene.Camera.DepthPerT(plain))], [scene.Camera.ClipRange.First(crossings, depthPerT)]);
                     AssertSame([scene.Attenuation(expected.Near)], [scene.Attenuation(crossings.Near)]);
                 }
         }

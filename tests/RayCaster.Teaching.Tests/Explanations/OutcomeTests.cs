@@ -22,10 +22,10 @@ public class OutcomeTests
         ClipRange[] ranges = [ClipRange.Everything, new(0, 0, 5), new(0.5, 0, 5), new(1, 1, 2), new(0, 2, double.MaxValue)];
         foreach (var range in ranges)
             foreach (var t in numbers)
-                foreach (var zPerT in (double[])[0, 0.5, 1, -1])
-                    Assert.Equal(range.Counts<Scalar>(t, zPerT) != 0, Of(t, range, zPerT) == Outcome.Shows);
+                foreach (var depthPerT in (double[])[0, 0.5, 1, -1])
+                    Assert.Equal(range.CountsMask<Scalar>(t, depthPerT) != 0, Of(t, range, depthPerT) == Outcome.Shows);
     }
 
-    private static Outcome Of(double t, ClipRange clip, double zPerT) =>
-        Outcomes.Of(t, new Ray(Vector3.Zero, new(1, 0, 0)) { ClipRange = clip, ZPerT = zPerT });
+    private static Outcome Of(double t, ClipRange clip, double depthPerT) =>
+        Outcomes.Of(t, new Ray(Vector3.Zero, new(1, 0, 0)) { ClipRange = clip, DepthPerT = depthPerT });
 }

@@ -224,7 +224,7 @@ public class PixelExplanationTests
             var shown = winner.GetProperty("crossings").EnumerateArray().Single(crossing => crossing.GetProperty("verdict").GetString() == "shows");
             Assert.Equal(hit.GetProperty("model").GetInt32(), winner.GetProperty("index").GetInt32());
             Assert.Equal(t, shown.GetProperty("t").GetDouble());
-            Assert.Equal(t * ray.GetProperty("zPerT").GetDouble(), shown.GetProperty("z").GetDouble());
+            Assert.Equal(t * ray.GetProperty("depthPerT").GetDouble(), shown.GetProperty("z").GetDouble());
         }
         Assert.Equal(value, light * full);
         byte[] levels = [Level(value.X), Level(value.Y), Level(value.Z)];
@@ -238,7 +238,7 @@ public class PixelExplanationTests
 
     /// <summary>One pixel, whose ray goes along −x from the origin.</summary>
     private static Scene Scene(IReadOnlyList<Model> models, double zNear = 0) =>
-        new(new Camera(new(new(0, 0, 0), new(-20, 0, 0)) { Width = 1, Height = 1, ZNear = zNear, Sample = Sample.Center }), models);
+        new(new Camera(new(new(0, 0, 0), new(-20, 0, 0)) { Width = 1, Height = 1, ZNear = zNear, Sample = PixelSample.Center }), models);
 
     private static ModelExplanation Explain(Model model, double zNear = 0) => new PixelExplanation(Scene([model], zNear), 0, 0).Models[0];
 }

@@ -10,7 +10,7 @@ public class StepHintTests
     public void BlackModelsAreToldAsLostLight(string file)
     {
         foreach (var plant in (Action<Lab>[])[
-            lab => lab.Attenuation.Is(t => 1 - t / 2 * (lab.Reach.Do() / 2)),
+            lab => lab.Attenuation.Is(t => 1 - t / 2 * (lab.FadeDistance.Do() / 2)),
             lab => lab.Dark.Is(attenuation => Math.Min(0, attenuation))])
         {
             var (hint, finding) = Hint(file, 5, plant);

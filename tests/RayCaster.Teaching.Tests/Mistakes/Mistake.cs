@@ -14,7 +14,7 @@ internal sealed record Mistake(string Id, string What, params Edit[] Edits)
     // What the other way of measuring zNear and zFar would be: depth for t, and t for depth.
     private static readonly Edit[] other =
     [
-        new("Ray", "ZPerT = 1;", "ZPerT = 1, OtherPerT = 1;"),
+        new("Ray", "DepthPerT = 1;", "DepthPerT = 1, OtherPerT = 1;"),
         new("Camera", ": -(d * W) }", ": -(d * W), OtherPerT = ClipsByDistance ? -(d * W) : 1 }"),
     ];
     private static readonly Edit zNearOther = new("Ray", "ZNear <= z", "ZNear <= t * OtherPerT");
@@ -69,7 +69,7 @@ internal sealed record Mistake(string Id, string What, params Edit[] Edits)
         new("zfar-t", "zFar measures t for depth (depth for t)", [.. other, zFarOther]),
         new("zboth-t", "zNear and zFar measure t for depth (depth for t)", [.. other, zNearOther, zFarOther]),
         new("clip-after", "clipped after the nearest was chosen", noZNear, noZFar, new("Scene", "ray.HitModel == null",
-            "!(ray.ZNear <= ray.HitParameter * ray.ZPerT && ray.HitParameter * ray.ZPerT <= ray.ZFar)")),
+            "!(ray.ZNear <= ray.HitParameter * ray.DepthPerT && ray.HitParameter * ray.DepthPerT <= ray.ZFar)")),
         new("no-znear", "zNear ignored", noZNear),
         new("no-zfar", "zFar ignored", noZFar),
         new("bias-big", "a bias of 1 in place of zNear", new("Ray", "Bias == 0 ? t >= 0 : t > Bias", "t > 1"), noZNear),

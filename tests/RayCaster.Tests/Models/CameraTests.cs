@@ -45,12 +45,12 @@ public class CameraTests
 
     /// <summary>With fovY 90 and 4 × 2 pixels a pixel is 1 wide and high, and the plane reaches from (−2, −1) to (2, 1).</summary>
     [Theory]
-    [InlineData(Sample.Corner, 0, 0, -2, -1)]
-    [InlineData(Sample.Corner, 2, 1, 0, 0)]
-    [InlineData(Sample.Corner, 3, 1, 1, 0)]
-    [InlineData(Sample.Center, 0, 0, -1.5, -0.5)]
-    [InlineData(Sample.Center, 3, 1, 1.5, 0.5)]
-    public void ARayPassesThroughItsPixelInThePicturePlane(Sample sample, int column, int row, double uc, double ur)
+    [InlineData(PixelSample.Corner, 0, 0, -2, -1)]
+    [InlineData(PixelSample.Corner, 2, 1, 0, 0)]
+    [InlineData(PixelSample.Corner, 3, 1, 1, 0)]
+    [InlineData(PixelSample.Center, 0, 0, -1.5, -0.5)]
+    [InlineData(PixelSample.Center, 3, 1, 1.5, 0.5)]
+    public void ARayPassesThroughItsPixelInThePicturePlane(PixelSample sample, int column, int row, double uc, double ur)
     {
         var camera = new Camera(new(new(7, 8, 9), new(6, 8, 9)) { FovY = 90, Width = 4, Height = 2, Sample = sample });
         var ray = camera.RayThrough(column, row);
@@ -59,12 +59,12 @@ public class CameraTests
     }
 
     [Theory]
-    [InlineData(Clip.Depth, 0.6)]
-    [InlineData(Clip.Distance, 1)]
-    public void WhatZGainsAlongTheRayDependsOnTheKindOfClipping(Clip clip, double zPerT)
+    [InlineData(ClipMode.Depth, 0.6)]
+    [InlineData(ClipMode.Distance, 1)]
+    public void WhatZGainsAlongTheRayDependsOnTheKindOfClipping(ClipMode clip, double depthPerT)
     {
         var camera = new Camera(new(default, new(-1, 0, 0)) { FovY = 2 * Math.Atan(4.0 / 3) * 180 / Math.PI, Width = 2, Height = 2, Clip = clip });
-        Assert.Equal(zPerT, camera.RayThrough(1, 0).ZPerT, 1e-14); // the lower edge's middle: 3-4-5
+        Assert.Equal(depthPerT, camera.RayThrough(1, 0).DepthPerT, 1e-14); // the lower edge's middle: 3-4-5
     }
 
     [Fact]
@@ -79,12 +79,12 @@ public class CameraTests
             ZNear = 0.5,
             ZFar = 60,
             Bias = 0.25,
-            Clip = Clip.Distance,
-            Sample = Sample.Center,
+            Clip = ClipMode.Distance,
+            Sample = PixelSample.Center,
         })
             .WithSize(7, 9);
         Assert.Equal((7, 9), (camera.Width, camera.Height));
-        Assert.Equal((new(1, 2, 3), new(4, 5, 7), new(1, 0, 0), 50, 0.5, 60, 0.25, Clip.Distance, Sample.Center),
+        Assert.Equal((new(1, 2, 3), new(4, 5, 7), new(1, 0, 0), 50, 0.5, 60, 0.25, ClipMode.Distance, PixelSample.Center),
             (camera.Position, camera.Target, camera.Up, camera.FovY, camera.ZNear, camera.ZFar, camera.Bias, camera.Clip, camera.Sample));
     }
 }

@@ -2,7 +2,7 @@ namespace RayCaster.Tests.Models;
 
 public class ClipRangeTests
 {
-    private static bool Counts(ClipRange range, double t, double zPerT = 1) => range.Counts<Scalar>(t, zPerT) != 0;
+    private static bool Counts(ClipRange range, double t, double depthPerT = 1) => range.CountsMask<Scalar>(t, depthPerT) != 0;
 
     [Fact]
     public void WithABiasOf0TheOriginCounts() => Assert.True(Counts(new(0, 0, 100), 0) && Counts(new(0, 0, 100), -0.0));

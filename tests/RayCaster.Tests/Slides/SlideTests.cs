@@ -60,7 +60,7 @@ public class SlideTests
     public void SlideAttenuationHalvesTheColourAtTheTarget()
     {
         var ray = new Ray(Position, new(-1, 0, 0));
-        ray.Meet(Model.Of(new Plane(Target, new(1, 0, 0))));
+        ray.Intersect(Model.Of(new Plane(Target, new(1, 0, 0))));
         var attenuation = 1 - ray.HitParameter / (2 * (Target - Position)).Length;
         Assert.Equal(0.5, attenuation);
         Assert.Equal(new Color(0.5, 0.5, 0.5), attenuation * ray.HitModel!.Color);

@@ -264,7 +264,7 @@ public class MarginTests
                 for (var r = row; r < tile.EndRow; r++)
                 {
                     span.Aim<Packet>(r);
-                    view.Meet(span, 0);
+                    view.Intersect(span, 0);
                     for (var i = 0; i < tile.Width; i++)
                     {
                         var t = definition[r, column + i];

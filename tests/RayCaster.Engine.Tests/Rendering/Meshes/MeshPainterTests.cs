@@ -20,7 +20,7 @@ public class MeshPainterTests
             Height = 517,
             ZNear = 0.5,
             ZFar = 0.5 + 2 * random.NextDouble(),
-            Clip = (Clip)(seed % 2),
+            Clip = (ClipMode)(seed % 2),
         });
         var models = new Model[]
         {

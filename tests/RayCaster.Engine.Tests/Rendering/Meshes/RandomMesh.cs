@@ -49,8 +49,8 @@ internal static class RandomMesh
             ZNear = unit * zNear,
             ZFar = unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)),
             Bias = random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
-            Clip = (Clip)random.Next(2),
-            Sample = (Sample)random.Next(2),
+            Clip = (ClipMode)random.Next(2),
+            Sample = (PixelSample)random.Next(2),
         });
         return (camera, new(Array.ConvertAll(mesh.Vertices, p => unit * p), mesh.Indices));
     }

@@ -18,11 +18,11 @@ public readonly struct ClipRange
     public static ClipRange Everything => new(0, 0, double.PositiveInfinity);
 
     /// <summary>Whether a crossing counts; false where t is NaN.</summary>
-    /// <param name="zPerT">The z of one unit of t.</param>
+    /// <param name="depthPerT">The z of one unit of t.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N Counts<N>(N t, N zPerT) where N : struct, IReal<N>
+    public N CountsMask<N>(N t, N depthPerT) where N : struct, IReal<N>
     {
-        var z = t * zPerT;
+        var z = t * depthPerT;
         return IsAhead(t) & IsBeyondNear(z) & IsWithinFar(z);
     }
 
@@ -40,11 +40,11 @@ public readonly struct ClipRange
 
     /// <summary>The first of two crossings that counts, or NaN. Where the near side of a body is clipped away, its far side shows.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N First<N>(Crossings<N> crossings, N zPerT) where N : struct, IReal<N> =>
-        First(crossings, zPerT, Counts(crossings.Near, zPerT));
+    public N First<N>(Crossings<N> crossings, N depthPerT) where N : struct, IReal<N> =>
+        First(crossings, depthPerT, CountsMask(crossings.Near, depthPerT));
 
     /// <summary>The same, for a caller that knows whether the near crossing counts.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N First<N>(Crossings<N> crossings, N zPerT, N nearCounts) where N : struct, IReal<N> =>
-        N.Select(nearCounts, crossings.Near, N.If(Counts(crossings.Far, zPerT), crossings.Far));
+    public N First<N>(Crossings<N> crossings, N depthPerT, N nearCounts) where N : struct, IReal<N> =>
+        N.Select(nearCounts, crossings.Near, N.If(CountsMask(crossings.Far, depthPerT), crossings.Far));
 }

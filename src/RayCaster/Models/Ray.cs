@@ -15,7 +15,7 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     public ClipRange ClipRange { get; init; } = ClipRange.Everything;
 
     /// <summary>The z of one unit of t; zNear and zFar limit z.</summary>
-    public double ZPerT { get; init; } = 1;
+    public double DepthPerT { get; init; } = 1;
 
     /// <summary>The t of the nearest hit so far; +∞ before the first.</summary>
     public double HitParameter { get; private set; } = double.PositiveInfinity;
@@ -27,10 +27,10 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     public Vector3 At(double t) => Origin + t * Direction;
 
     /// <summary>Whether a crossing at t counts: not behind, beyond the bias, within the clip range. False for NaN.</summary>
-    public bool Counts(double t) => ClipRange.Counts<Scalar>(t, ZPerT).Value != 0;
+    public bool Counts(double t) => ClipRange.CountsMask<Scalar>(t, DepthPerT).Value != 0;
 
     /// <summary>Intersects a model, and keeps its hit if that is nearer than all before. Of equal ones the first is kept.</summary>
-    public void Meet(Model model)
+    public void Intersect(Model model)
     {
         if (model.Intersect(this) is not { } t || IsNearer<Scalar>(t, HitParameter).Value == 0) return;
         HitParameter = t;
