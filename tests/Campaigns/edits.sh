@@ -44,7 +44,7 @@ edit "the last hit wins"         $course/Camera/Ray.cs               's/ || IsNe
 edit "the farthest hit wins"     $course/Camera/Ray.cs               's/=> t < nearest;/=> t > nearest;/'
 edit "half the light"            $course/Rendering/Scene.cs \
     's/: Attenuation<Scalar>(t) \* model.Color/: 0.5 * Attenuation<Scalar>(t) * model.Color/'
-edit "attenuation"               $course/Rendering/Scene.cs          's|1 - t / Camera.Reach|1 - t / (2 * Camera.Reach)|'
+edit "attenuation"               $course/Rendering/Scene.cs          's|1 - t / Camera.FadeDistance|1 - t / (2 * Camera.FadeDistance)|'
 edit "red and blue swapped"      $course/Models/Color.cs             's/(ToByte(R), ToByte(G), ToByte(B))/(ToByte(B), ToByte(G), ToByte(R))/'
 edit "colour times number"       $course/Models/Color.cs             's/attenuation \* color.G/color.G/'
 edit "truncated, not rounded"    $course/Models/Color.cs             's/ \* 255 + 0.5/ * 255/'
@@ -61,7 +61,7 @@ edit "box"                       $course/Models/Aabb.cs              's/var hit 
 edit "circle"                    $course/Models/Circle.cs            's/Radius \* Radius/Radius/'
 edit "triangle"                  $course/Models/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
 edit "the models' first hit"     $course/Models/Model.cs \
-    's/ray.ClipRange.First<Scalar>(crossings, ray.ZPerT)/0.5 * ray.ClipRange.First<Scalar>(crossings, ray.ZPerT)/'
+    's/ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT)/0.5 * ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT)/'
 edit "the scene's reader"        src/RayCaster.Files/SceneFiles/SceneReader.cs 's/"width"/"wide"/'
 edit "the picture's writer"      src/RayCaster.Files/PictureFiles/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
 

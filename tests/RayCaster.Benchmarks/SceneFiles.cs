@@ -65,7 +65,8 @@ internal static class SceneFiles
                     writer.WriteLine($",<{mesh.Indices[i]}, {mesh.Indices[i + 1]}, {mesh.Indices[i + 2]}>");
                 writer.WriteLine("}");
             }
-            writer.WriteLine(Line($" pigment {{ spherical color_map {{ [0 rgb 0] [1 rgb {Angled(Vector(model.Color))}] }} scale {camera.FadeDistance:R} ") +
+            writer.WriteLine(Line($" pigment {{ spherical color_map {{ [0 rgb 0] [1 rgb {Angled(Vector(model.Color))}] }} ") +
+                Line($"scale {camera.FadeDistance:R} ") +
                 $"translate {Angled(camera.Position)} }} finish {{ ambient 1 diffuse 0 }} }}");
         }
     }

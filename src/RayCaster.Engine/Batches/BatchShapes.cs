@@ -93,7 +93,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
             var at = packets[i];
             var crossings = it.Shape.Intersect(rays.RaysAt<N>(at));
             // Testing which crossings count costs about as much as the formula of a sphere.
-            var hit = isClear ? N.IfNaN(crossings.Near, crossings.Far) : range.First(crossings, rays.ZPerTAt<N>(at));
+            var hit = isClear ? N.IfNaN(crossings.Near, crossings.Far) : range.First(crossings, rays.DepthPerTAt<N>(at));
             rays.MergeNearest(at, hit, Lanes.Broadcast<N>(it.Model));
         }
     }

@@ -113,7 +113,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N ZPerTAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(depthPerT, pixel);
+    public N DepthPerTAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(depthPerT, pixel);
 
     /// <summary>Sets the hits of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

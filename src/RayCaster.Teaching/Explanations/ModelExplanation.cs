@@ -105,7 +105,9 @@ internal sealed class ModelExplanation
     {
         if (Shape is not Model<Triangle> { Primitive: var (A, B, C) }) return [];
         var along = new RaySpace<Derivation>(ray);
-        var (a, b, c) = (along.Transform(A).As("a", "along.Transform(A)"), along.Transform(B).As("b", "along.Transform(B)"), along.Transform(C).As("c", "along.Transform(C)"));
+        var a = along.Transform(A).As("a");
+        var b = along.Transform(B).As("b");
+        var c = along.Transform(C).As("c");
         return FormulaStep.LeadingTo(a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z);
     }
 }

@@ -10,7 +10,7 @@ internal static class PixelNotes
 
     private static IEnumerable<string> Shown(PixelExplanation pixel)
     {
-        // The explanation repeats the steps of ScalarRenderer, Ray.Meet and Color, so a change there may make them differ.
+        // The explanation repeats the steps of ScalarRenderer, Ray.Intersect and Color, so a change there may make them differ.
         var drawn = new Picture(1, 1);
         ScalarRenderer.Render(pixel.Scene, drawn, pixel.Column, pixel.Line);
         if (drawn[0, 0] != pixel.Bytes)

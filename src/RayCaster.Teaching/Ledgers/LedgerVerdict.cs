@@ -77,7 +77,8 @@ internal static class LedgerVerdict
         if (ledger.Unlit > ledger.Hits / 2)
         {
             var of = ledger.Unlit == ledger.Hits ? "All" : $"{Digits.Number(ledger.Unlit)} of";
-            yield return Invariant($"{of} {ledger.Hits:N0} hits are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.FadeDistance:G7} on, ") +
+            yield return Invariant($"{of} {ledger.Hits:N0} hits are black: attenuation = 1 - t / (2 |T - P|) is 0 ") +
+                Invariant($"from t = {camera.FadeDistance:G7} on, ") +
                 Invariant($"and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}.");
             yield return "target sets the light, which ends at twice its distance: move it away along the line of sight.";
         }

@@ -22,7 +22,8 @@ public class DerivationTests
                     var crossings = shape.Intersect(new Ray<Derivation>(scene.Camera.Position, derived))!.Value;
                     AssertSame([expected.Near, expected.Far], [crossings.Near, crossings.Far]);
                     AssertSame(
-                        [scene.Camera.ClipRange.First(expected, scene.Camera.DepthPerT(plain))], [scene.Camera.ClipRange.First(crossings, depthPerT)]);
+                        [scene.Camera.ClipRange.First(expected, scene.Camera.DepthPerT(plain))],
+                        [scene.Camera.ClipRange.First(crossings, depthPerT)]);
                     AssertSame([scene.Attenuation(expected.Near)], [scene.Attenuation(crossings.Near)]);
                 }
         }

@@ -215,7 +215,7 @@ public class PixelExplanationTests
         if (json.GetProperty("hit") is { ValueKind: JsonValueKind.Object } hit)
         {
             var t = hit.GetProperty("t").GetDouble();
-            light = Math.Max(0, 1 - t / json.GetProperty("camera").GetProperty("reach").GetDouble());
+            light = Math.Max(0, 1 - t / json.GetProperty("camera").GetProperty("fadeDistance").GetDouble());
             Assert.Equal(color.GetProperty("attenuation").GetDouble(), light);
             var ray = json.GetProperty("ray");
             Assert.Equal(Vector(hit.GetProperty("point")), Vector(ray.GetProperty("origin")) + t * Vector(ray.GetProperty("direction")));
