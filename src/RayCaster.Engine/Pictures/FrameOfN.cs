@@ -9,7 +9,7 @@ internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<
     private readonly List<ModelView> views = [];
 
     /// <inheritdoc cref="Frame.Of"/>
-    public Frame(Scene scene, int threads, bool manyFrames, bool isPlain) : base(scene, threads, manyFrames, isPlain)
+    public Frame(Scene scene, int threads, bool manyFrames) : base(scene, threads, manyFrames)
     {
         var (camera, models) = (scene.Camera, scene.Models);
         if (models.Count > FewModels && !camera.IsSkewed)
@@ -31,8 +31,7 @@ internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<
     /// <summary>The other models; null if there are few.</summary>
     public PrimitiveBatch<N>? PrimitiveBatch { get; }
 
-    public override IStripCaster NewCaster() =>
-        IsPlain && !IsLong && PrimitiveBatch is null ? new PlainCaster<N>(this) : NewTileCaster();
+    public override IStripCaster NewCaster() => new TileCaster<N>(this);
 
     public override IHitConsumer HitsInto(HitMap map) => new HitMapConsumer<N>(map, Scene.Camera);
 
@@ -47,7 +46,4 @@ internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<
     void IModelVisitor.Visit(Mesh mesh) => views.Add(new MeshView<N>(mesh, new(Scene.Camera), ManyFrames, Threads));
 
     void IModelVisitor.VisitOther(Model model) => views.Add(new SingleRayView(model));
-
-    /// <remarks>A method of its own, so that the tile caster's code is not loaded if it is not needed.</remarks>
-    private IStripCaster NewTileCaster() => new TileCaster<N>(this);
 }
