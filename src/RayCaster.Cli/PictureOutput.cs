@@ -41,11 +41,11 @@ internal static class PictureOutput
     {
         try
         {
-            if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // lines on standard output cannot be replaced later
             Write(output, cancellation, WriteOnce);
         }
-        catch (FastWayDisagreesException)
+        catch (EngineDisagreesException)
         {
+            if (output == SceneInput.Standard) throw new ProblemException("standard output has a wrong picture: write to a file, or add --plain");
             Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
         }
 

@@ -13,6 +13,7 @@ internal static class Program
 
     internal static int Main(string[] arguments)
     {
+        Renderer.Disagreed = difference => StandardFile.WriteError($"raycaster: the engine disagrees with ScalarRenderer, which draws again: {difference}");
         using var cancellation = new CancellationTokenSource();
         var codeOfSignal = ExitCode.Interrupted;
         void Cancel(PosixSignalContext context)

@@ -59,7 +59,8 @@ internal sealed class DefinitionCheck
         {
             var (column, line) = pixels[i];
             ScalarRenderer.Render(scene, pixel, column, line);
-            var (fast, right) = (drawn.AsSpan(3 * i, 3), pixel.Rgb);
+            var fast = drawn.AsSpan(3 * i, 3);
+            var right = pixel.Rgb;
             if (!fast.SequenceEqual(right))
                 return $"column {column}, line {line}: the engine gives ({fast[0]}, {fast[1]}, {fast[2]}), " +
                     $"ScalarRenderer ({right[0]}, {right[1]}, {right[2]})";
