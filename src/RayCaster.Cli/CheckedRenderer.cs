@@ -39,7 +39,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
         var check = new DefinitionCheck(scene, lines);
         check.Watch(() => fast.Draw(lines, Take, linesDone, cancellation));
         if (check.FirstDifference() is not { } difference) return;
-        StandardFile.WriteError($"The fast way no longer agrees with your change: {difference}; drawn by ScalarRenderer.");
+        StandardStreams.WriteError($"The fast way no longer agrees with your change: {difference}; drawn by ScalarRenderer.");
         isByDefinition = true;
         throw new FastWayDisagreesException();
 
