@@ -36,7 +36,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
         }
         catch (EngineDisagreesException e)
         {
-            StandardFile.WriteError($"raycaster: {e.Message}. The definition draws the picture.");
+            StandardStreams.WriteError($"raycaster: {e.Message}. The definition draws the picture.");
             isByDefinition = true;
             throw;
         }

@@ -23,10 +23,10 @@ internal static class PictureOutput
     {
         if (output == SceneInput.Standard)
         {
-            StandardFile.WriteOutput(write);
+            StandardStreams.WriteOutput(write);
             return;
         }
-        InputFiles.Keep(output);
+        InputFiles.ThrowIfInput(output);
         WrittenFiles.Write(output, write, cancellation);
     }
 
@@ -67,10 +67,10 @@ internal static class PictureOutput
 
     /// <summary>Whether the picture exists already and need not be drawn. If a file exists but has other content, prints why it is drawn
     /// again.</summary>
-    public static bool IsThere(string output, PartFacts part, bool quiet)
+    public static bool IsUpToDate(string output, PartFacts part, bool quiet)
     {
         if (PartFile.Holds(output, part, out var reason)) return true;
-        if (reason is not null && !quiet) StandardFile.WriteError($"{output} is drawn again: {reason}");
+        if (reason is not null && !quiet) StandardStreams.WriteError($"{output} is drawn again: {reason}");
         return false;
     }
 

@@ -46,12 +46,13 @@ internal sealed class ReplacedFile : ForwardStream
 
     /// <summary>Writes the file to the disk and puts it in the place of the old one, which is there until then.</summary>
     /// <exception cref="PictureFileException">The disk is full, or the file cannot be put there. The old one stays.</exception>
-    public void Commit()
+    public void Commit(Action? beforeReplacing = null)
     {
         try
         {
             // A network drive reports only now that the quota is used up, and then the old picture must still be there.
             file.Flush(flushToDisk: true);
+            beforeReplacing?.Invoke();
             // It is moved while it is locked: another writer would delete an unlocked one as an orphan.
             WrittenFiles.Finish(file.Name, path, () => File.Move(file.Name, target, overwrite: true));
             closed = true;

@@ -27,13 +27,14 @@ public static class WrittenFiles
     }
 
     /// <summary>Writes a file completely or not at all: an old one is replaced at the end, and stays if anything fails.</summary>
+    /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
     /// <exception cref="PictureFileException">The file cannot be written.</exception>
-    public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default)
+    public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default, Action? beforeReplacing = null)
     {
         using var file = new ReplacedFile(path);
         write(file);
         cancellation.ThrowIfCancellationRequested();
-        file.Commit();
+        file.Commit(beforeReplacing);
     }
 
     /// <summary>
