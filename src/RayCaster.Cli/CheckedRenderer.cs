@@ -12,7 +12,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
     private const long PixelsAtOnce = 1 << 22;
 
     /// <summary>With no more rays times models, starting the engine takes longer than drawing by the definition.</summary>
-    private const long SmallWork = 4_000_000;
+    private const long SmallWork = 3_000_000;
 
     private readonly Renderer engine = new(scene, threads) { ManyFrames = manyFrames };
     private bool isByDefinition = plain || (!manyFrames && IsSmall(scene));
