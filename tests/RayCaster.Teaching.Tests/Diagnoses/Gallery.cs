@@ -60,10 +60,10 @@ internal static class Gallery
             """);
         foreach (var (concerns, title) in stages)
         {
-            page.AppendLine($"\n## {title}\n\n| right, wrong | mistake | what you see |\n|---|---|---|");
+            page.AppendLine($"\n## {title}\n\nright, wrong | mistake | what you see\n---|---|---");
             foreach (var mistake in Of(concerns))
-                page.AppendLine($"| ![{mistake.Id}](mistakes/{mistake.Id}.png) | `{mistake.Id}` ({initials[mistake]}): {Markdown(mistake.Cause)} "
-                    + $"| {Markdown(mistake.Hint.Symptom)} |");
+                page.AppendLine($"![{mistake.Id}](mistakes/{mistake.Id}.png) | `{mistake.Id}` ({initials[mistake]}): {Markdown(mistake.Cause)} "
+                    + $"| {Markdown(mistake.Hint.Symptom)}");
         }
         return page.ToString().ReplaceLineEndings("\n");
     }
