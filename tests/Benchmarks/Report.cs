@@ -80,7 +80,7 @@ internal sealed class Report
     /// <summary>Puts the tables between the marks in README.md beside the benchmark, and the charts in docs/charts.</summary>
     public void Save(string text)
     {
-        var page = Path.Combine(Workshop.Root, "tests", "RayCaster.Benchmarks", "README.md");
+        var page = Path.Combine(Workshop.Root, "tests", "Benchmarks", "README.md");
         var old = File.ReadAllText(page);
         var (begin, end) = (old.IndexOf(Begin, StringComparison.Ordinal), old.IndexOf(End, StringComparison.Ordinal));
         if (begin < 0 || end < begin) throw new InvalidOperationException($"{page} lacks the lines {Begin} and {End}");
