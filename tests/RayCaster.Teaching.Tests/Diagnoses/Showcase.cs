@@ -52,7 +52,8 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
     private static readonly Dictionary<string, Scene> scenes = SceneFolder.Files("scenes/mistakes")
         .ToDictionary(file => Path.GetFileNameWithoutExtension(file), SceneFolder.Read);
 
-    private static readonly Dictionary<string, Picture> right = scenes.ToDictionary(scene => scene.Key, scene => MistakeCatalog.Draw(scene.Value, []));
+    private static readonly Dictionary<string, Picture> right =
+        scenes.ToDictionary(scene => scene.Key, scene => MistakeCatalog.Draw(scene.Value, []));
 
     /// <summary>All scenes that show mistakes, the one that shows most first.</summary>
     public static IReadOnlyList<Showcase> Whole { get; } =

@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>
-/// The worst of millions of rays (worst.txt, computed exactly by tests/RayCaster.Tests/Accuracy/exact.py) are no worse than tests/RayCaster.Tests/Accuracy/README.md says.
+/// The worst of millions of rays (worst.txt, computed exactly by exact.py) are no worse than README.md beside it says.
 /// </summary>
 public class AccuracyTests
 {
