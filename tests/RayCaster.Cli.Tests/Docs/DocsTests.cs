@@ -8,7 +8,8 @@ public class DocsTests
     public static TheoryData<string> Documents => new(new[] { "README.md" }
         .Concat(Directory.GetFiles(ProjectFolder.PathOf("docs"), "*.md").Select(path => "docs/" + Path.GetFileName(path)))
         .Concat(["SECURITY.md", "CONTRIBUTING.md", "tests/References/README.md", "tests/Campaigns/README.md",
-            "tests/RayCaster.Tests/Accuracy/README.md", "tests/Benchmarks/README.md", "src/RayCaster.Engine/README.md", "src/RayCaster.Teaching/Diagnoses/README.md"]));
+            "tests/RayCaster.Tests/Accuracy/README.md", "tests/Benchmarks/README.md",
+            "src/RayCaster.Engine/README.md", "src/RayCaster.Teaching/Diagnoses/README.md"]));
 
     [Theory]
     [MemberData(nameof(Documents))]
