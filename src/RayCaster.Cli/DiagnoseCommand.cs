@@ -65,7 +65,8 @@ internal sealed class DiagnoseCommand : Command
         if (hasOtherSize)
         {
             StandardStreams.WriteError(
-                $"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: it is compared with the scene drawn in that size");
+                $"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
+                "it is compared with the scene drawn in that size");
             scene = scene.WithSize(picture.Width, picture.Height);
         }
         var prepared = new SceneDiagnosis(scene, threads);
