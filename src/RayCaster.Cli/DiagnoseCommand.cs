@@ -64,7 +64,8 @@ internal sealed class DiagnoseCommand : Command
         var hasOtherSize = (picture.Width, picture.Height) != size && (picture.Height, picture.Width) != size;
         if (hasOtherSize)
         {
-            StandardStreams.WriteError($"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
+            StandardStreams.WriteError(
+                $"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
                 "it is compared with the scene drawn in that size");
             scene = scene.WithSize(picture.Width, picture.Height);
         }

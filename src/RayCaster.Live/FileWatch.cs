@@ -30,7 +30,8 @@ internal sealed class FileWatch
     {
         lock (folders)
         {
-            stamps = files.SelectMany(file => (string[])[file, TargetOf(file)]).Distinct().ToDictionary(file => file, file => stamps.TryGetValue(file, out var known) ? known : StampOf(file));
+            stamps = files.SelectMany(file => (string[])[file, TargetOf(file)]).Distinct().ToDictionary(
+                file => file, file => stamps.TryGetValue(file, out var known) ? known : StampOf(file));
             var parents = stamps.Keys.Select(file => Path.GetDirectoryName(file)!).ToHashSet();
             foreach (var gone in folders.Keys.Except(parents).ToArray())
             {

@@ -41,7 +41,8 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
                     throw ProblemException.Usage($"one scene at a time, but there are two: {scene}, {operand}");
             }
         }
-        return new(scene ?? throw ProblemException.Usage("no scene is given: name a scene file, for example scenes/first.json"), mine, port, opens, ends);
+        if (scene is null) throw ProblemException.Usage("no scene is given: name a scene file, for example scenes/first.json");
+        return new(scene, mine, port, opens, ends);
     }
 
     private static string Value(string[] arguments, ref int i) =>

@@ -27,7 +27,8 @@ internal sealed record PageAddress(int Port, string Token)
     {
         try
         {
-            return IsRestart && File.ReadAllText(file).Split(' ') is [var port, var token] ? new(int.Parse(port, CultureInfo.InvariantCulture), token) : null;
+            return IsRestart && File.ReadAllText(file).Split(' ') is [var port, var token]
+                ? new(int.Parse(port, CultureInfo.InvariantCulture), token) : null;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or FormatException)
         {

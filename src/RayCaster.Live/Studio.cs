@@ -26,7 +26,8 @@ internal sealed class Studio
 
     private static Frame Draw(Scene scene, View view, CancellationToken cancellation)
     {
-        if (view.Look != Look.Plain) return Frame.Of(ModelPicture.Draw(scene, view.Look, view.Model < scene.Models.Count ? view.Model : -1, cancellation));
+        var model = view.Model < scene.Models.Count ? view.Model : -1; // it may have been deleted in the file
+        if (view.Look != Look.Plain) return Frame.Of(ModelPicture.Draw(scene, view.Look, model, cancellation));
         var frame = new Frame(scene.Camera.Width, scene.Camera.Height);
         var pixel = 0;
         try
