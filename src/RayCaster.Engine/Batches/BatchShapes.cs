@@ -46,10 +46,9 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
                 }
                 else
                 {
-                    var bounds = ((IBounded)shape).Bounds;
-                    var (center, half) = (0.5 * (bounds.Min + bounds.Max), 0.5 * (bounds.Max - bounds.Min));
-                    (outlines.X[i], outlines.Y[i], outlines.Z[i]) = (center.X, center.Y, center.Z);
-                    (outlines.HalfX[i], outlines.HalfY[i], outlines.HalfZ[i]) = (half.X, half.Y, half.Z);
+                    var (min, max) = ((IBounded)shape).Bounds;
+                    (outlines.X[i], outlines.Y[i], outlines.Z[i]) = (min.X, min.Y, min.Z);
+                    (outlines.MaxX[i], outlines.MaxY[i], outlines.MaxZ[i]) = (max.X, max.Y, max.Z);
                 }
             }
             if (typeof(P).IsAssignableTo(typeof(IRound))) outlines.OfBalls<N>();

@@ -6,12 +6,14 @@ internal sealed class TreeBuilder
     private const int MaxLeaf = 4;
     private const int MostUnevenLevels = 64;
 
+    private readonly CancellationToken cancellation;
     private readonly int[] order; // triangles by leaf
     private readonly Bounds[] bounds;
     private readonly List<TreeNode> nodes = [];
 
-    public TreeBuilder(Vector3[] vertices, int[] indices)
+    public TreeBuilder(Vector3[] vertices, int[] indices, CancellationToken cancellation)
     {
+        this.cancellation = cancellation;
         order = new int[indices.Length / 3];
         bounds = new Bounds[order.Length];
         for (var i = 0; i < order.Length; i++)
@@ -31,6 +33,7 @@ internal sealed class TreeBuilder
     /// <summary>Adds the node of a part of the order and returns its depth.</summary>
     private int Add(int first, int end, int level)
     {
+        cancellation.ThrowIfCancellationRequested();
         Bounds all = Bounds.Empty, centers = Bounds.Empty;
         for (var i = first; i < end; i++)
         {

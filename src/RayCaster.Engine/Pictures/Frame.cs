@@ -24,9 +24,11 @@ internal abstract class Frame(Scene scene, int threads, bool manyFrames, bool is
     public HitShader Shader => field ??= new(scene, IsLong, threads);
 
     /// <summary>A frame for the widest packets of the machine; everything else is generic over this choice.</summary>
-    public static Frame Of(Scene scene, int threads, bool manyFrames, bool isPlain = false) => Vector512.IsHardwareAccelerated
-        ? new Frame<WidePacket>(scene, threads, manyFrames, isPlain)
-        : new Frame<Packet>(scene, threads, manyFrames, isPlain);
+    /// <param name="cancellation">Stops the preparation of the models with an <see cref="OperationCanceledException"/>.</param>
+    public static Frame Of(Scene scene, int threads, bool manyFrames, CancellationToken cancellation, bool isPlain = false) =>
+        Vector512.IsHardwareAccelerated
+            ? new Frame<WidePacket>(scene, threads, manyFrames, cancellation, isPlain)
+            : new Frame<Packet>(scene, threads, manyFrames, cancellation, isPlain);
 
     /// <summary>A thread's caster.</summary>
     public abstract IStripCaster NewCaster();

@@ -139,11 +139,13 @@ public class GroupTests
     [InlineData(47, 48)]
     [InlineData(49, 54)] // of the last two triangles, which are less than can be checked at once
     [InlineData(53, int.MaxValue)]
+    [InlineData(0, 0)] // of no vertices
     public void ACornerThatIsNotThereIsFoundBeforeItIsRead(int place, int index)
     {
         var (vertices, indices) = Specks(18);
         indices[place] = index;
         if (index == 48) vertices = vertices[..48];
+        if (index == 0) vertices = [];
         var scene = new Scene(camera, [new Mesh(vertices, indices)]);
         Assert.Throws<IndexOutOfRangeException>(() => new Renderer(scene, 1).CastHits());
     }

@@ -252,7 +252,7 @@ public class MarginTests
     {
         var camera = scene.Camera;
         object? shared = null;
-        var view = new MeshView<Packet>((Mesh)scene.Models[0], screen).ForThread(ref shared);
+        var view = new MeshView<Packet>((Mesh)scene.Models[0], screen, default).ForThread(ref shared);
         var (span, wrong) = (new RayStream(camera), 0);
         for (var column = 0; column < camera.Width; column += Tile.MaxSide)
         {
