@@ -1,8 +1,8 @@
 namespace RayCaster.Engine;
 
 /// <summary>Finds where in the picture balls and boxes may show, and how near they are, for all lanes of a packet at once.</summary>
-/// <remarks>What it says is padded as <see cref="BoundsExtensions.PaddedFrom"/> says, which is enough for the roundings of the projection, too: a few
-/// units of 2⁻⁵³ of the distance. What places in the picture round is a few units of its width, less than 1e-9 of a pixel.</remarks>
+/// <remarks>What it says is padded as <see cref="BoundsExtensions.PaddedFrom"/> says, which is enough for the roundings of the projection, too:
+/// a few units of 2⁻⁵³ of the distance. What places in the picture round is a few units of its width, less than 1e-9 of a pixel.</remarks>
 internal sealed class ScreenBounds
 {
     /// <summary>How many are processed together.</summary>
@@ -54,8 +54,8 @@ internal sealed class ScreenBounds
     {
         for (var i = 0; i < Count; i += N.Count)
         {
-            var (min, max) = (new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), new Vector3<N>(N.Load(MaxX, i), N.Load(MaxY, i), N.Load(MaxZ, i)));
-            Keep(i, Box(min, max));
+            var max = new Vector3<N>(N.Load(MaxX, i), N.Load(MaxY, i), N.Load(MaxZ, i));
+            Keep(i, Box(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), max));
         }
     }
 

@@ -154,7 +154,8 @@ internal sealed class TriangleBoxes
         for (var i = 3 * first; i < 3 * end; i += 3)
         {
             // A vertex's three numbers and the next vertex's first.
-            var (a, b, c) = (numbers.Load256((nint)3 * places[i]), numbers.Load256((nint)3 * places[i + 1]), numbers.Load256((nint)3 * places[i + 2]));
+            var (a, b) = (numbers.Load256((nint)3 * places[i]), numbers.Load256((nint)3 * places[i + 1]));
+            var c = numbers.Load256((nint)3 * places[i + 2]);
             (lowA, lowB, lowC) = (Vector256.MinNative(a, lowA), Vector256.MinNative(b, lowB), Vector256.MinNative(c, lowC));
             (highA, highB, highC) = (Vector256.MaxNative(a, highA), Vector256.MaxNative(b, highB), Vector256.MaxNative(c, highC));
         }

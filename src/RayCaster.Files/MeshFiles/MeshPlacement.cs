@@ -5,6 +5,10 @@ namespace RayCaster.Files;
 /// <param name="Rotate">Right-handed turns about the x, y and z axis, in degrees, in this order.</param>
 public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vector3 Translate)
 {
+    /// <summary>The largest coordinate or radius in a scene, in absolute value: products of a few larger ones are beyond the largest
+    /// double.</summary>
+    internal const double MaxCoordinate = 1e100;
+
     /// <summary>The mesh as a model, without the triangles that have no area where they are placed.</summary>
     /// <param name="data">
     /// The file's vertices and triangles. The model shares the array of vertices if none is moved, and the array of indices if no triangle is
@@ -37,10 +41,10 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
         var areNear = true;
         Ranges.Each(vertices.Length, threads, (start, length) =>
         {
-            if (!(Largest(vertices.AsSpan(start, length)) <= Limits.MaxCoordinate)) Volatile.Write(ref areNear, false);
+            if (!(Largest(vertices.AsSpan(start, length)) <= MaxCoordinate)) Volatile.Write(ref areNear, false);
         });
         if (areNear) return;
-        var first = Array.FindIndex(vertices, p => !(Largest([p]) <= Limits.MaxCoordinate));
+        var first = Array.FindIndex(vertices, p => !(Largest([p]) <= MaxCoordinate));
         throw new OverflowException($"vertex {first + 1} is placed at {vertices[first]}, but coordinates may be from -1e100 to 1e100");
     }
 

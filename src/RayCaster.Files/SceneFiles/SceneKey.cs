@@ -35,11 +35,7 @@ internal sealed record Limits(double Least, double Most, bool IsOpen, bool IsZer
     public static readonly Limits Positive = new(0, double.PositiveInfinity, true);
     public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false);
     public static readonly Limits NotZero = None with { IsZeroRefused = true };
-
-    /// <summary>The largest coordinate or radius, in absolute value: beyond it products of a few lengths are beyond the largest double.</summary>
-    public const double MaxCoordinate = 1e100;
-
-    public static readonly Limits Coordinate = From(-MaxCoordinate, MaxCoordinate);
+    public static readonly Limits Coordinate = From(-MeshPlacement.MaxCoordinate, MeshPlacement.MaxCoordinate);
 
     /// <summary>Numbers between two limits, which are excluded.</summary>
     public static Limits Between(double least, double most) => new(least, most, true);
