@@ -60,7 +60,7 @@ internal sealed class SceneObject
     public double Radius(string key, string meaning)
     {
         var radius = Number(key, meaning, Limits.Positive);
-        if (radius > MeshPlacement.MaxCoordinate) Refuse(key, $" must be at most {MeshPlacement.MaxCoordinate:0e0}, but is {Place(key, null)?.AsWritten}");
+        if (radius > Limits.Coordinate.Most) Refuse(key, $" must be at most 1e100, but is {Place(key, null)?.AsWritten}");
         return radius;
     }
 
