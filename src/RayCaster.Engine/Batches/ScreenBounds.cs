@@ -46,7 +46,7 @@ internal sealed class ScreenBounds
     public void OfBalls<N>() where N : struct, IPacket<N>
     {
         for (var i = 0; i < Count; i += N.Count)
-            Keep(i, Ball(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), N.Load(Radius, i)));
+            Store(i, Ball(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), N.Load(Radius, i)));
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -55,7 +55,7 @@ internal sealed class ScreenBounds
         for (var i = 0; i < Count; i += N.Count)
         {
             var max = new Vector3<N>(N.Load(MaxX, i), N.Load(MaxY, i), N.Load(MaxZ, i));
-            Keep(i, Box(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), max));
+            Store(i, Box(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), max));
         }
     }
 
@@ -132,7 +132,7 @@ internal sealed class ScreenBounds
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Keep<N>(int i, in Outline<N> outline) where N : struct, IPacket<N>
+    private void Store<N>(int i, in Outline<N> outline) where N : struct, IPacket<N>
     {
         outline.Nearest.Store(nearest, i);
         outline.Verdict.Store(verdict, i);

@@ -111,7 +111,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     /// <summary>The indices of the models + 1, as ints in place of floats.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public F PlacesAt<F>(int pixel) where F : struct, IFloatPacket<F> => F.LoadPlaces(model, pixel);
+    public F ColorIndicesAt<F>(int pixel) where F : struct, IFloatPacket<F> => F.LoadColorIndices(model, pixel);
 
     /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -23,35 +23,35 @@ internal readonly ref struct RawSpan<T> where T : struct
 #endif
     }
 
-    public ref T this[nint place]
+    public ref T this[nint index]
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => ref From(place, 1);
+        get => ref From(index, 1);
     }
 
     /// <summary>The numbers from a position on, as many as fill 16 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector128<T> Load128(nint place) => Vector128.LoadUnsafe(ref From(place, Vector128<T>.Count));
+    public Vector128<T> Load128(nint index) => Vector128.LoadUnsafe(ref From(index, Vector128<T>.Count));
 
-    /// <summary>The eight numbers from a place on, or as many as fill 32 bytes.</summary>
+    /// <summary>The eight numbers from an index on, or as many as fill 32 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<T> Load256(nint place) => Vector256.LoadUnsafe(ref From(place, Vector256<T>.Count));
+    public Vector256<T> Load256(nint index) => Vector256.LoadUnsafe(ref From(index, Vector256<T>.Count));
 
     /// <summary>Writes numbers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(Vector256<T> numbers, nint place) => numbers.StoreUnsafe(ref From(place, Vector256<T>.Count));
+    public void Store(Vector256<T> numbers, nint index) => numbers.StoreUnsafe(ref From(index, Vector256<T>.Count));
 
     /// <inheritdoc cref="Store(Vector256{T}, nint)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(Vector512<T> numbers, nint place) => numbers.StoreUnsafe(ref From(place, Vector512<T>.Count));
+    public void Store(Vector512<T> numbers, nint index) => numbers.StoreUnsafe(ref From(index, Vector512<T>.Count));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private ref T From(nint place, int count)
+    private ref T From(nint index, int count)
     {
 #if CHECKED
-        if (place < 0 || place > length - count) throw new IndexOutOfRangeException($"{count} numbers from {place} on, of {length}");
+        if (index < 0 || index > length - count) throw new IndexOutOfRangeException($"{count} numbers from {index} on, of {length}");
 #endif
-        return ref Unsafe.Add(ref first, place);
+        return ref Unsafe.Add(ref first, index);
     }
 }
 

@@ -57,7 +57,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         if (sets.Length == 0) return known;
         entered = tile;
         var range = Enter();
-        return formulaOnly is null ? range : range with { Least = 0 };
+        return formulaOnly is null ? range : range with { NearestT = 0 };
     }
 
     public override void Intersect(RayStream rays, int index)

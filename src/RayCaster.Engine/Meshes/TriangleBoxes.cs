@@ -132,9 +132,9 @@ internal sealed class TriangleBoxes
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector256<double> CornerAt(int place)
+    private Vector256<double> CornerAt(int index)
     {
-        ref readonly var point = ref vertices[indices[place]];
+        ref readonly var point = ref vertices[indices[index]];
         return Vector256.Create(point.X, point.Y, point.Z, 0);
     }
 
@@ -143,7 +143,7 @@ internal sealed class TriangleBoxes
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {
         if (end - first != Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
-        var places = new RawSpan<int>(indices);
+        var vertexIndices = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
         if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Prefetch(first);
 
@@ -154,8 +154,8 @@ internal sealed class TriangleBoxes
         for (var i = 3 * first; i < 3 * end; i += 3)
         {
             // A vertex's three numbers and the next vertex's first.
-            var (a, b) = (numbers.Load256((nint)3 * places[i]), numbers.Load256((nint)3 * places[i + 1]));
-            var c = numbers.Load256((nint)3 * places[i + 2]);
+            var (a, b) = (numbers.Load256((nint)3 * vertexIndices[i]), numbers.Load256((nint)3 * vertexIndices[i + 1]));
+            var c = numbers.Load256((nint)3 * vertexIndices[i + 2]);
             (lowA, lowB, lowC) = (Vector256.MinNative(a, lowA), Vector256.MinNative(b, lowB), Vector256.MinNative(c, lowC));
             (highA, highB, highC) = (Vector256.MaxNative(a, highA), Vector256.MaxNative(b, highB), Vector256.MaxNative(c, highC));
         }
@@ -181,10 +181,10 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool AreBeforeTheLast(int first, int end)
     {
-        var places = new RawSpan<int>(indices);
+        var vertexIndices = new RawSpan<int>(indices);
         var most = Vector256<uint>.Zero; // as unsigned numbers, negative indices are the largest
         for (var i = first; i < end; i += Vector256<int>.Count)
-            most = Vector256.Max(most, places.Load256(i).AsUInt32());
+            most = Vector256.Max(most, vertexIndices.Load256(i).AsUInt32());
         return Vector256.LessThanAll(most, Vector256.Create((uint)Math.Max(vertices.Length - 1, 0)));
     }
 
@@ -192,12 +192,12 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Prefetch(int first)
     {
-        var places = new RawSpan<int>(indices);
+        var vertexIndices = new RawSpan<int>(indices);
         for (var i = 3 * first; i < 3 * (first + Length); i += TriangleCluster.Length)
         {
-            Lanes.Prefetch(ref places[i + 3 * IndicesAhead]);
-            PrefetchVertex(places[i + 3 * VerticesAhead]);
-            PrefetchVertex(places[i + 3 * VerticesAhead + 1]);
+            Lanes.Prefetch(ref vertexIndices[i + 3 * IndicesAhead]);
+            PrefetchVertex(vertexIndices[i + 3 * VerticesAhead]);
+            PrefetchVertex(vertexIndices[i + 3 * VerticesAhead + 1]);
         }
     }
 

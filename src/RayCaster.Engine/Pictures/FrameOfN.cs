@@ -17,9 +17,9 @@ internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<
         var (camera, models) = (scene.Camera, scene.Models);
         if (models.Count > FewModels && !camera.IsSkewed)
             PrimitiveBatch = new(camera, ShapeLists.Of(models, manyFrames, threads), models.Count, threads);
-        Places = PrimitiveBatch is null ? new int[models.Count] : [.. PrimitiveBatch.Others];
-        for (var i = 0; PrimitiveBatch is null && i < models.Count; i++) Places[i] = i;
-        foreach (var i in Places)
+        ModelIndices = PrimitiveBatch is null ? new int[models.Count] : [.. PrimitiveBatch.Others];
+        for (var i = 0; PrimitiveBatch is null && i < models.Count; i++) ModelIndices[i] = i;
+        foreach (var i in ModelIndices)
         {
             cancellation.ThrowIfCancellationRequested();
             models[i].Accept(this);
@@ -30,7 +30,7 @@ internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<
     /// <summary>Views of the models that are not in the batch.</summary>
     public ModelView[] Views => [.. views];
 
-    public int[] Places { get; }
+    public int[] ModelIndices { get; }
 
     /// <summary>Where in the picture each of them can show at all.</summary>
     public Tile[] Extents { get; }
@@ -39,7 +39,7 @@ internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<
     public PrimitiveBatch<N>? PrimitiveBatch { get; }
 
     public override IStripCaster NewCaster() =>
-        IsPlain && !IsLong && PrimitiveBatch is null ? new PlainCaster<N>(this) : NewTileCaster();
+        IsPlain && !UsesShapeKernels && PrimitiveBatch is null ? new PlainCaster<N>(this) : NewTileCaster();
 
     public override IHitConsumer HitsInto(HitMap map) => new HitMapConsumer<N>(map, Scene.Camera);
 
