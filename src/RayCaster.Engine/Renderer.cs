@@ -2,11 +2,18 @@ namespace RayCaster.Engine;
 
 /// <summary>Draws pictures the fast way: tile by tile, several pixels at once, on several threads. Every bit is that of
 /// <see cref="ScalarRenderer"/>.</summary>
-/// <param name="threads">How many threads cast rays; one per core if left out.</param>
-public sealed class Renderer(Scene scene, int? threads = null)
+public sealed class Renderer
 {
-    private readonly Camera camera = scene.Camera;
-    private readonly int threadCount = threads ?? Environment.ProcessorCount;
+    private readonly Scene scene;
+    private readonly Camera camera;
+    private readonly int threadCount;
+
+    /// <param name="threads">How many threads cast rays, at least 1; one per core if left out.</param>
+    public Renderer(Scene scene, int? threads = null)
+    {
+        (this.scene, camera, threadCount) = (scene, scene.Camera, threads ?? Environment.ProcessorCount);
+        ArgumentOutOfRangeException.ThrowIfLessThan(threadCount, 1, nameof(threads));
+    }
 
     /// <summary>
     /// Receives a message when a picture or a hit map in memory differs from the definition, which then computes it anew. If this is null, the
@@ -23,24 +30,25 @@ public sealed class Renderer(Scene scene, int? threads = null)
     public bool ManyFrames { get; init; }
 
     /// <summary>Draws a whole picture in memory, which must not have more than 2³¹ bytes.</summary>
-    public static Picture Render(Scene scene, int? threads = null)
+    public static Picture Render(Scene scene, int? threads = null, CancellationToken cancellation = default)
     {
         var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
-        new Renderer(scene, threads).DrawInto(picture);
+        new Renderer(scene, threads).DrawInto(picture, cancellation);
         return picture;
     }
 
     /// <summary>Draws into an existing picture of the right size.</summary>
-    public void DrawInto(Picture picture)
+    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    public void DrawInto(Picture picture, CancellationToken cancellation = default)
     {
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
         var check = new DefinitionCheck(scene, 0, camera.Height, minPixels: 0);
-        using (var frame = Frame.Of(scene, threadCount, ManyFrames))
+        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation))
         {
             var shader = frame.Shader; // before other threads need it
-            Cast(frame, () =>
+            Cast(frame, cancellation, () =>
             {
                 var consumer = new PictureConsumer(shader, picture.Width);
                 consumer.Enter(picture.Rgb, picture.Height - 1);
@@ -53,12 +61,13 @@ public sealed class Renderer(Scene scene, int? threads = null)
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>
     /// <param name="map">An existing map of the picture's size, to write into; a new one if left out.</param>
-    public HitMap CastHits(HitMap? map = null)
+    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    public HitMap CastHits(HitMap? map = null, CancellationToken cancellation = default)
     {
         var hits = map ?? new(camera.Width, camera.Height);
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(map));
-        using (var frame = Frame.Of(scene, threadCount, ManyFrames)) Cast(frame, () => frame.HitsInto(hits));
+        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation)) Cast(frame, cancellation, () => frame.HitsInto(hits));
         if (!Agrees(new DefinitionCheck(scene, 0, camera.Height, minPixels: 0).Difference(hits))) CastByDefinition(hits);
         return hits;
     }
@@ -77,7 +86,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
         var check = new DefinitionCheck(scene, first, end, minPixels: 1);
-        using (var frame = Frame.Of(scene, threadCount, ManyFrames))
+        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation))
         {
             new BandQueue(frame, first, end, threadCount, linesDone, cancellation).WriteAll(lines =>
             {
@@ -109,7 +118,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
     }
 
     /// <summary>Casts all rays, on this thread and others.</summary>
-    private void Cast(Frame frame, Func<IHitConsumer> newConsumer)
+    private void Cast(Frame frame, CancellationToken cancellation, Func<IHitConsumer> newConsumer)
     {
         var (across, up) = (Tile.StripsOf(camera.Width), Tile.TilesOf(camera.Height));
         var workers = Math.Min(threadCount, across * up);
@@ -119,6 +128,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
             var (caster, consumer) = (frame.NewCaster(), newConsumer());
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
+                cancellation.ThrowIfCancellationRequested();
                 var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
                 caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), consumer);
             }

@@ -1,9 +1,9 @@
 namespace RayCaster.Engine;
 
 /// <summary>Consecutive triangles of a mesh, which in most meshes are neighbours, as they show in a tile.</summary>
-/// <param name="MostW">The greatest w of a sample that they cover.</param>
+/// <param name="MaxInverseDepth">The greatest inverse depth of a sample that they cover.</param>
 /// <param name="Cells">The cells of the tile (<see cref="CoarseDepth"/>) in which they may cover samples.</param>
-internal readonly record struct TriangleCluster(TriangleRun Run, float MostW, Cells Cells)
+internal readonly record struct TriangleCluster(TriangleRun Run, float MaxInverseDepth, Cells Cells)
 {
     /// <summary>The number of triangles in a cluster, and in one of a mesh whose clusters would be large on the screen.</summary>
     public const int Length = 16, ShortLength = 8;

@@ -8,7 +8,7 @@ internal abstract class Frame(Scene scene, int threads, bool manyFrames) : IDisp
     private const long PixelsOfLongWork = 1 << 24;
 
     /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>
-    public bool IsLong { get; } =
+    public bool UsesShapeKernels { get; } =
         manyFrames || !RuntimeFeature.IsDynamicCodeCompiled || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
 
     protected bool ManyFrames => manyFrames;
@@ -18,12 +18,14 @@ internal abstract class Frame(Scene scene, int threads, bool manyFrames) : IDisp
     public Scene Scene => scene;
 
     /// <summary>Turns hits into bytes; made on first use.</summary>
-    public HitShader Shader => field ??= new(scene, IsLong, threads);
+    public HitShader Shader => field ??= new(scene, UsesShapeKernels, threads);
 
     /// <summary>A frame for the widest packets of the machine; everything else is generic over this choice.</summary>
-    public static Frame Of(Scene scene, int threads, bool manyFrames) => Vector512.IsHardwareAccelerated
-        ? new Frame<WidePacket>(scene, threads, manyFrames)
-        : new Frame<Packet>(scene, threads, manyFrames);
+    /// <param name="cancellation">Stops the preparation of the models with an <see cref="OperationCanceledException"/>.</param>
+    public static Frame Of(Scene scene, int threads, bool manyFrames, CancellationToken cancellation) =>
+        Vector512.IsHardwareAccelerated
+            ? new Frame<WidePacket>(scene, threads, manyFrames, cancellation)
+            : new Frame<Packet>(scene, threads, manyFrames, cancellation);
 
     /// <summary>A thread's caster.</summary>
     public abstract IStripCaster NewCaster();

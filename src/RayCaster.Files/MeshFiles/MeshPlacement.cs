@@ -5,17 +5,22 @@ namespace RayCaster.Files;
 /// <param name="Rotate">Right-handed turns about the x, y and z axis, in degrees, in this order.</param>
 public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vector3 Translate)
 {
+    /// <summary>The largest coordinate or radius in a scene, in absolute value: products of a few larger ones are beyond the largest
+    /// double.</summary>
+    internal const double MaxCoordinate = 1e100;
+
     /// <summary>The mesh as a model, without the triangles that have no area where they are placed.</summary>
     /// <param name="data">
     /// The file's vertices and triangles. The model shares the array of vertices if none is moved, and the array of indices if no triangle is
     /// dropped.
     /// </param>
     /// <param name="threads">How many threads place a large mesh; one per core if left out.</param>
-    /// <exception cref="OverflowException">A placed vertex is not finite.</exception>
+    /// <exception cref="OverflowException">A placed vertex is farther than 1e100 from the origin.</exception>
     public Mesh Place(MeshData data, out int dropped, int? threads = null)
     {
         var threadCount = threads ?? Environment.ProcessorCount;
         var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices, threadCount);
+        ThrowIfTooFar(vertices, threadCount);
         var indices = WithoutFlat(data.Indices, vertices, threadCount);
         dropped = (data.Indices.Length - indices.Length) / 3;
         return new Mesh(vertices, indices);
@@ -27,25 +32,40 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     {
         var placement = this;
         var placed = GC.AllocateUninitializedArray<Vector3>(from.Length);
-        var areFinite = true;
-        Ranges.Each(from.Length, threads, (start, length) =>
-        {
-            if (!placement.Place(from.AsSpan(start, length), placed.AsSpan(start, length))) Volatile.Write(ref areFinite, false);
-        });
-        if (areFinite) return placed;
-        var first = Array.FindIndex(placed, p => !(double.IsFinite(p.X) && double.IsFinite(p.Y) && double.IsFinite(p.Z)));
-        throw new OverflowException($"vertex {first + 1} is placed at {placed[first]}, beyond the largest number");
+        Ranges.Each(from.Length, threads, (start, length) => placement.Place(from.AsSpan(start, length), placed.AsSpan(start, length)));
+        return placed;
     }
 
-    /// <summary>Places some vertices; false where one is no longer finite.</summary>
+    private static void ThrowIfTooFar(Vector3[] vertices, int threads)
+    {
+        var areNear = true;
+        Ranges.Each(vertices.Length, threads, (start, length) =>
+        {
+            if (!(Largest(vertices.AsSpan(start, length)) <= MaxCoordinate)) Volatile.Write(ref areNear, false);
+        });
+        if (areNear) return;
+        var first = Array.FindIndex(vertices, p => !(Largest([p]) <= MaxCoordinate));
+        throw new OverflowException($"vertex {first + 1} is placed at {vertices[first]}, but coordinates may be from -1e100 to 1e100");
+    }
+
+    /// <summary>The largest coordinate, in absolute value; NaN if one is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private static double Largest(ReadOnlySpan<Vector3> vertices)
+    {
+        var largest = 0d;
+        foreach (ref readonly var p in vertices)
+            largest = Math.Max(largest, Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
+        return largest;
+    }
+
+    /// <summary>Places some vertices.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // called a few times, for many vertices each
-    private bool Place(ReadOnlySpan<Vector3> from, Span<Vector3> placed)
+    private void Place(ReadOnlySpan<Vector3> from, Span<Vector3> placed)
     {
         var (scale, translate) = (Scale, Translate);
         var (sx, cx) = SinCos(Rotate.X);
         var (sy, cy) = SinCos(Rotate.Y);
         var (sz, cz) = SinCos(Rotate.Z);
-        var zero = 0d; // NaN as soon as a coordinate is not finite
         for (var i = 0; i < from.Length; i++)
         {
             var p = from[i];
@@ -53,10 +73,8 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
             p = new(p.X, cx * p.Y - sx * p.Z, sx * p.Y + cx * p.Z);
             p = new(cy * p.X + sy * p.Z, p.Y, cy * p.Z - sy * p.X);
             p = new(cz * p.X - sz * p.Y, sz * p.X + cz * p.Y, p.Z);
-            placed[i] = p += translate;
-            zero += 0 * p.X + 0 * p.Y + 0 * p.Z;
+            placed[i] = p + translate;
         }
-        return zero == 0;
     }
 
     /// <summary>The triangles that have an area: the same array where all have.</summary>
