@@ -203,7 +203,7 @@ public sealed class ReplacedFileTests : IDisposable
         {
             file.Write("new"u8);
             Directory.CreateDirectory(folder["room.png"]); // comes in between
-            Assert.Throws<PictureFileException>(file.Commit);
+            Assert.Throws<PictureFileException>(() => file.Commit());
         }
         Assert.Equal(["room.png"], folder.Names);
     }
