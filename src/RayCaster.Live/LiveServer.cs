@@ -168,7 +168,7 @@ internal sealed class LiveServer : IAsyncDisposable
         {
             await RefuseAsync(context, e.StatusCode, "The file is larger than any picture of this scene's size.");
         }
-        catch (PictureFileException e)
+        catch (ProblemException e)
         {
             await RefuseAsync(context, StatusCodes.Status422UnprocessableEntity, e.Message);
         }

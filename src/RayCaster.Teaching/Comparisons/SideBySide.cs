@@ -9,7 +9,7 @@ public static class SideBySide
     private const byte Grey = 128;
 
     /// <summary>Mine, the reference, the heat map, from left to right; without the heat map where the sizes differ.</summary>
-    /// <exception cref="PictureFileException">It would be larger than a picture can be.</exception>
+    /// <exception cref="ProblemException">It would be larger than a picture can be.</exception>
     public static Picture Draw(PictureComparison comparison)
     {
         var (mine, reference) = (comparison.Mine, comparison.Reference);
