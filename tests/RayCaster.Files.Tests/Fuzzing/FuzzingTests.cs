@@ -35,7 +35,7 @@ public class FuzzingTests
             {
                 return read(new Mutation(new Random(seed), seeds).Next());
             }
-            catch (ProblemException e)
+            catch (ProblemException)
             {
                 return false;
             }

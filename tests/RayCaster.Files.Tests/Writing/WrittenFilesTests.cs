@@ -108,10 +108,8 @@ public sealed class WrittenFilesTests : IDisposable
         if (OperatingSystem.IsWindows()) return; // rights are others there
         const UnixFileMode mine = UnixFileMode.UserRead | UnixFileMode.UserWrite;
         File.SetUnixFileMode(folder.Write("room.png", "old"u8), mine);
-        WrittenFiles.Write(folder["room.png"], _ =>
-        {
-            foreach (var name in folder.Names) Assert.Equal(mine, File.GetUnixFileMode(folder[name])); // the temporary one is no more open to others
-        });
+        // The temporary one is no more open to others.
+        WrittenFiles.Write(folder["room.png"], _ => Assert.All(folder.Names, name => Assert.Equal(mine, new FileInfo(folder[name]).UnixFileMode)));
         Assert.Equal(mine, File.GetUnixFileMode(folder["room.png"]));
     }
 
