@@ -44,30 +44,6 @@ internal sealed class CoarseDepth
         return (hidden & columns) == columns;
     }
 
-    /// <summary>Whether each pixel of a triangle's box certainly has a hit with a greater inverse depth than the triangle's plane.</summary>
-    /// <param name="setup">The <see cref="TriangleSetUp"/> of eight triangles.</param>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public bool Hides(RawSpan<float> setup, int lane)
-    {
-        const float Middle = (CellSide - 1) / 2f;
-        var (bottom, left) = Math.DivRem(TriangleSetUp.Whole(setup, lane, TriangleSetUp.Pixel), TilePixels.Stride);
-        var (right, up) = (setup[8 * (TriangleSetUp.InverseDepth + 1) + lane], setup[8 * (TriangleSetUp.InverseDepth + 2) + lane]);
-        // Of a cell the plane's inverse depth in the middle, and how much more it is at the nearest corner. These steps round by less than the
-        // slack, which has 64 units of 2⁻²⁴ of inverse depth and 2000 of the slope; so it counts twice. An inverse depth that is NaN hides nothing,
-        // or counts as the greatest.
-        var nearest = setup[8 * TriangleSetUp.InverseDepth + lane] + 2 * setup[8 * TriangleSetUp.Slack + lane]
-            + Middle * (Math.Abs(right) + Math.Abs(up));
-        var row = Vector256.Create(nearest) + (CellSide * Vector256<float>.Indices + Vector256.Create(Middle - left)) * Vector256.Create(right);
-        var most = Vector256.Create(setup[8 * TriangleSetUp.MaxInverseDepth + lane]);
-        var columns = (2u << ((left + TriangleSetUp.Whole(setup, lane, TriangleSetUp.Across)) / CellSide)) - (1u << (left / CellSide));
-        for (var y = bottom / CellSide; y <= (bottom + TriangleSetUp.Whole(setup, lane, TriangleSetUp.Upwards)) / CellSide; y++)
-        {
-            var inverseDepth = Vector256.MinNative(row + Vector256.Create((y * CellSide + Middle - bottom) * up), most);
-            if ((~Vector256.GreaterThan(least.Load256(y * Across), inverseDepth).ExtractMostSignificantBits() & columns) != 0) return false;
-        }
-        return true;
-    }
-
     /// <summary>Each pixel certainly has a hit of at least this inverse depth; 0 if that is not certain.</summary>
     public float Least
     {

@@ -27,7 +27,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
             return;
         }
 
-        var boxes = TriangleBoxes.Of(mesh, screen.Camera, cancellation, isKept, threads);
+        var boxes = TriangleBoxes.Of(mesh, cancellation, isKept, threads);
         var whole = new ScreenTriangles<N>(
             screen, new MeshCorners<N>(screen, vertices, indices), null, boxes, () => new Duplicates(vertices, indices), threads);
         cancellation.ThrowIfCancellationRequested();

@@ -26,7 +26,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     {
         this.screen = screen;
         hits = new(screen, pixels);
-        rasterizer = new(screen, pixels, coarse, hits.Decide);
+        rasterizer = new(screen, pixels, hits.Decide);
     }
 
     /// <summary>The view whose pixels are stored; null if none are.</summary>

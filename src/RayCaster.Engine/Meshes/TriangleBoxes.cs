@@ -2,7 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>What depends only on a mesh: a box around each cluster of consecutive triangles.</summary>
 /// <remarks>The numbers are floats relative to a point and a length of the mesh, so they suit a scene of any size. They take 1.5 bytes for each
-/// triangle, or 3 with short clusters; a mesh whose triangles share their corners takes 24.</remarks>
+/// triangle; a mesh whose triangles share their corners takes 24.</remarks>
 internal sealed class TriangleBoxes
 {
     /// <summary>The number of clusters that a thread takes at once.</summary>
@@ -11,9 +11,6 @@ internal sealed class TriangleBoxes
     /// <summary>How many triangles ahead memory is fetched: waiting for it would take longer than finding the boxes. Vertices are fetched later than
     /// indices, which must be there first.</summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
-
-    /// <summary>By how many clusters the size of all on the screen is estimated, and in how many pixels they are large.</summary>
-    private const int Samples = 32, LargeArea = Tile.MaxSide * Tile.MaxSide;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
 
@@ -24,11 +21,10 @@ internal sealed class TriangleBoxes
     private Vector256<double> least = Vector256.Create(double.PositiveInfinity), most = Vector256.Create(double.NegativeInfinity); // of all
 
     /// <param name="indices">Three for each triangle. Each of them is checked here, once for all.</param>
-    public TriangleBoxes(
-        Vector3[] vertices, int[] indices, int threads, int length = TriangleCluster.Length, CancellationToken cancellation = default)
+    public TriangleBoxes(Vector3[] vertices, int[] indices, int threads, CancellationToken cancellation = default)
     {
-        (this.vertices, this.indices, Length) = (vertices, indices, length);
-        Count = (indices.Length / 3 + Length - 1) / Length;
+        (this.vertices, this.indices) = (vertices, indices);
+        Count = (indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length;
         var bounds = Bounds.Empty;
         for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1)
             if (double.IsFinite(vertices[i].X + vertices[i].Y + vertices[i].Z))
@@ -57,40 +53,20 @@ internal sealed class TriangleBoxes
 
     public int Count { get; }
 
-    /// <summary>The number of triangles in a box; less at the mesh's end.</summary>
-    public int Length { get; }
-
     /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
-    /// <param name="camera">What sees it: the boxes suit any camera, but short clusters pay only where triangles are large on the screen.</param>
     /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>
-    public static TriangleBoxes Of(Mesh mesh, Camera camera, CancellationToken cancellation, bool isKept, int threads)
+    public static TriangleBoxes Of(Mesh mesh, CancellationToken cancellation, bool isKept, int threads)
     {
-        var length = LengthFor(mesh, camera);
-        if (isKept && kept.TryGetValue(mesh, out var boxes) && boxes.Length <= length) return boxes;
-        boxes = new(mesh.Vertices, mesh.Indices, threads, length, cancellation);
+        if (isKept && kept.TryGetValue(mesh, out var boxes)) return boxes;
+        boxes = new(mesh.Vertices, mesh.Indices, threads, cancellation);
         if (isKept) kept.AddOrUpdate(mesh, boxes);
         return boxes;
     }
 
-    /// <summary>How many triangles a cluster should hold: a large box says little about where each of its triangles shows.</summary>
-    private static int LengthFor(Mesh mesh, Camera camera)
-    {
-        var (small, large, step) = (0, 0, mesh.TriangleCount / Samples + 1);
-        for (var first = 0; first < mesh.TriangleCount; first += step)
-        {
-            var (a, b) = (mesh[first], mesh[Math.Min(first + TriangleCluster.Length, mesh.TriangleCount) - 1]);
-            var bounds = Bounds.Empty.With(a.A).With(a.B).With(a.C).With(b.A).With(b.B).With(b.C);
-            var area = Tile.Of(bounds.PaddedFrom(camera.Position), camera).Area;
-            if (area > LargeArea) large++;
-            else if (area > 0) small++;
-        }
-        return large > small ? TriangleCluster.ShortLength : TriangleCluster.Length;
-    }
-
     public (int First, int End) TrianglesOf(int cluster)
     {
-        var first = cluster * Length;
-        return (first, Math.Min(first + Length, indices.Length / 3));
+        var first = cluster * TriangleCluster.Length;
+        return (first, Math.Min(first + TriangleCluster.Length, indices.Length / 3));
     }
 
     /// <summary>The least coordinates of several clusters, one in each lane. A corner that is NaN does not count, since it is part of no
@@ -142,7 +118,7 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {
-        if (end - first != Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
+        if (end - first != TriangleCluster.Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
         var vertexIndices = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
         if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Prefetch(first);
@@ -193,7 +169,7 @@ internal sealed class TriangleBoxes
     private void Prefetch(int first)
     {
         var vertexIndices = new RawSpan<int>(indices);
-        for (var i = 3 * first; i < 3 * (first + Length); i += TriangleCluster.Length)
+        for (var i = 3 * first; i < 3 * (first + TriangleCluster.Length); i += TriangleCluster.Length)
         {
             Lanes.Prefetch(ref vertexIndices[i + 3 * IndicesAhead]);
             PrefetchVertex(vertexIndices[i + 3 * VerticesAhead]);

@@ -6,7 +6,7 @@ namespace RayCaster.Engine;
 /// changes; only uncertain ones, which are rare, take a branch. In a large box samples outside are predictable, so a branch skips them.
 /// </remarks>
 /// <param name="decide">Decides about all queued pixels.</param>
-internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, CoarseDepth coarse, Action decide)
+internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, Action decide)
 {
     /// <summary>A triangle is small if its box has at most this many samples on each side.</summary>
     public const int SmallSide = 2;
@@ -49,7 +49,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     {
         for (var first = 0; first < triangles.Count; first += 8)
         {
-            Cover(triangles.Triangles, first, Visible(SetUp(triangles, first)));
+            Cover(triangles.Triangles, first, SetUp(triangles, first));
             if (pixels.IsFull) decide();
         }
         triangles.Clear();
@@ -60,22 +60,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         var shows = TriangleSetUp.Of(triangles, first, screen, tile, setup);
         maxInverseDepth = Vector256.MaxNative(maxInverseDepth, Field(new(setup), TriangleSetUp.MaxInverseDepth));
         return triangles.Count - first < 8 ? shows & ((1u << (triangles.Count - first)) - 1) : shows;
-    }
-
-    /// <summary>Those triangles that are not hidden. Small ones are not tested: to cover their samples takes no longer.</summary>
-    /// <param name="shows">A bit for each triangle.</param>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private uint Visible(uint shows)
-    {
-        var s = new RawSpan<float>(setup);
-        var side = Vector256.Max(Field(s, TriangleSetUp.Across).AsInt32(), Field(s, TriangleSetUp.Upwards).AsInt32());
-        var tested = shows & Vector256.GreaterThanOrEqual(side, Vector256.Create(CoarseDepth.CellSide / 2)).ExtractMostSignificantBits();
-        for (; tested != 0; tested &= tested - 1)
-        {
-            var lane = BitOperations.TrailingZeroCount(tested);
-            if (coarse.Hides(s, lane)) shows &= ~(1u << lane);
-        }
-        return shows;
     }
 
     /// <summary>Covers samples of eight small triangles, one sample of each at a time.</summary>
