@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using RayCaster.Cli;
 
 namespace RayCaster.Live;
 
