@@ -14,7 +14,8 @@ internal static class Program
     internal static int Main(string[] arguments)
     {
         Console.OutputEncoding = Encoding.UTF8; // of a console of Windows; others have it already
-        Renderer.Disagreed = difference => StandardStreams.WriteError($"raycaster: the engine disagrees with ScalarRenderer, which draws again: {difference}");
+        Renderer.Disagreed = difference =>
+            StandardStreams.WriteError($"raycaster: the engine disagrees with ScalarRenderer, which draws again: {difference}");
         using var cancellation = new CancellationTokenSource();
         var codeOfSignal = ExitCode.Interrupted;
         void Cancel(PosixSignalContext context)

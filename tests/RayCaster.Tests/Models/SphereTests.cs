@@ -53,7 +53,9 @@ public class SphereTests
             var analytical = shape.IntersectAnalytically(new Ray<Scalar>(origin, d));
             if (discriminant < 0)
             {
-                Assert.All(new double[] { near, far, analytical.Near, analytical.Far }, t => Assert.True(double.IsNaN(t), $"{shape} from {origin} along {d}: {t}"));
+                Assert.All(
+                    new double[] { near, far, analytical.Near, analytical.Far },
+                    t => Assert.True(double.IsNaN(t), $"{shape} from {origin} along {d}: {t}"));
                 continue;
             }
             hits++;
