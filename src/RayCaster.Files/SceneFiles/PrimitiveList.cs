@@ -79,7 +79,8 @@ internal static class PrimitiveList
             o.Vector("translate", "Where the mesh's origin goes, at last.", Vector3.Zero));
         if (o.Document is null) return nothing; // only described
         var key = o.Has("faces") ? "faces" : o.Has("vertices") ? "vertices" : "file";
-        if (key == "file" && !o.Has(key)) o.Refuse(key, $" is missing: a mesh file (.obj, .ply or .stl), or in place of it vertices and faces");
+        if (file == "") o.Refuse("file", $" must not be empty");
+        else if (key == "file" && !o.Has(key)) o.Refuse(key, $" is missing: a mesh file (.obj, .ply or .stl), or in place of it vertices and faces");
         else if (key != "file" && o.Has("file")) o.Refuse(key, $" cannot stand beside {o.PathOf("file")}: a mesh has one or the other");
         else if (key != "file" && !(o.Has("vertices") && o.Has("faces"))) o.Refuse(key, $" needs {(key == "faces" ? "vertices" : "faces")} beside it");
         else if (key == "faces" && o.IsSound && vertices.Length == 0) o.Refuse("vertices", $" must have at least one vertex");
@@ -87,7 +88,7 @@ internal static class PrimitiveList
         try
         {
             var isNew = false;
-            var data = file is null ? new(vertices, indices) : o.Document.Mesh(file, out isNew);
+            var data = string.IsNullOrEmpty(file) ? new(vertices, indices) : o.Document.Mesh(file, out isNew);
             if (!o.IsSound) return nothing;
             if (isNew && data.Warning is { } warning) o.Warn(key, $": {warning}");
             var mesh = placement.Place(data, out var dropped);

@@ -129,17 +129,12 @@ internal sealed class SceneObject
         return new(color.X, color.Y, color.Z);
     }
 
-    /// <summary>A text; null where it is left out or something else.</summary>
+    /// <summary>A text; null where it is left out or something else. A required one must not be empty.</summary>
     public string? Text(string key, string meaning, bool isRequired) => Text(key, KeyKind.Text, meaning, isRequired)?.Text;
 
     /// <summary>A text that names a file; null where it is left out or something else.</summary>
-    public string? FileName(string key, string meaning, bool isRequired)
-    {
-        if (Text(key, KeyKind.FileName, meaning, isRequired) is not { } name || !MayBeName(name, key)) return null;
-        if (name.Text.Length > 0) return name.Text;
-        Refuse(key, $" must not be empty");
-        return null;
-    }
+    public string? FileName(string key, string meaning, bool isRequired) =>
+        Text(key, KeyKind.FileName, meaning, isRequired) is { } name && MayBeName(name, key) ? name.Text : null;
 
     /// <summary>An array of texts, which may name files; empty where it is left out. Elements that are something else are reported and left
     /// out.</summary>
@@ -261,7 +256,10 @@ internal sealed class SceneObject
     private JsonValue? Text(string key, KeyKind kind, string meaning, bool isRequired)
     {
         described?.Add(new(key, kind, meaning, isRequired));
-        return Take(key, meaning, isRequired) is { } value && IsText(value, key) ? value : null;
+        if (Take(key, meaning, isRequired) is not { } value || !IsText(value, key)) return null;
+        if (!isRequired || value.Text.Length > 0) return value;
+        Refuse(key, $" must not be empty");
+        return null;
     }
 
     private bool IsText(JsonValue value, string key, int? element = null)
