@@ -82,7 +82,8 @@ internal static class PrimitiveList
         if (file == "") o.Refuse("file", $" must not be empty");
         else if (key == "file" && !o.Has(key)) o.Refuse(key, $" is missing: a mesh file (.obj, .ply or .stl), or in place of it vertices and faces");
         else if (key != "file" && o.Has("file")) o.Refuse(key, $" cannot stand beside {o.PathOf("file")}: a mesh has one or the other");
-        else if (key != "file" && !(o.Has("vertices") && o.Has("faces"))) o.Refuse(key, $" needs {(key == "faces" ? "vertices" : "faces")} beside it");
+        else if (key == "vertices") o.Refuse(key, $" needs faces beside it");
+        else if (key == "faces" && !o.Has("vertices")) o.Refuse(key, $" needs vertices beside it");
         else if (key == "faces" && o.IsSound && vertices.Length == 0) o.Refuse("vertices", $" must have at least one vertex");
         else if (key == "faces" && o.IsSound && indices.Length == 0) o.Refuse(key, $" must have at least one face");
         try

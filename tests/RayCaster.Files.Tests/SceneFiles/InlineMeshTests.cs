@@ -36,7 +36,8 @@ public class InlineMeshTests
     [InlineData("\"vertices\": 1, \"faces\": [[0, 1, 2]]", ".vertices must be an array of vectors in brackets [ ], but is 1")]
     [InlineData("\"vertices\": [[0, 0], [1, 0, 0]], \"faces\": [[0, 1, 0]]",
         ".vertices[0] must be an array of three numbers [x, y, z], but has 2 elements")]
-    [InlineData("\"vertices\": [[0, 0, \"1\"]], \"faces\": [[0, 0, 0]]", ".vertices[0][2] must be a number, but is the text \"1\"; remove the quotes")]
+    [InlineData("\"vertices\": [[0, 0, \"1\"]], \"faces\": [[0, 0, 0]]",
+        ".vertices[0][2] must be a number, but is the text \"1\"; remove the quotes")]
     [InlineData("\"file\": \"a.obj\", " + Vertices + ", \"faces\": [[0, 1, 2]]",
         ".faces cannot stand beside models[0].file: a mesh has one or the other", 2)]
     [InlineData("\"scale\": 1", ".file is missing: a mesh file (.obj, .ply or .stl), or in place of it vertices and faces")]
