@@ -63,17 +63,32 @@ public static class RayAssert
         string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? expected, Action<Model, Ray> intersect)
     {
         var mine = SceneFile.PartsOf(model).Single();
-        var ray = new Ray(Mine(P), Mine(d));
+        var ray = new WatchedRay(Mine(P), Mine(d));
         if (intersect == null) mine.Intersect(ray);
         else intersect(mine, ray);
         double? actual = ray.HitModel == null ? null : ray.HitParameter;
         if (expected is { } a && actual is { } b ? AreEqual(a, b) : expected == actual) return;
         Assert.Fail($"""
-            expected {Hit(expected)}, but got {Hit(actual)}.
+            expected {Hit(expected)}, but got {Hit(actual)}{(actual == null ? ray.Calls() : "")}.
               Ray    P = {Text(P)}, d = {Text(d)}
               {Letters(model)}
               {Cite(slide)}{Chance.Again}
             """);
+    }
+
+    /// <summary>A ray that remembers with which t its Hit was called.</summary>
+    private sealed class WatchedRay(Vector3 origin, Vector3 direction) : Ray(origin, direction)
+    {
+        private readonly List<double> called = [];
+
+        public override void Hit(double t, Model model)
+        {
+            called.Add(t);
+            base.Hit(t, model);
+        }
+
+        public string Calls() => called.Count == 0 ? ": Hit was not called"
+            : $": Hit was called with t = {string.Join(" and t = ", called.Select(Text))}, which {(called.Count == 1 ? "does" : "do")} not count";
     }
 
     private static string Hit(double? t) => t is { } number ? $"t = {Text(number)}" : "no hit";
