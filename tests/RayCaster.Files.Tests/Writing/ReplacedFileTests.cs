@@ -1,3 +1,5 @@
+using System.Runtime.Versioning;
+
 namespace RayCaster.Files.Tests.Writing;
 
 public sealed class ReplacedFileTests : IDisposable
@@ -76,10 +78,10 @@ public sealed class ReplacedFileTests : IDisposable
         Refused(folder["room.png"], $"cannot write {folder["room.png"]}: it is a folder; name a file in it");
     }
 
-    [Fact]
+    [SkippableFact]
     public void ALinkIsReplacedAndNotFollowed()
     {
-        if (OperatingSystem.IsWindows()) return; // needs special rights there
+        Skip.If(OperatingSystem.IsWindows(), "needs special rights there");
         folder.Write("precious", "precious"u8);
         File.CreateSymbolicLink(folder["room.png"], folder["precious"]);
         using (var file = new ReplacedFile(folder["room.png"]))
@@ -91,16 +93,16 @@ public sealed class ReplacedFileTests : IDisposable
         Assert.Null(new FileInfo(folder["room.png"]).LinkTarget);
     }
 
-    [Fact]
+    [SkippableFact]
     public void ADeviceIsNotReplaced()
     {
-        if (OperatingSystem.IsWindows()) return; // has no folder of devices
+        Skip.If(OperatingSystem.IsWindows(), "has no folder of devices");
         var refused = Assert.Throws<PictureFileException>(() => new ReplacedFile("/dev/raycaster-test")); // not a real one, should this fail
         Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
     }
 
     /// <summary>The type of the file decides, not its name or its folder.</summary>
-    [Theory]
+    [SkippableTheory]
     [InlineData("mknod room.png c 1 3")]
     [InlineData("mknod room.png b 7 200")]
     [InlineData("mkfifo room.png")]
@@ -109,11 +111,11 @@ public sealed class ReplacedFileTests : IDisposable
     [InlineData("ln -s nowhere room.png")]
     public void WhatIsNoFileIsNotReplaced(string make)
     {
-        if (!OperatingSystem.IsLinux()) return;
+        Skip.If(!OperatingSystem.IsLinux(), "Linux only");
         using (var shell = System.Diagnostics.Process.Start(
             new System.Diagnostics.ProcessStartInfo("sh", ["-c", make + " 2>/dev/null"]) { WorkingDirectory = folder.Path })!)
             shell.WaitForExit();
-        if (folder.Names.Count() == 0) return; // one may not make it, or there is no such program
+        Skip.If(!folder.Names.Any(), $"no right or no program for: {make}");
         Refused(folder["room.png"],
             $"cannot write {folder["room.png"]}: it is a device, a pipe or a socket, or a link to something else than a file; name a file");
     }
@@ -129,10 +131,10 @@ public sealed class ReplacedFileTests : IDisposable
         Assert.Equal("new", File.ReadAllText(folder["room.png"]));
     }
 
-    [Fact]
+    [SkippableFact]
+    [UnsupportedOSPlatform("windows")] // rights are others there
     public void TheOldFilesRightsStay()
     {
-        if (OperatingSystem.IsWindows()) return; // rights are others there
         const UnixFileMode mine = UnixFileMode.UserRead | UnixFileMode.UserWrite;
         File.SetUnixFileMode(folder.Write("room.png", "old"u8), mine);
         using var file = new ReplacedFile(folder["room.png"]);

@@ -182,15 +182,14 @@ public class PixelExplanationTests
         Assert.Throws<ArgumentOutOfRangeException>(() => new PixelExplanation(Scene([]), 0, -1));
     }
 
-    /// <summary>tests/RayCaster.Teaching.Tests/Explanations/room.txt; <c>RAYCASTER_ACCEPT=1 dotnet test</c> writes it again.</summary>
+    /// <summary>An explanation as people read it; <c>dotnet run --project tests/Documents</c> writes it again.</summary>
+    internal static string TextFile => ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Explanations/room.txt");
+
+    internal static string Text() =>
+        ExplanationText.Of(new PixelExplanation(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!, 250, 380));
+
     [Fact]
-    public void TheTextForPeopleStaysAsItIs()
-    {
-        var file = ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Explanations/room.txt");
-        var text = ExplanationText.Of(new PixelExplanation(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!, 250, 380));
-        if (Environment.GetEnvironmentVariable("RAYCASTER_ACCEPT") == "1") File.WriteAllText(file, text);
-        Assert.Equal(File.ReadAllText(file).ReplaceLineEndings("\n"), text);
-    }
+    public void TheTextForPeopleStaysAsItIs() => Assert.Equal(File.ReadAllText(TextFile).ReplaceLineEndings("\n"), Text());
 
     private static void CheckAgainstPicture(Scene scene, Random random, int pixels)
     {
