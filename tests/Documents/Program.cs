@@ -1,4 +1,4 @@
-// Writes the files that are made from the code: schemas, meshes, an explanation, the gallery of mistakes and its table. Prints the name of each file
+// Writes the files that are made from the code: schemas, meshes, an explanation, and the gallery of mistakes. Prints the name of each file
 // that was out of date; the exit code is 1 if there was one.
 using RayCaster;
 using RayCaster.Documents;
@@ -15,7 +15,6 @@ Text(PixelExplanationTests.TextFile, PixelExplanationTests.Text());
 foreach (string name in CommittedMeshesTests.Names)
     Write(CommittedMeshesTests.PathOf(name), CommittedMeshesTests.Make(name), File.ReadAllBytes(CommittedMeshesTests.PathOf(name)).SequenceEqual);
 Text(Gallery.File, Gallery.Page());
-Text(MistakeTable.File, MistakeTable.Text());
 foreach (var mistake in MistakeCatalog.All)
     Drawing(Gallery.PictureOf(mistake), Showcase.Of(mistake).Draw(mistake), mistake.Id == "tri-area" ? 0.1 : 0.01);
 Drawing(Gallery.SheetFile, Gallery.Sheet(), 0.01);
