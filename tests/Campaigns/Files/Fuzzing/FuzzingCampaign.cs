@@ -28,7 +28,7 @@ public class FuzzingCampaign
             {
                 return read(new Mutation(new Random(seed), seeds).Next());
             }
-            catch (Exception e) when (e is MeshFileException or PictureFileException)
+            catch (ProblemException)
             {
                 return false;
             }
