@@ -3,12 +3,12 @@ using System.Runtime.InteropServices;
 namespace RayCaster.Engine;
 
 /// <summary>Numbers in an array without range checks, for loops in which the checks would take most of the time. docs/limits.md says for each use
-/// why no position lies outside. With the constant CHECKED all positions are checked.</summary>
+/// why no position lies outside. A debug build checks all positions.</summary>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
 {
     private readonly ref T first = ref MemoryMarshal.GetReference(items);
-#if CHECKED
+#if DEBUG
     private readonly int length = items.Length;
 #endif
 
@@ -37,7 +37,7 @@ internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private ref T From(int place, int count)
     {
-#if CHECKED
+#if DEBUG
         if (place < 0 || place > length - count) throw new IndexOutOfRangeException($"{count} numbers from {place} on, of {length}");
 #endif
         return ref Unsafe.Add(ref first, place);

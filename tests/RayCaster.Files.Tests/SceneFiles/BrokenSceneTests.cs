@@ -11,10 +11,11 @@ public class BrokenSceneTests
 
     public static TheoryData<string> Good => SceneFolders.Scenes("Good");
 
-    [Theory]
+    [SkippableTheory]
     [MemberData(nameof(Broken))]
     public void ABrokenSceneIsRefusedWithTheseErrors(string scene)
     {
+        Skip.If(scene.EndsWith("mesh-file-in-other-case.json") && File.Exists(SceneFolders.InTests(scene.ToUpperInvariant())), "the disk ignores case");
         var reading = SceneReader.Read(SceneFolders.InTests(scene));
 
         Assert.Null(reading.Scene);
