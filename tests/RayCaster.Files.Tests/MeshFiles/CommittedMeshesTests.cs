@@ -12,7 +12,7 @@ public class CommittedMeshesTests
         var path = PathOf(name);
         var made = Make(name);
         Assert.True(
-            made.AsSpan().SequenceEqual(File.ReadAllBytes(path)), $"{path} is not what the generator makes; dotnet run --project tests/Documents writes it anew");
+            made.AsSpan().SequenceEqual(File.ReadAllBytes(path)), $"{path} is out of date; dotnet run --project tests/Documents writes it anew");
     }
 
     [Theory]

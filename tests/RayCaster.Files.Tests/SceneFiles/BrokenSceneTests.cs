@@ -15,7 +15,8 @@ public class BrokenSceneTests
     [MemberData(nameof(Broken))]
     public void ABrokenSceneIsRefusedWithTheseErrors(string scene)
     {
-        Skip.If(scene.EndsWith("mesh-file-in-other-case.json") && File.Exists(SceneFolders.InTests(scene.ToUpperInvariant())), "the disk ignores case");
+        var ignoresCase = File.Exists(SceneFolders.InTests(scene.ToUpperInvariant()));
+        Skip.If(ignoresCase && scene.EndsWith("mesh-file-in-other-case.json"), "the disk ignores case");
         var reading = SceneReader.Read(SceneFolders.InTests(scene));
 
         Assert.Null(reading.Scene);
