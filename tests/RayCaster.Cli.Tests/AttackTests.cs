@@ -111,14 +111,6 @@ public sealed class AttackTests : IDisposable
         Assert.Equal((2, "raycaster: the current folder was deleted\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [SkippableFact]
-    public void ClosedStandardInputIsReported()
-    {
-        Skip.If(OperatingSystem.IsWindows(), "no sh there");
-        raycaster.RunInShell("raycaster check - <&-");
-        Assert.Equal((2, "raycaster: the scene is to be read from standard input, but that is closed\n"), (raycaster.ExitCode, raycaster.Error));
-    }
-
     /// <summary>This holds for every command, and for every path that leads to the file.</summary>
     [SkippableFact]
     public void WhatIsReadIsNotReplaced()
