@@ -47,7 +47,7 @@ internal sealed class FloatRays(Camera camera)
         /// <summary>That of a row, in each lane.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Vector3<FloatPacket> At(int row) =>
-            new((FloatPacket)(x[row]), (FloatPacket)(y[row]), (FloatPacket)(z[row]));
+            new(x[row], y[row], z[row]);
 
         public void Set(int first, in Vector3<Packet> lower, in Vector3<Packet> upper)
         {
