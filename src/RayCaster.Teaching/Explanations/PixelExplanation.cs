@@ -26,10 +26,10 @@ public sealed class PixelExplanation
         Ray = ScalarRenderer.Cast(scene, column, Row);
         Winner = IndexOf(Ray.HitModel);
         Neighbours = [.. FindNeighbours()];
-        Trials = [.. scene.Models.Select((model, i) => Trial.Of(model, i, Ray))];
-        var explained = Trials.Count <= ManyModels ? Trials : NearMisses();
-        Models = [.. explained.Select(trial => new ModelExplanation(this, trial))];
-        foreach (var trial in Trials.Except(explained)) Others[trial.Outcome]++;
+        Fates = [.. scene.Models.Select((model, i) => RayFate.Of(model, i, Ray))];
+        var explained = Fates.Count <= ManyModels ? Fates : NearMisses();
+        Models = [.. explained.Select(fate => new ModelExplanation(this, fate))];
+        foreach (var fate in Fates.Except(explained)) Others[fate.Outcome]++;
         (ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
     }
 
@@ -51,14 +51,14 @@ public sealed class PixelExplanation
     /// <summary>The ray with its nearest hit.</summary>
     internal Ray Ray { get; }
 
-    /// <summary>The place in the scene of the model that the pixel shows; null for the background.</summary>
+    /// <summary>The index in the scene of the model that the pixel shows; null for the background.</summary>
     internal int? Winner { get; }
 
     /// <summary>What the pixels beside it show.</summary>
     internal IReadOnlyList<Neighbour> Neighbours { get; }
 
     /// <summary>Of all models, in the scene's order.</summary>
-    internal IReadOnlyList<Trial> Trials { get; }
+    internal IReadOnlyList<RayFate> Fates { get; }
 
     /// <summary>The models in the scene's order; of more than <see cref="ManyModels"/> those that matter for the pixel.</summary>
     internal IReadOnlyList<ModelExplanation> Models { get; }
@@ -96,24 +96,24 @@ public sealed class PixelExplanation
 
     /// <summary>The model that shows; the nearest hidden models; the models whose crossings nearly count; and the models that a neighbouring
     /// pixel shows. In the scene's order.</summary>
-    private IReadOnlyList<Trial> NearMisses()
+    private IReadOnlyList<RayFate> NearMisses()
     {
-        var hidden = Trials.Where(trial => trial.Outcome == Outcome.Hidden).OrderBy(trial => trial.T);
-        var refused = Trials.Where(trial => !trial.Outcome.Counts() && !trial.Outcome.IsMiss()).OrderBy(Lacking);
+        var hidden = Fates.Where(fate => fate.Outcome == Outcome.Hidden).OrderBy(fate => fate.T);
+        var refused = Fates.Where(fate => !fate.Outcome.Counts() && fate.Outcome != Outcome.Misses).OrderBy(Lacking);
         HashSet<int?> chosen =
         [
             Winner,
             .. Neighbours.Select(neighbour => neighbour.Model),
-            .. hidden.Take(OfEachKind).Concat(refused.Take(OfEachKind)).Select(trial => (int?)trial.Index),
+            .. hidden.Take(OfEachKind).Concat(refused.Take(OfEachKind)).Select(fate => (int?)fate.Index),
         ];
-        return [.. Trials.Where(trial => chosen.Contains(trial.Index))];
+        return [.. Fates.Where(fate => chosen.Contains(fate.Index))];
     }
 
     /// <summary>How far a crossing is from counting.</summary>
-    private double Lacking(Trial trial)
+    private double Lacking(RayFate fate)
     {
-        var (t, z, camera) = (trial.T, trial.T * Ray.DepthPerT, Scene.Camera);
-        return trial.Outcome switch
+        var (t, z, camera) = (fate.T, fate.T * Ray.DepthPerT, Scene.Camera);
+        return fate.Outcome switch
         {
             Outcome.Behind => -t,
             Outcome.UnderBias => camera.Bias - t,
@@ -125,6 +125,6 @@ public sealed class PixelExplanation
 
 /// <summary>What a neighbouring pixel shows.</summary>
 /// <param name="Where">left, right, above or below.</param>
-/// <param name="Model">The model's place in the scene; null for the background.</param>
+/// <param name="Model">The model's index in the scene; null for the background.</param>
 /// <param name="T">The t of its hit; +∞ for none.</param>
 internal sealed record Neighbour(string Where, int Column, int Line, int? Model, double T);

@@ -39,7 +39,7 @@ public static class RaySection
                 Bottom = Math.Min(0, endV) - 0.2 * length,
                 Top = Math.Max(0, endV) + 0.2 * length,
             },
-            Models = pixel.Models.Select(explained => explained.Trial.Model)
+            Models = pixel.Models.Select(explained => explained.Fate.Model)
                 .Select(model => new { Color = Hex(model.Color.ToBytes()), Lines = fan.Cut(model) }),
         };
     }

@@ -1,0 +1,36 @@
+using System.Text.RegularExpressions;
+
+namespace RayCaster.Teaching;
+
+/// <summary>The source text of a formula in the notation of the slides: "(Q − P) · n / (d · n)".</summary>
+internal static partial class Notation
+{
+    private static readonly Dictionary<string, string> slides = new()
+    {
+        ["ray.Origin"] = "P", ["ray.Direction"] = "d", ["ray.At"] = "X", ["Point"] = "Q", ["Normal"] = "n", ["Center"] = "C", ["Radius"] = "R",
+        ["PlaneWidth"] = "w", ["PlaneHeight"] = "h", ["Width"] = "width", ["Height"] = "height", ["Camera.FadeDistance"] = "(2 |T − P|)",
+        ["N.Sqrt"] = "√", ["N.Min"] = "min", ["N.Max"] = "max",
+        ["*"] = "·", ["-"] = "−", ["<="] = "≤", [">="] = "≥", ["&"] = "and", ["|"] = "or",
+    };
+
+    /// <summary>The formula on one line, without brackets around it.</summary>
+    public static string Of(string code)
+    {
+        var text = string.Join(' ', code.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
+        if (text.StartsWith('(') && IsOpenToItsEnd(text)) return Of(text[1..^1]);
+        return Square().Replace(Word().Replace(text, word => slides.GetValueOrDefault(word.Value, word.Value)), "$1²");
+    }
+
+    /// <summary>Whether the first bracket is closed by the last character only.</summary>
+    private static bool IsOpenToItsEnd(string text)
+    {
+        var depth = 0;
+        return text.SkipLast(1).All(c => (depth += c switch { '(' => 1, ')' => -1, _ => 0 }) > 0);
+    }
+
+    [GeneratedRegex(@"[\w.]+|[<>]=|[-*&|]")]
+    private static partial Regex Word();
+
+    [GeneratedRegex(@"(?<![\w.])(\w+) · \1(?![\w.])")]
+    private static partial Regex Square();
+}
