@@ -62,13 +62,13 @@ internal sealed record Change(
             mine.Rgb.AsSpan(Math.Max(0, -Bytes), mine.Rgb.Length - Math.Abs(Bytes)).CopyTo(rgb.AsSpan(Math.Max(0, Bytes)));
             return new(reference.Width, reference.Height, rgb);
         }
-        var pixels = new ChangedPixels(this, mine, reference);
+        var pixels = new PixelMapping(this, mine, reference);
         return Picture.Of(reference.Width, reference.Height, (x, y) => pixels.At(x, y) ?? reference[x, y]);
     }
 }
 
 /// <summary>The pixels of a picture after a change that moves no bytes.</summary>
-internal readonly struct ChangedPixels(Change change, Picture mine, Picture reference)
+internal readonly struct PixelMapping(Change change, Picture mine, Picture reference)
 {
     private readonly TurnedIndices indices = TurnedIndices.Of(change.Turn, mine.Width, mine.Height);
     private readonly (int R, int G, int B) order = (change.Channels.IndexOf('R'), change.Channels.IndexOf('G'), change.Channels.IndexOf('B'));

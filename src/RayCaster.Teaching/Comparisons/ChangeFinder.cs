@@ -68,13 +68,13 @@ internal sealed class ChangeFinder(Picture mine, Picture reference, PictureDiffe
     /// <summary>How many samples differ after a change; null if they are too many.</summary>
     private int? Misses(Change change)
     {
-        var pixels = new ChangedPixels(change, mine, reference);
+        var pixels = new PixelMapping(change, mine, reference);
         var onEdges = Misses(pixels, edges, edges.Length * 3 / 5);
         return onEdges is null ? null : onEdges + Misses(pixels, anywhere, anywhere.Length / 20);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private int? Misses(in ChangedPixels pixels, (int X, int Y)[] samples, int limit)
+    private int? Misses(in PixelMapping pixels, (int X, int Y)[] samples, int limit)
     {
         var (misses, beside) = (0, 0);
         foreach (var (x, y) in samples)

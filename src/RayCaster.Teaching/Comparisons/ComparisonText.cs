@@ -4,7 +4,7 @@ namespace RayCaster.Teaching;
 public static class ComparisonText
 {
     /// <summary>The verdict in a word or two.</summary>
-    public static string Of(Likeness verdict) => verdict.Words();
+    public static string Of(Likeness verdict) => verdict.Words;
 
     /// <summary>The comparison in whole lines.</summary>
     /// <param name="mine">The name of the picture in question.</param>

@@ -21,7 +21,7 @@ internal sealed record RayFate(Model Model, int Index, Outcome Outcome, double T
     /// <param name="t">As <see cref="T"/>.</param>
     public static Outcome Judge(Model model, Ray ray, out double t) =>
         model is Mesh mesh ? JudgeMesh(mesh, ray, out t)
-        : model.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)) is { } crossings ? JudgeShape(model, ray, crossings, out t)
+        : model.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)) is { } crossings ? JudgeShape(ray, crossings, out t)
         : JudgeByHits(model, ray, out t);
 
     private static RayFate OfMesh(Mesh mesh, int index, Ray ray)
@@ -40,7 +40,7 @@ internal sealed record RayFate(Model Model, int Index, Outcome Outcome, double T
         return chosen;
     }
 
-    private static Outcome JudgeShape(Model model, Ray ray, Crossings<Scalar> crossings, out double t)
+    private static Outcome JudgeShape(Ray ray, Crossings<Scalar> crossings, out double t)
     {
         t = ray.ClipRange.First(crossings, (Scalar)ray.DepthPerT);
         if (!double.IsNaN(t)) return Outcome.Shows;

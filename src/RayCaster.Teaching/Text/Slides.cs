@@ -44,7 +44,8 @@ public static class Slides
     ];
 
     /// <summary>The step, from 1, in which students write the code of a slide; 0 for a slide without code.</summary>
-    public static int StepOf(string? slide) => Steps.Index().FirstOrDefault(step => step.Item.Slides.Contains(slide), (-1, Steps[0])).Index + 1;
+    public static int StepOf(string slide) =>
+        Enumerable.Range(1, Steps.Count).FirstOrDefault(step => Steps[step - 1].Slides.Contains(slide));
 
     /// <summary>The slide with the formula of a kind of shape, by its name in scene files; null for a shape of one's own.</summary>
     internal static string? OfShape(string kind) => kind switch

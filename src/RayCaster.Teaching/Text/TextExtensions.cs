@@ -5,8 +5,11 @@ namespace RayCaster.Teaching;
 /// <summary>What texts for people share.</summary>
 internal static class TextExtensions
 {
-    /// <summary>The name in small letters, with blanks between its words.</summary>
-    public static string Words(this Enum value) => JsonNamingPolicy.KebabCaseLower.ConvertName(value.ToString()).Replace('-', ' ');
+    extension(Enum value)
+    {
+        /// <summary>The name in small letters, with blanks between its words.</summary>
+        public string Words => JsonNamingPolicy.KebabCaseLower.ConvertName(value.ToString()).Replace('-', ' ');
+    }
 
     /// <summary>Appends words in lines that a terminal shows whole.</summary>
     /// <param name="hang">How far all lines but the first are indented; as long as the head if left out.</param>
