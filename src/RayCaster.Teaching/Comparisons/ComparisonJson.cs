@@ -19,7 +19,6 @@ public static class ComparisonJson
             d?.Wrong,
             d?.OffByOne,
             d?.OneDarker,
-            WrongByChannel = d is null ? null : new { Red = d.WrongByChannel.R, Green = d.WrongByChannel.G, Blue = d.WrongByChannel.B },
             WrongMiddle = d?.WrongMiddle is var (x, y) ? Middle(d, x, y) : null,
             WrongArea = d?.WrongArea is var (left, top, right, bottom) ? new
             {

@@ -39,12 +39,10 @@ public static class ComparisonText
     {
         var ((x, y), area) = (d.WrongMiddle!.Value, d.WrongArea!.Value);
         var last = d.Mine.Height - 1;
-        var (red, green, blue) = d.WrongByChannel;
         return $"  In the middle of the widest wrong area: column {x}, line {y} from the top (row {last - y} from the bottom): " +
             $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n" +
             $"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n" +
-            $"  Red differs in {Digits.Number(red)} of them, green in {Digits.Number(green)}, blue in {Digits.Number(blue)}.\n" +
             (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}" : "") +
             OneColor(comparison, mine) + Recognized(comparison) +
             (comparison.ByModels is { } models ? ModelsText.Of(comparison, models, mine) : "");

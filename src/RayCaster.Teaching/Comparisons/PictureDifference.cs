@@ -43,9 +43,6 @@ public sealed class PictureDifference
     /// <summary>The root of the mean of the squared differences of all channels, in levels (RMSE).</summary>
     public double RootMeanSquareError => Math.Sqrt(Mean(d => d * d));
 
-    /// <summary>How many pixels differ by more than 1 level in each channel.</summary>
-    public (int R, int G, int B) WrongByChannel { get; private set; }
-
     /// <summary>The largest difference of a channel anywhere.</summary>
     public int Largest { get; }
 
@@ -83,11 +80,8 @@ public sealed class PictureDifference
         if (largest == 1 && a.R <= b.R && a.G <= b.G && a.B <= b.B) OneDarker++;
         if (largest <= 1) return;
 
-        var ((red, green, blue), (y, x)) = (WrongByChannel, Math.DivRem(pixel, Mine.Width));
-        WrongByChannel = (red + IsWrong(a.R, b.R), green + IsWrong(a.G, b.G), blue + IsWrong(a.B, b.B));
+        var (y, x) = Math.DivRem(pixel, Mine.Width);
         WrongArea = WrongArea is var (left, top, right, _) ? (Math.Min(left, x), top, Math.Max(right, x), y) : (x, y, x, y);
-
-        static int IsWrong(byte a, byte b) => Math.Abs(a - b) > 1 ? 1 : 0;
     }
 
     /// <summary>The middle one of the pixels that are farthest from right ones, in steps that may be diagonal.</summary>

@@ -9,8 +9,8 @@ public sealed class PixelExplanation
     /// <summary>If there are more models, only those that matter for the pixel are explained one by one.</summary>
     private const int ManyModels = 12;
 
-    /// <summary>Of many models, so many hidden ones and so many that nearly count are explained.</summary>
-    private const int OfEachKind = 3;
+    /// <summary>Of many models, so many are explained besides those that show here or in a neighbouring pixel.</summary>
+    private const int NearestCount = 6;
 
     /// <summary>Explains a pixel.</summary>
     /// <param name="column">c, from the left, from 0.</param>
@@ -94,32 +94,18 @@ public sealed class PixelExplanation
         }
     }
 
-    /// <summary>The model that shows; the nearest hidden models; the models whose crossings nearly count; and the models that a neighbouring
-    /// pixel shows. In the scene's order.</summary>
+    /// <summary>The model that shows, those that neighbouring pixels show, and the others whose crossings are nearest to the camera. In the scene's
+    /// order.</summary>
     private IReadOnlyList<RayFate> NearMisses()
     {
-        var hidden = Fates.Where(fate => fate.Outcome == Outcome.Hidden).OrderBy(fate => fate.T);
-        var refused = Fates.Where(fate => !fate.Outcome.Counts() && fate.Outcome != Outcome.Misses).OrderBy(Lacking);
         HashSet<int?> chosen =
         [
             Winner,
             .. Neighbours.Select(neighbour => neighbour.Model),
-            .. hidden.Take(OfEachKind).Concat(refused.Take(OfEachKind)).Select(fate => (int?)fate.Index),
+            .. Fates.Where(fate => fate.Outcome is not (Outcome.Shows or Outcome.Misses)).OrderBy(fate => Math.Abs(fate.T)).Take(NearestCount)
+                .Select(fate => (int?)fate.Index),
         ];
         return [.. Fates.Where(fate => chosen.Contains(fate.Index))];
-    }
-
-    /// <summary>How far a crossing is from counting.</summary>
-    private double Lacking(RayFate fate)
-    {
-        var (t, z, camera) = (fate.T, fate.T * Ray.DepthPerT, Scene.Camera);
-        return fate.Outcome switch
-        {
-            Outcome.Behind => -t,
-            Outcome.UnderBias => camera.Bias - t,
-            Outcome.BeforeNear => camera.ZNear - z,
-            _ => z - camera.ZFar,
-        };
     }
 }
 

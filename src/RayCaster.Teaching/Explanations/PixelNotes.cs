@@ -50,9 +50,9 @@ internal static class PixelNotes
 
     private static IEnumerable<string> Light(PixelExplanation pixel)
     {
-        var (t, reach) = (pixel.Ray.HitParameter, pixel.Scene.Camera.FadeDistance);
-        if (pixel.Winner is not null && t >= reach)
-            yield return $"all light is lost: {Reasons.Compare("t", t, "≥", "2 |T − P|", reach)}, so the attenuation is 0";
+        var (t, fadeDistance) = (pixel.Ray.HitParameter, pixel.Scene.Camera.FadeDistance);
+        if (pixel.Winner is not null && t >= fadeDistance)
+            yield return $"all light is lost: {Reasons.Compare("t", t, "≥", "2 |T − P|", fadeDistance)}, so the attenuation is 0";
         if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })
             yield return $"a channel is more than 1 and is clamped: the colour is {Digits.Of(pixel.Color)}";
     }

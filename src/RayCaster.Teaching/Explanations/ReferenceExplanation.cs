@@ -9,7 +9,7 @@ namespace RayCaster.Teaching;
 public sealed record ReferenceExplanation(
     (byte R, byte G, byte B) Bytes, (int R, int G, int B) Difference, bool Agrees, IReadOnlyList<string> Causes)
 {
-    private const int MostCauses = 6;
+    private const int MaxCauses = 6;
 
     /// <summary>Compares a pixel with another picture.</summary>
     /// <param name="reference">The other picture, of the same size.</param>
@@ -18,7 +18,7 @@ public sealed record ReferenceExplanation(
         var (mine, other) = (pixel.Bytes, reference[pixel.Column, pixel.Line]);
         var agrees = PictureJudge.IsNear(mine, other);
         return new(other, (other.R - mine.R, other.G - mine.G, other.B - mine.B), agrees,
-            agrees ? [] : [.. FindCauses(pixel, other).Take(MostCauses).Select(cause => "the other picture's colour is " + cause)]);
+            agrees ? [] : [.. FindCauses(pixel, other).Take(MaxCauses).Select(cause => "the other picture's colour is " + cause)]);
     }
 
     private static IEnumerable<string> FindCauses(PixelExplanation pixel, (byte R, byte G, byte B) other)

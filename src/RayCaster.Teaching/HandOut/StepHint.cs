@@ -13,7 +13,10 @@ public static class StepHint
     /// test of no step.
     /// </param>
     public static string Of(Scene scene, Picture picture, int step, HintLevel level) =>
-        string.Join("\n", Lines(scene, Judge(scene, picture, step), step, level).Select(line => "  " + line));
+        Of(scene, Judge(scene, picture, step), step, level);
+
+    internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
+        string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 
     internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
         ? Diagnosis.Of(scene, picture)
