@@ -18,7 +18,8 @@ internal static partial class Notation
     {
         var text = string.Join(' ', code.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
         if (text.StartsWith('(') && IsOpenToItsEnd(text)) return Of(text[1..^1]);
-        return Square().Replace(Word().Replace(text, word => slides.GetValueOrDefault(word.Value, word.Value)), "$1²");
+        text = Word().Replace(text, word => slides.GetValueOrDefault(word.Value, word.Value));
+        return Normalised().Replace(Scaled().Replace(Square().Replace(text, "$1²"), " "), "$1 normalised");
     }
 
     /// <summary>Whether the first bracket is closed by the last character only.</summary>
@@ -33,4 +34,11 @@ internal static partial class Notation
 
     [GeneratedRegex(@"(?<![\w.])(\w+) · \1(?![\w.])")]
     private static partial Regex Square();
+
+    /// <summary>The sign between a number and a vector, which the slides leave out: "uc U".</summary>
+    [GeneratedRegex(@"(?<=\b[a-z]+) · (?=[A-Z]\b)")]
+    private static partial Regex Scaled();
+
+    [GeneratedRegex(@"(\w+) / √\(\1²\)")]
+    private static partial Regex Normalised();
 }
