@@ -137,7 +137,7 @@ internal sealed class SceneDifference
 
     private double LightAt(int pixel, int model) => model < 0 ? 1 : scene.Attenuation<Scalar>(hits.T[pixel]);
 
-    private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > 1;
+    private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > PictureJudge.Tolerance;
 
-    private bool Shows(int pixel, (byte, byte, byte) color) => PictureDifference.Levels(difference.Mine.At(pixel), color) <= 1;
+    private bool Shows(int pixel, (byte, byte, byte) color) => PictureJudge.IsNear(difference.Mine.At(pixel), color);
 }
