@@ -8,7 +8,7 @@ internal sealed class Options
     public const string Help = """
         Measures RayCaster beside its peers, on the same rays, in one run.
 
-          dotnet run -c Release --project tests/RayCaster.Benchmarks -- [options]
+          dotnet run -c Release --project tests/Benchmarks -- [options]
 
           --quick          A minute: small pictures, few repeats, no charts.
           --scene NAME     Only this scene: room, bumpy-70k, bumpy-1m, bumpy-10m, spheres-100k, or
@@ -19,7 +19,7 @@ internal sealed class Options
           --repeats N      How often each way runs in each comparison; otherwise 15.
           --only PART      Only rays, memory, growth or programs (whole processes). May be repeated.
           --largest        The growth charts go on to 10^8 pixels and 3 10^7 triangles, which needs 16 GB.
-          --write          Writes the tables and the charts into docs/performance.md and docs/charts.
+          --write          Writes the tables into the benchmark's README.md and the charts into docs/charts.
           --help           Shows this.
 
         Peers: apt-get install libembree-dev povray g++. What is not there is left out, and said.
