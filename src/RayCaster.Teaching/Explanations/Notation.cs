@@ -5,13 +5,12 @@ namespace RayCaster.Teaching;
 /// <summary>The source text of a formula in the notation of the slides: "(Q − P) · n / (d · n)".</summary>
 internal static partial class Notation
 {
-    private static readonly Dictionary<string, string> slides = new()
+    private static readonly Dictionary<string, string> slides = new (string Code, string Slide)[]
     {
-        ["ray.Origin"] = "P", ["ray.Direction"] = "d", ["ray.At"] = "X", ["Point"] = "Q", ["Normal"] = "n", ["Center"] = "C", ["Radius"] = "R",
-        ["PlaneWidth"] = "w", ["PlaneHeight"] = "h", ["Width"] = "width", ["Height"] = "height", ["Camera.FadeDistance"] = "(2 |T − P|)",
-        ["N.Sqrt"] = "√", ["N.Min"] = "min", ["N.Max"] = "max",
-        ["*"] = "·", ["-"] = "−", ["<="] = "≤", [">="] = "≥", ["&"] = "and", ["|"] = "or",
-    };
+        ("ray.Origin", "P"), ("ray.Direction", "d"), ("ray.At", "X"), ("Point", "Q"), ("Normal", "n"), ("Center", "C"), ("Radius", "R"),
+        ("PlaneWidth", "w"), ("PlaneHeight", "h"), ("Width", "width"), ("Height", "height"), ("Camera.FadeDistance", "(2 |T − P|)"),
+        ("N.Sqrt", "√"), ("N.Min", "min"), ("N.Max", "max"), ("*", "·"), ("-", "−"), ("<=", "≤"), (">=", "≥"), ("&", "and"), ("|", "or"),
+    }.ToDictionary(word => word.Code, word => word.Slide);
 
     /// <summary>The formula on one line, without brackets around it.</summary>
     public static string Of(string code)
