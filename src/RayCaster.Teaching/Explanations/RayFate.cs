@@ -35,7 +35,8 @@ internal sealed record RayFate(Model Model, int Index, Outcome Outcome, double T
             var outcome = Outcomes.Of(t, ray);
             tally[outcome]++;
             var rank = (outcome != Outcome.Shows, Math.Abs(t));
-            if (outcome != Outcome.Misses && rank.CompareTo(best) < 0) (best, chosen) = (rank, chosen with { Outcome = outcome, T = t, Triangle = i });
+            if (outcome != Outcome.Misses && rank.CompareTo(best) < 0)
+                (best, chosen) = (rank, chosen with { Outcome = outcome, T = t, Triangle = i });
         }
         return chosen;
     }

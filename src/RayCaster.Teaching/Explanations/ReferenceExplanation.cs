@@ -1,3 +1,5 @@
+using static RayCaster.Teaching.PictureJudge;
+
 namespace RayCaster.Teaching;
 
 /// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour. Its properties are its
@@ -16,7 +18,7 @@ public sealed record ReferenceExplanation(
     public static ReferenceExplanation Of(PixelExplanation pixel, Picture reference)
     {
         var (mine, other) = (pixel.Bytes, reference[pixel.Column, pixel.Line]);
-        var agrees = PictureJudge.IsNear(mine, other);
+        var agrees = IsNear(mine, other);
         return new(other, (other.R - mine.R, other.G - mine.G, other.B - mine.B), agrees,
             agrees ? [] : [.. FindCauses(pixel, other).Take(MaxCauses).Select(cause => "the other picture's colour is " + cause)]);
     }
@@ -24,7 +26,7 @@ public sealed record ReferenceExplanation(
     private static IEnumerable<string> FindCauses(PixelExplanation pixel, (byte R, byte G, byte B) other)
     {
         var scene = pixel.Scene;
-        if (pixel.Winner is not null && PictureJudge.IsNear(scene.Background.ToBytes(), other)) yield return "the background's: there the ray hits nothing";
+        if (pixel.Winner is not null && IsNear(scene.Background.ToBytes(), other)) yield return "the background's: there the ray hits nothing";
 
         foreach (var fate in pixel.Fates)
         {
@@ -32,14 +34,14 @@ public sealed record ReferenceExplanation(
             foreach (var crossing in model.Crossings)
             {
                 var t = crossing.Untested ?? crossing.T;
-                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !PictureJudge.IsNear(scene.Shade(t, fate.Model).ToBytes(), other)) continue;
+                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !IsNear(scene.Shade(t, fate.Model).ToBytes(), other)) continue;
                 yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {FateOf(crossing)}";
             }
-            if (PictureJudge.IsNear(fate.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
+            if (IsNear(fate.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
         }
         foreach (var neighbour in pixel.Neighbours)
             if (neighbour.Model != pixel.Winner && neighbour.Model is { } shown
-                && PictureJudge.IsNear(scene.Shade(neighbour.T, scene.Models[shown]).ToBytes(), other))
+                && IsNear(scene.Shade(neighbour.T, scene.Models[shown]).ToBytes(), other))
                 yield return $"that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
     }
 
