@@ -6,10 +6,10 @@ namespace RayCaster.Teaching;
 /// corners, on models and at random places. The definition is computed on a thread of its own while the picture is drawn.</summary>
 public sealed class DefinitionCheck
 {
-    private const int Side = 2, MaxModels = 32, RandomWindows = 24;
+    private const int Side = 2, MostModels = 32, RandomWindows = 24;
 
     /// <summary>A window of a mesh of a million triangles takes four million crossings, so of large scenes fewer windows are compared.</summary>
-    private const long MaxCrossings = 4_000_000;
+    private const long MostCrossings = 4_000_000;
 
     private readonly Scene scene;
     private readonly int firstLine, width, height; // of the lines that are drawn
@@ -97,13 +97,13 @@ public sealed class DefinitionCheck
 
     private void Choose()
     {
-        var most = (int)Math.Max(1, MaxCrossings / Math.Max(1, scene.ShapeCount) / (Side * Side));
+        var most = (int)Math.Max(1, MostCrossings / Math.Max(1, scene.ShapeCount) / (Side * Side));
         Add(0, 0);
         Add(width, 0);
         Add(0, height);
         Add(width, height);
         var camera = scene.Camera;
-        foreach (var model in scene.Models.Take(MaxModels))
+        foreach (var model in scene.Models.Take(MostModels))
             if (model.Bounds is { } bounds && Tile.Of(bounds.PaddedFrom(camera.Position), camera) is { Area: > 0 } seen)
                 Add(seen.Column + Math.Min(seen.Width, width) / 2, // a tile around the camera reaches beyond the picture
                     camera.Height - 1 - (seen.Row + Math.Min(seen.Height, camera.Height) / 2) - firstLine);
