@@ -42,8 +42,8 @@ internal sealed class CheckCommand : Command
         {
             cancellation.ThrowIfCancellationRequested();
             var reading = SceneInput.Read(path, line, judges: true);
-            if (json) StandardFile.WriteError(reading.Report());
-            else StandardFile.WriteOutput(reading.Report());
+            if (json) StandardStreams.WriteError(reading.Report());
+            else StandardStreams.WriteOutput(reading.Report());
             if (reading.Scene is { } scene) scenes.Add(scene);
             else exitCode = Math.Max(exitCode, reading.IsUnread ? ExitCode.CouldNot : ExitCode.No);
         }
@@ -51,7 +51,7 @@ internal sealed class CheckCommand : Command
         if (exitCode != ExitCode.Done || (quiet && required.Length == 0)) return exitCode;
 
         if (!json && !quiet)
-            StandardFile.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors.");
+            StandardStreams.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors.");
         if (!scenes.TrueForAll(SceneFitness.CanJudge))
             throw new ProblemException($"a scene has more than {SceneFitness.MostModels:N0} models: too many to try mistakes on");
         var shapes = line.Names(Option.For, ',', SceneReader.ModelTypes, "a kind of shape");
@@ -59,10 +59,10 @@ internal sealed class CheckCommand : Command
             scenes, threads, [.. MistakeCatalog.All.Where(mistake => shapes.Length == 0 || mistake.Touches(shapes))]);
         var absent = required.Where(id => fitness.Asked.All(mistake => mistake.Id != id)
             || fitness.Hidden.Concat(fitness.NotTried).Any(mistake => mistake.Id == id)).ToArray();
-        if (json) StandardFile.WriteOutput(FitnessReport.Json(fitness, absent, line.Warning));
-        else if (!quiet) StandardFile.WriteOutput(FitnessReport.Text(fitness));
+        if (json) StandardStreams.WriteOutput(FitnessReport.Json(fitness, absent, line.Warning));
+        else if (!quiet) StandardStreams.WriteOutput(FitnessReport.Text(fitness));
         if (absent.Length == 0) return ExitCode.Done;
-        StandardFile.WriteError($"required, but not shown: {string.Join(", ", absent)}");
+        StandardStreams.WriteError($"required, but not shown: {string.Join(", ", absent)}");
         return ExitCode.No;
     }
 }

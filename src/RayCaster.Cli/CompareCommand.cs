@@ -49,7 +49,7 @@ internal sealed class CompareCommand : Command
 
         var comparison = new PictureComparison(mine, reference, scene, threads);
         if (output is not null) PictureOutput.Write(output, SideBySide.Draw(comparison), format, cancellation);
-        StandardFile.WriteOutput(line.Has(Option.Json)
+        StandardStreams.WriteOutput(line.Has(Option.Json)
             ? ComparisonJson.Of(comparison, mineFile, referenceFile, line.Warning)
             : Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
         return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;

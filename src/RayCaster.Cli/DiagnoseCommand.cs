@@ -41,7 +41,7 @@ internal sealed class DiagnoseCommand : Command
         }
         catch (Exception e) when (line.Has(Option.Json) && e is ProblemException)
         {
-            StandardFile.WriteOutput(DiagnosisReport.Json(e.Message)); // other programs read standard output, also after an error
+            StandardStreams.WriteOutput(DiagnosisReport.Json(e.Message)); // other programs read standard output, also after an error
             throw;
         }
     }
@@ -55,7 +55,7 @@ internal sealed class DiagnoseCommand : Command
         var (threads, json) = (line.ThreadCount(), line.Has(Option.Json));
         if (SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true) is not { } scene)
         {
-            if (json) StandardFile.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
+            if (json) StandardStreams.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
             return ExitCode.CouldNot;
         }
 
@@ -64,14 +64,15 @@ internal sealed class DiagnoseCommand : Command
         var hasOtherSize = (picture.Width, picture.Height) != size && (picture.Height, picture.Width) != size;
         if (hasOtherSize)
         {
-            StandardFile.WriteError($"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
+            StandardStreams.WriteError(
+                $"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
                 "it is compared with the scene drawn in that size");
             scene = scene.WithSize(picture.Width, picture.Height);
         }
         var prepared = new SceneDiagnosis(scene, threads);
         var diagnosis = prepared.Judge(picture, done);
         var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
-        StandardFile.WriteOutput(json
+        StandardStreams.WriteOutput(json
             ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden) + MoreHelp(diagnosis, level));
         return diagnosis.Finding == Finding.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;

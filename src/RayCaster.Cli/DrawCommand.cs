@@ -112,11 +112,11 @@ internal sealed class DrawCommand : Command
         PictureOutput.Draw(output, format, renderer, lines, part, line, cancellation, Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
-        StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)));
+        StandardStreams.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)));
         var isOdd = odd!.IsOdd && lines.Count == scene.Camera.Height; // a part may have one colour without a mistake
-        if (line.Has(Option.Ledger) || (isOdd && HitLedger.IsQuick(scene))) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
+        if (line.Has(Option.Ledger) || (isOdd && HitLedger.IsQuick(scene))) StandardStreams.WriteError(HitLedger.Take(scene, cancellation).Report());
         else if (isOdd)
-            StandardFile.WriteError("The picture shows nothing, or one colour; --ledger says why, which takes a while with so many triangles.");
+            StandardStreams.WriteError("The picture shows nothing, or one colour; --ledger says why, which takes a while with so many triangles.");
         return ExitCode.Done;
 
         Action<ReadOnlySpan<byte>> Watch()

@@ -32,7 +32,7 @@ internal sealed class VaryCommand : Command
         if (line[Option.Seed] is not { Length: > 0 } seed) throw ProblemException.Usage("vary needs a seed, as in --seed 12345");
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("vary needs a name for the scene, as in -o mine.json");
         var reading = SceneInput.Read(path, line, judges: true);
-        StandardFile.WriteError(reading.Report());
+        StandardStreams.WriteError(reading.Report());
         if (reading.Scene is not { } scene) return reading.IsUnread ? ExitCode.CouldNot : ExitCode.No;
 
         var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
@@ -42,7 +42,7 @@ internal sealed class VaryCommand : Command
                 $"write {Path.GetFileName(output)} to {folder}");
         if (SceneVariation.Of(reading.Text, folder, seed, newFolder) is not { } varied)
         {
-            StandardFile.WriteError($"{path}: no variation of it shows all its mistakes; try another seed");
+            StandardStreams.WriteError($"{path}: no variation of it shows all its mistakes; try another seed");
             return ExitCode.No;
         }
         PictureOutput.Write(output, cancellation, stream => stream.Write(varied));

@@ -6,7 +6,7 @@ namespace RayCaster.Live;
 internal sealed record Comparison(string? Name, string? Problem, PictureComparison? Result, Scene? Scene, string SceneName)
 {
     private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds
-    private Task<Diagnosis>? diagnosis;
+    private Diagnosis? diagnosis;
 
     /// <summary>The words for the page, without the diagnosis.</summary>
     public byte[] Message() => Messages.Of(new
@@ -30,17 +30,17 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
     }
 
     /// <summary>Names the mistake that may have made the picture.</summary>
-    public async Task<string> DiagnoseAsync(HintLevel level)
+    public async Task<string> DiagnoseAsync(HintLevel level, CancellationToken cancellation)
     {
         if (Result is null || Scene is null) return "";
         var (width, height) = (Scene.Camera.Width, Scene.Camera.Height);
         var size = (Result.Mine.Width, Result.Mine.Height);
         if (size != (width, height) && size != (height, width)) return "The picture must have the scene's size to be diagnosed.";
-        await turn.WaitAsync();
+        await turn.WaitAsync(cancellation);
         try
         {
-            diagnosis ??= Task.Run(() => Diagnosis.Of(Scene, Result.Mine));
-            return DiagnosisReport.Text(await diagnosis, Name!, SceneName, level);
+            diagnosis ??= await Task.Run(() => Diagnosis.Of(Scene, Result.Mine), cancellation).WaitAsync(cancellation);
+            return DiagnosisReport.Text(diagnosis, Name!, SceneName, level);
         }
         finally
         {

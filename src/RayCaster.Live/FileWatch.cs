@@ -6,7 +6,7 @@ namespace RayCaster.Live;
 /// </summary>
 internal sealed class FileWatch
 {
-    private const int PollMilliseconds = 250;
+    private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(250);
 
     private readonly SemaphoreSlim changes = new(0, 1);
     private readonly Dictionary<string, FileSystemWatcher?> folders = [];
@@ -16,7 +16,7 @@ internal sealed class FileWatch
     public FileWatch(CancellationToken end)
     {
         this.end = end;
-        var poll = new Timer(_ => Poll(), null, PollMilliseconds, PollMilliseconds);
+        var poll = new Timer(_ => Poll(), null, PollInterval, PollInterval);
         end.Register(() =>
         {
             poll.Dispose();
@@ -25,12 +25,13 @@ internal sealed class FileWatch
         });
     }
 
-    /// <summary>Chooses the files to watch from now on, by their full paths.</summary>
+    /// <summary>Chooses the files to watch from now on, by their full paths. Of a link, the file that it leads to is watched, too.</summary>
     public void Watch(IEnumerable<string> files)
     {
         lock (folders)
         {
-            stamps = files.Distinct().ToDictionary(file => file, file => stamps.TryGetValue(file, out var known) ? known : StampOf(file));
+            stamps = files.SelectMany(file => (string[])[file, TargetOf(file)]).Distinct().ToDictionary(
+                file => file, file => stamps.TryGetValue(file, out var known) ? known : StampOf(file));
             var parents = stamps.Keys.Select(file => Path.GetDirectoryName(file)!).ToHashSet();
             foreach (var gone in folders.Keys.Except(parents).ToArray())
             {
@@ -42,7 +43,20 @@ internal sealed class FileWatch
     }
 
     /// <summary>Waits until a file may have changed, or until the time is over; false in that case.</summary>
-    public Task<bool> WaitAsync(int milliseconds = Timeout.Infinite) => changes.WaitAsync(milliseconds, end);
+    public Task<bool> WaitAsync(TimeSpan? time = null) => changes.WaitAsync(time ?? Timeout.InfiniteTimeSpan, end);
+
+    /// <summary>The file that a link leads to; the path itself if it is no link, or leads nowhere.</summary>
+    public static string TargetOf(string file)
+    {
+        try
+        {
+            return File.ResolveLinkTarget(file, returnFinalTarget: true)?.FullName ?? file;
+        }
+        catch (IOException)
+        {
+            return file;
+        }
+    }
 
     /// <summary>Watches a folder; null where the system cannot, and only <see cref="Poll"/> sees changes.</summary>
     private FileSystemWatcher? Open(string folder)
@@ -92,5 +106,8 @@ internal sealed class FileWatch
 
     /// <summary>When a file was written, and its length: −1 for a file that is not there.</summary>
     public static (DateTime Time, long Length) StampOf(string file) =>
-        new FileInfo(file) is { Exists: true } info ? (info.LastWriteTimeUtc, info.Length) : (default, -1);
+        new FileInfo(TargetOf(file)) is { Exists: true } info ? (info.LastWriteTimeUtc, info.Length) : (default, -1);
+
+    /// <summary>Whether a file holds nothing. A pipe has no length either: to read it might take for ever.</summary>
+    public static bool IsEmpty(string file) => StampOf(file).Length == 0;
 }

@@ -108,14 +108,6 @@ public sealed class AttackTests : IDisposable
         Assert.Equal((2, "raycaster: the current folder was deleted\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [Fact]
-    public void ClosedStandardInputIsReported()
-    {
-        if (OperatingSystem.IsWindows()) return; // no sh there
-        raycaster.RunInShell("raycaster check - <&-");
-        Assert.Equal((2, "raycaster: the scene is to be read from standard input, but that is closed\n"), (raycaster.ExitCode, raycaster.Error));
-    }
-
     /// <summary>This holds for every command, and for every path that leads to the file.</summary>
     [Fact]
     public void WhatIsReadIsNotReplaced()

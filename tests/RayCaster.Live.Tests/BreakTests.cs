@@ -23,7 +23,7 @@ public class BreakTests(Chromium chromium)
     {
         using var folder = new TemporaryFolder();
         var scene = folder.Write("scene.json", LivePage.Ball);
-        var first = LiveProcess.Start(scene, watchKey: folder.Path);
+        var first = LiveProcess.Start(scene, 1, folder.Path);
         var (page, _) = await chromium.OpenAsync(first.Address);
         await page.FocusAsync("#stage");
         await page.Keyboard.PressAsync("ArrowLeft");
@@ -35,7 +35,7 @@ public class BreakTests(Chromium chromium)
         await page.WaitForSelectorAsync("body.apart");
 
         folder.Write("scene.json", LivePage.Ball.Replace("\"models\"", "\"background\": [0, 0, 1], \"models\"").Replace("1, 0.5, 0.1", "0, 0, 0"));
-        using var second = LiveProcess.Start(scene, watchKey: folder.Path);
+        using var second = LiveProcess.Start(scene, 2, folder.Path);
         Assert.Equal(first.Address, second.Address);
         await page.WaitForSelectorAsync("body:not(.apart)");
         await page.WaitForFunctionAsync("() => ['0 0 0', '0 0 255'].includes(document.getElementById('pixel-bytes').textContent)");

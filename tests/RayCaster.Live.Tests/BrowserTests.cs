@@ -25,9 +25,9 @@ public class BrowserTests(Chromium chromium)
         await using var live = await LivePage.OpenAsync();
         var (page, complaints) = await chromium.OpenAsync(live);
         File.WriteAllText(live.Scene, LivePage.Ball.Replace("\"radius\": 1", "\"radius\": 0"));
-        await page.GetByRole(AriaRole.Heading, new() { Name = "The scene file has 1 mistake" }).WaitForAsync();
+        await page.GetByRole(AriaRole.Heading, new() { Name = "The scene file has 1 error" }).WaitForAsync();
         Assert.Contains("models[0].radius must be greater than 0", await page.InnerTextAsync("#problem-list"));
-        Assert.Contains("mistake", await page.GetByRole(AriaRole.Status).First.InnerTextAsync());
+        Assert.Contains("1 error in", await page.GetByRole(AriaRole.Status).First.InnerTextAsync());
         Assert.StartsWith("vscode://file/", await page.GetByRole(AriaRole.Link, new() { Name = "Open in VS Code" }).GetAttributeAsync("href"));
 
         File.WriteAllText(live.Scene, LivePage.Ball.Replace("1, 0.5, 0.1", "0.1, 0.5, 1"));

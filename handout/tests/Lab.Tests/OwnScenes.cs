@@ -2,7 +2,7 @@ namespace Lab.Tests;
 
 /// <summary>Scenes of the course's own: scenes/my/NAME.json with a picture NAME.png beside it, from any program, is tested like the
 /// others.</summary>
-[Trait("step", "10"), Ends]
+[Trait("step", "10")]
 public class OwnScenes
 {
     [Fact]
