@@ -7,6 +7,8 @@ namespace RayCaster.Teaching.Tests.Marks;
 /// <summary>Writes the schema of rubrics from the descriptions that the reader gives of its keys, like the schema of scenes.</summary>
 internal static class RubricSchema
 {
+    public static string File { get; } = ProjectFolder.PathOf("docs/rubric.schema.json");
+
     private static readonly JsonSerializerOptions style =
         new() { WriteIndented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
