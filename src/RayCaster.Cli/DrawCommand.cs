@@ -107,7 +107,7 @@ internal sealed class DrawCommand : Command
         }
 
         var (odd, preview) = (default(OddPicture), default(TerminalPreview));
-        scene = SpatialOrder.Of(scene, threads);
+        scene = SpatialOrder.Of(scene);
         var renderer = new CheckedRenderer(scene, threads, line.Has(Option.Plain));
         PictureOutput.Draw(output, format, renderer, lines, part, line, cancellation, Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);

@@ -42,7 +42,7 @@ internal sealed class OrbitCommand : Command
         var only = line.Lines(Option.Only, frames, "frames", "a film");
 
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
-        scene = SpatialOrder.Of(scene, threads);
+        scene = SpatialOrder.Of(scene);
         CameraPath? way = null;
         if (line[Option.Keys] is { } keys)
         {

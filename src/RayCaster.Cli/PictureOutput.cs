@@ -14,7 +14,7 @@ internal static class PictureOutput
             throw new ProblemException(
                 "a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
         return line.Format() ?? (output == SceneInput.Standard ? ofStandardOutput
-            : Directory.Exists(output) ? throw new PictureFileException($"cannot write {output}: it is a folder; name a file in it")
+            : Directory.Exists(output) ? throw new ProblemException($"cannot write {output}: it is a folder; name a file in it")
             : PictureFormats.ByExtension(output));
     }
 
@@ -41,11 +41,11 @@ internal static class PictureOutput
     {
         try
         {
-            if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // lines on standard output cannot be replaced later
             Write(output, cancellation, WriteOnce);
         }
-        catch (FastWayDisagreesException)
+        catch (EngineDisagreesException)
         {
+            if (output == SceneInput.Standard) throw new ProblemException("standard output has a wrong picture: write to a file, or add --plain");
             Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
         }
 
@@ -53,7 +53,7 @@ internal static class PictureOutput
         {
             var (width, height, watcher) = (renderer.Scene.Camera.Width, lines.Count, watch?.Invoke());
             using var progress = ProgressLine.For(line, width, height);
-            using var writer = PictureWriter.Create(format, stream, width, height, part);
+            using var writer = PictureWriter.Create(format, stream, width, height, part?.ToString());
             renderer.Draw(lines, Take, done => progress?.LinesDone(done), cancellation);
             writer.Finish();
 

@@ -27,6 +27,8 @@ internal static class Program
     private static int RunUntilSignal(string[] arguments)
     {
         Console.OutputEncoding = Encoding.UTF8; // of a console of Windows; others have it already
+        Renderer.Disagreed = difference =>
+            StandardStreams.WriteError($"raycaster: the engine disagrees with ScalarRenderer, which draws again: {difference}");
         using var cancellation = new CancellationTokenSource();
         var codeOfSignal = ExitCode.Interrupted;
         void Cancel(PosixSignalContext context)
@@ -107,7 +109,7 @@ internal static class Program
     /// <summary>What to tell the user; null for a fault of this program.</summary>
     private static string? Message(Exception e) => e switch
     {
-        ProblemException or PictureFileException => e.Message,
+        ProblemException => e.Message,
         IOException or UnauthorizedAccessException => IsCurrentFolderThere() ? e.Message : "the current folder was deleted",
         _ => IsOutOfMemory(e) ? "there is not enough memory" : null,
     };

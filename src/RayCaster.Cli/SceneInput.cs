@@ -24,16 +24,16 @@ internal static class SceneInput
     /// reference.</param>
     public static SceneReading Read(string path, CommandLine line, bool judges)
     {
-        var reading = path == Standard ? ReadStandardInput(line.ThreadCount()) : SceneReader.Read(path, line.ThreadCount());
+        var reading = path == Standard ? ReadStandardInput() : SceneReader.Read(path);
         InputFiles.Note([path, .. reading.MeshFiles]);
         if (judges && path != Standard && reading.Scene is { } scene && StoredReference.Contradiction(path, scene) is { } message)
             line.Warn($"{message}. What follows may be wrong.");
         return reading;
     }
 
-    private static SceneReading ReadStandardInput(int? threads)
+    private static SceneReading ReadStandardInput()
     {
         using var input = Console.OpenStandardInput();
-        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads);
+        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory);
     }
 }

@@ -2,22 +2,24 @@ namespace RayCaster.Engine;
 
 /// <summary>Draws pictures the fast way: tile by tile, several pixels at once, on several threads. Every bit is that of
 /// <see cref="ScalarRenderer"/>.</summary>
-/// <param name="threads">How many threads cast rays; one per core if left out.</param>
-public sealed class Renderer(Scene scene, int? threads = null)
+public sealed class Renderer
 {
-    /// <summary>With more pixels, a second thread saves time also in a plain picture.</summary>
-    internal const long ManyPixels = 1 << 20;
+    private readonly Scene scene;
+    private readonly Camera camera;
+    private readonly int threadCount;
 
-    /// <summary>With more rays times models, finding out which models show where saves time. Before the first ray, tiles and intervals cost as much
-    /// processor time as 30 million crossings; most of it is compilation.</summary>
-    private const long LargeWork = 32_000_000;
+    /// <param name="threads">How many threads cast rays, at least 1; one per core if left out.</param>
+    public Renderer(Scene scene, int? threads = null)
+    {
+        (this.scene, camera, threadCount) = (scene, scene.Camera, threads ?? Environment.ProcessorCount);
+        ArgumentOutOfRangeException.ThrowIfLessThan(threadCount, 1, nameof(threads));
+    }
 
-    private readonly Camera camera = scene.Camera;
-    private readonly int threadCount = threads ?? Environment.ProcessorCount;
-
-    /// <summary>Whether a picture of little work is drawn without tiles; true unless said otherwise. Compiling the code for tiles takes longer than
-    /// drawing such a picture. It affects only the time.</summary>
-    public bool MayBeSmall { get; init; } = true;
+    /// <summary>
+    /// Receives a message when a picture or a hit map in memory differs from the definition, which then computes it anew. If this is null, the
+    /// renderer throws an <see cref="EngineDisagreesException"/>.
+    /// </summary>
+    public static Action<string>? Disagreed { get; set; }
 
     /// <summary>
     /// Whether this process draws many pictures. Then the engine compiles the kernels of the float path, which takes as long as casting some ten
@@ -28,38 +30,45 @@ public sealed class Renderer(Scene scene, int? threads = null)
     public bool ManyFrames { get; init; }
 
     /// <summary>Draws a whole picture in memory, which must not have more than 2³¹ bytes.</summary>
-    public static Picture Render(Scene scene, int? threads = null)
+    public static Picture Render(Scene scene, int? threads = null, CancellationToken cancellation = default)
     {
         var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
-        new Renderer(scene, threads).DrawInto(picture);
+        new Renderer(scene, threads).DrawInto(picture, cancellation);
         return picture;
     }
 
     /// <summary>Draws into an existing picture of the right size.</summary>
-    public void DrawInto(Picture picture)
+    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    public void DrawInto(Picture picture, CancellationToken cancellation = default)
     {
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
-        using var frame = Frame.Of(scene, threadCount, ManyFrames);
-        var shader = frame.Shader; // before other threads need it
-        Cast(frame, () =>
+        var check = new DefinitionCheck(scene, 0, camera.Height, minPixels: 0);
+        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation))
         {
-            var consumer = new PictureConsumer(shader, picture.Width);
-            consumer.Enter(picture.Rgb, picture.Height - 1);
-            return consumer;
-        });
+            var shader = frame.Shader; // before other threads need it
+            Cast(frame, cancellation, () =>
+            {
+                var consumer = new PictureConsumer(shader, picture.Width);
+                consumer.Enter(picture.Rgb, picture.Height - 1);
+                return consumer;
+            });
+        }
+        check.Take(picture.Rgb);
+        if (!Agrees(check.Difference())) ScalarRenderer.Render(scene, picture);
     }
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>
     /// <param name="map">An existing map of the picture's size, to write into; a new one if left out.</param>
-    public HitMap CastHits(HitMap? map = null)
+    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    public HitMap CastHits(HitMap? map = null, CancellationToken cancellation = default)
     {
         var hits = map ?? new(camera.Width, camera.Height);
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(map));
-        using var frame = Frame.Of(scene, threadCount, ManyFrames);
-        Cast(frame, () => frame.HitsInto(hits));
+        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation)) Cast(frame, cancellation, () => frame.HitsInto(hits));
+        if (!Agrees(new DefinitionCheck(scene, 0, camera.Height, minPixels: 0).Difference(hits))) CastByDefinition(hits);
         return hits;
     }
 
@@ -70,24 +79,46 @@ public sealed class Renderer(Scene scene, int? threads = null)
     /// <param name="linesDone">Called from any thread with the number of further lines that are done.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">The picture has no such lines.</exception>
+    /// <exception cref="EngineDisagreesException">All lines were written, but a pixel differs from the definition.</exception>
     public void Draw(Range lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default)
     {
         var (first, end) = (lines.Start.GetOffset(camera.Height), lines.End.GetOffset(camera.Height));
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
-        var pixels = (long)camera.Width * (end - first);
-        var isPlain = MayBeSmall && IsPlain(scene, pixels);
-        var threads = isPlain && pixels < ManyPixels ? 1 : threadCount;
-        using var frame = Frame.Of(scene, threads, ManyFrames, isPlain);
-        new BandQueue(frame, first, end, threads, linesDone, cancellation).WriteAll(write);
+        var check = new DefinitionCheck(scene, first, end, minPixels: 1);
+        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation))
+        {
+            new BandQueue(frame, first, end, threadCount, linesDone, cancellation).WriteAll(lines =>
+            {
+                check.Take(lines);
+                write(lines);
+            });
+        }
+        if (check.Difference() is { } difference) throw new EngineDisagreesException(difference);
     }
 
-    /// <summary>Whether each ray is simply intersected with each model near its pixel. A mesh is always prepared tile by tile.</summary>
-    internal static bool IsPlain(Scene scene, long pixels) =>
-        pixels * Math.Max(1, scene.Models.Count) < LargeWork && !scene.Models.Any(model => model is Mesh);
+    private static bool Agrees(string? difference)
+    {
+        if (difference is null) return true;
+        if (Disagreed is null) throw new EngineDisagreesException(difference);
+        Disagreed(difference);
+        return false;
+    }
+
+    private void CastByDefinition(HitMap hits)
+    {
+        for (var line = 0; line < hits.Height; line++)
+        {
+            for (var column = 0; column < hits.Width; column++)
+            {
+                var ray = ScalarRenderer.Cast(scene, column, hits.Height - 1 - line);
+                hits[column, line] = (ray.HitParameter, ray.HitModel is null ? -1 : scene.Models.TakeWhile(model => model != ray.HitModel).Count());
+            }
+        }
+    }
 
     /// <summary>Casts all rays, on this thread and others.</summary>
-    private void Cast(Frame frame, Func<IHitConsumer> newConsumer)
+    private void Cast(Frame frame, CancellationToken cancellation, Func<IHitConsumer> newConsumer)
     {
         var (across, up) = (Tile.StripsOf(camera.Width), Tile.TilesOf(camera.Height));
         var workers = Math.Min(threadCount, across * up);
@@ -97,9 +128,14 @@ public sealed class Renderer(Scene scene, int? threads = null)
             var (caster, consumer) = (frame.NewCaster(), newConsumer());
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
+                cancellation.ThrowIfCancellationRequested();
                 var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
                 caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), consumer);
             }
         });
     }
 }
+
+/// <summary>The engine's picture differs from the definition's: a fault of the engine, or of a formula that means something else over a packet of
+/// numbers than over one number.</summary>
+public sealed class EngineDisagreesException(string difference) : Exception($"the engine's picture is not the definition's at {difference}");

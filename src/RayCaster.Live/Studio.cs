@@ -29,19 +29,21 @@ internal sealed class Studio
         var model = view.Model < scene.Models.Count ? view.Model : -1; // it may have been deleted in the file
         if (view.Look != Look.Plain) return Frame.Of(ModelPicture.Draw(scene, view.Look, model, cancellation));
         var frame = new Frame(scene.Camera.Width, scene.Camera.Height);
-        var check = ScalarRenderer.IsChanged ? new DefinitionCheck(scene, ..) : null;
         var pixel = 0;
-        if (check is null) Cast();
-        else check.Watch(Cast);
-        // If a changed formula makes the fast renderer differ from the definition, the definition draws the picture.
-        return check?.FirstDifference() is null ? frame : Frame.Of(ScalarRenderer.Render(scene));
-
-        void Cast() => new Renderer(scene) { ManyFrames = true }.Draw(.., lines =>
+        try
         {
-            check?.Take(lines);
-            frame.Fill(lines, pixel);
-            pixel += lines.Length / 3;
-        }, cancellation: cancellation);
+            new Renderer(scene) { ManyFrames = true }.Draw(.., lines =>
+            {
+                frame.Fill(lines, pixel);
+                pixel += lines.Length / 3;
+            }, cancellation: cancellation);
+            return frame;
+        }
+        catch (EngineDisagreesException e)
+        {
+            Renderer.Disagreed?.Invoke(e.Message);
+            return Frame.Of(ScalarRenderer.Render(scene));
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>What depends only on the models of a scene: the shapes that have bounds, a list for each kind.</summary>
-internal sealed class ShapeLists : IModelVisitor
+internal sealed class ShapeLists
 {
     private static readonly ConditionalWeakTable<IReadOnlyList<Model>, ShapeLists> kept = [];
 
@@ -24,7 +24,7 @@ internal sealed class ShapeLists : IModelVisitor
         ThreadTeam.Shares(shares, models.Count, (share, first, end) =>
         {
             parts[share] = new();
-            for (var place = first; place < end; place++) parts[share].Add(models[place], place);
+            for (var index = first; index < end; index++) parts[share].Add(models[index], index);
         });
         for (var share = 1; share < shares; share++) parts[0].Append(parts[share]);
         parts[0].count = models.Count;
@@ -32,27 +32,27 @@ internal sealed class ShapeLists : IModelVisitor
         return parts[0];
     }
 
-    void IModelVisitor.Visit<P>(Model<P> model)
+    /// <summary>An empty list for the kind of a model; null for planes, which are infinite, and for kinds that the engine does not know.</summary>
+    private static ShapeList? ListFor(Model model) => model switch
     {
-        if (model.Primitive is IBounded) lists.Add(new ShapeList<P>());
-    }
+        Model<Sphere> => new ShapeList<Sphere>(),
+        Model<Aabb> => new ShapeList<Aabb>(),
+        Model<Circle> => new ShapeList<Circle>(),
+        Model<Triangle> => new ShapeList<Triangle>(),
+        _ => null,
+    };
 
-    void IModelVisitor.Visit(Mesh mesh)
-    {
-    }
-
-    void IModelVisitor.VisitOther(Model model)
-    {
-    }
-
-    private void Add(Model model, int place)
+    private void Add(Model model, int index)
     {
         for (var i = lists.Count - 1; i >= 0; i--)
-            if (lists[i].Add(model, place))
+            if (lists[i].Add(model, index))
                 return;
-        var before = lists.Count;
-        model.Accept(this); // only once for each kind of shape: the new list takes the others
-        if (lists.Count == before || !lists[^1].Add(model, place)) others.Add(place);
+        if (ListFor(model) is { } list)
+        {
+            list.Add(model, index);
+            lists.Add(list);
+        }
+        else others.Add(index);
     }
 
     private void Append(ShapeLists more)
@@ -67,7 +67,7 @@ internal sealed class ShapeLists : IModelVisitor
 /// <summary>Shapes of one kind, and the indices of their models.</summary>
 internal abstract class ShapeList
 {
-    public abstract bool Add(Model model, int place);
+    public abstract bool Add(Model model, int index);
 
     /// <summary>Adds all shapes of another list if they are of this kind.</summary>
     public abstract bool Append(ShapeList list);
@@ -79,10 +79,10 @@ internal sealed class ShapeList<P> : ShapeList where P : struct, IPrimitive
 {
     public List<(P Shape, int Model)> Items { get; } = [];
 
-    public override bool Add(Model model, int place)
+    public override bool Add(Model model, int index)
     {
         if (model is not Model<P> { Primitive: var shape }) return false;
-        Items.Add((shape, place));
+        Items.Add((shape, index));
         return true;
     }
 

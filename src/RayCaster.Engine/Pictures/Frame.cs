@@ -1,18 +1,15 @@
 namespace RayCaster.Engine;
 
 /// <summary>What all threads share that draw one picture.</summary>
-internal abstract class Frame(Scene scene, int threads, bool manyFrames, bool isPlain) : IDisposable
+internal abstract class Frame(Scene scene, int threads, bool manyFrames) : IDisposable
 {
     /// <summary>Kernels for single kinds of shape save half of the time, but compiling them takes as long as casting some ten million rays. They are
     /// used for a picture of at least this many pixels, or if many pictures follow each other, and always in a native program.</summary>
     private const long PixelsOfLongWork = 1 << 24;
 
     /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>
-    public bool IsLong { get; } =
+    public bool UsesShapeKernels { get; } =
         manyFrames || !RuntimeFeature.IsDynamicCodeCompiled || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
-
-    /// <summary>Whether each ray is simply intersected with each model near its pixel, if the models are few and the work is short.</summary>
-    protected bool IsPlain => isPlain;
 
     protected bool ManyFrames => manyFrames;
 
@@ -21,12 +18,14 @@ internal abstract class Frame(Scene scene, int threads, bool manyFrames, bool is
     public Scene Scene => scene;
 
     /// <summary>Turns hits into bytes; made on first use.</summary>
-    public HitShader Shader => field ??= new(scene, IsLong, threads);
+    public HitShader Shader => field ??= new(scene, UsesShapeKernels, threads);
 
     /// <summary>A frame for the widest packets of the machine; everything else is generic over this choice.</summary>
-    public static Frame Of(Scene scene, int threads, bool manyFrames, bool isPlain = false) => Vector512.IsHardwareAccelerated
-        ? new Frame<WidePacket>(scene, threads, manyFrames, isPlain)
-        : new Frame<Packet>(scene, threads, manyFrames, isPlain);
+    /// <param name="cancellation">Stops the preparation of the models with an <see cref="OperationCanceledException"/>.</param>
+    public static Frame Of(Scene scene, int threads, bool manyFrames, CancellationToken cancellation) =>
+        Vector512.IsHardwareAccelerated
+            ? new Frame<WidePacket>(scene, threads, manyFrames, cancellation)
+            : new Frame<Packet>(scene, threads, manyFrames, cancellation);
 
     /// <summary>A thread's caster.</summary>
     public abstract IStripCaster NewCaster();

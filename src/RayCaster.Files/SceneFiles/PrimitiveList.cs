@@ -18,7 +18,7 @@ internal static class PrimitiveList
         new("sphere", "A sphere, seen from outside or from inside.", o =>
             Model.Of(new Sphere(
                 o.Vector("center", "C, the centre."),
-                o.Positive("radius", "R, greater than 0.")))),
+                o.Radius("radius", "R, greater than 0.")))),
 
         new("aabb", "A box with its sides along the axes; it may be flat.", Box),
 
@@ -26,7 +26,7 @@ internal static class PrimitiveList
             Model.Of(new Circle(
                 o.Vector("center", "C, the centre."),
                 o.Direction("normal", "n, across the disc; any length but zero."),
-                o.Positive("radius", "R, greater than 0.")))),
+                o.Radius("radius", "R, greater than 0.")))),
 
         new("triangle", "A triangle, visible from both sides.", Triangle),
 
@@ -77,13 +77,14 @@ internal static class PrimitiveList
         if (file is null) return nothing;
         try
         {
-            var data = o.Document!.Mesh(file);
+            var data = o.Document!.Mesh(file, out var isNew);
             if (!o.IsSound) return nothing;
-            var mesh = placement.Place(data, out var dropped, o.Document.Threads);
+            if (isNew && data.Warning is { } warning) o.Warn("file", $": {warning}");
+            var mesh = placement.Place(data, out var dropped);
             if (dropped > 0) o.Warn("file", $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
             return mesh;
         }
-        catch (Exception e) when (e is MeshFileException or OverflowException)
+        catch (Exception e) when (e is ProblemException or OverflowException)
         {
             o.Refuse("file", $": {e.Message}");
             return nothing;

@@ -102,8 +102,7 @@ internal static class LedgerVerdict
             if (entry[Outcome.Shows] > 0 || missing++ >= MostNamed) continue;
             yield return entry.Hits > 0
                 ? $"{entry.Label} does not show: it is hit by {Digits.Count(entry.Hits, "ray")}, but something nearer hides it there."
-                : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}" +
-                    (ScalarRenderer.IsChanged ? ", or a formula that was changed finds no crossing." : ".");
+                : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}.";
         }
         if (missing > MostNamed) yield return $"Nor do {Digits.Number(missing - MostNamed)} more.";
     }
