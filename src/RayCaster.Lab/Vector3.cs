@@ -49,10 +49,13 @@ public class Vector3(double x, double y, double z)
 
     public double Length
     {
-        // BEGIN SOLUTION "IDE & Vectors"
-        // STUB return Todo.Note("IDE & Vectors", 0);
-        return Math.Sqrt(this * this);
-        // END SOLUTION
+        get
+        {
+            // BEGIN SOLUTION "IDE & Vectors"
+            // STUB return Todo.Note("IDE & Vectors", 0);
+            return Math.Sqrt(this * this);
+            // END SOLUTION
+        }
     }
 
     public Vector3 Normalized => this / Length; // NaN for the zero vector, which has no direction

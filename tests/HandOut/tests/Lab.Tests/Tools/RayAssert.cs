@@ -37,7 +37,7 @@ public static class RayAssert
     /// <summary>The same coordinate by coordinate.</summary>
     public static void Equal(string what, string slide, RayCaster.Vector3 expected, Vector3 actual)
     {
-        if (AreEqual(expected.X, actual.X) && AreEqual(expected.Y, actual.Y) && AreEqual(expected.Z, actual.Z)) return;
+        if (AreEqual(expected, actual)) return;
         var got = new RayCaster.Vector3(actual.X, actual.Y, actual.Z);
         var length = AreEqual(1, expected.Length) && !AreEqual(1, got.Length) ? $", whose length is {Text(got.Length)}, not 1" : "";
         Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(got)}{length}.\n  {Cite(slide)}{Chance.Again}");
@@ -106,7 +106,12 @@ public static class RayAssert
     private static string Text(double number) =>
         number.ToString("0.######", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
 
-    private static bool AreEqual(double a, double b) => Math.Abs(a - b) <= 1e-7 * (1 + Math.Abs(a)) || (double.IsNaN(a) && double.IsNaN(b));
+    /// <summary>Whether two numbers are equal except in their last bits.</summary>
+    public static bool AreEqual(double a, double b) =>
+        a == b || Math.Abs(a - b) <= 1e-7 * (1 + Math.Abs(a)) || (double.IsNaN(a) && double.IsNaN(b));
+
+    /// <summary>The same coordinate by coordinate.</summary>
+    public static bool AreEqual(RayCaster.Vector3 a, Vector3 b) => AreEqual(a.X, b.X) && AreEqual(a.Y, b.Y) && AreEqual(a.Z, b.Z);
 
     /// <summary>Whether a ray a little beside this one hits where this one does not, or elsewhere.</summary>
     private static bool IsOnOutline(RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? t)

@@ -50,7 +50,7 @@ public static class PictureAssert
         Directory.CreateDirectory(Path.GetDirectoryName(received));
         PictureFile.Write(received, mine);
         PictureFile.Write(expected, nearest);
-        Assert.Fail($"{Difference(mine, nearest)}\n  yours:    {received}\n  expected: {expected}\n{StepHint.Of(scene, mine, step, Teacher.Hints)}");
+        Assert.Fail($"{Difference(mine, nearest)}\n  yours:    {received}\n  expected: {expected}\n{StepHint.Of(scene, mine, step, Teacher.Hints, new Proof(scene).IsRight)}");
     }
 
     private static string Difference(Picture mine, Picture reference)
