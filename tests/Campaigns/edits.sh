@@ -97,11 +97,12 @@ done
 
 sed -i 's/return new(tca - thc/if (Radius < 9) throw new Exception("boom"); &/' $course/Models/Sphere.cs
 draw
-grep -q 'Exception in Sphere: boom' small.txt && grep -q 'Exception in Sphere: boom' large.txt && result=0 || result=1
+# "in Model" where the runtime has inlined the formula
+grep -qE 'Exception in (Sphere|Model): boom' small.txt && grep -qE 'Exception in (Sphere|Model): boom' large.txt && result=0 || result=1
 verdict "a formula's exception is shown" $result "$(cat small.txt large.txt)"
 sed -i 's/if (Radius < 9) throw[^;]*;/return new(N.Sqrt(-1));/' $course/Models/Sphere.cs
 draw --ledger
-grep -q "ball does not show.*its Intersect finds no crossing" small.txt && result=0 || result=1
-verdict "the ledger says that a formula finds no crossing" $result "$(cat small.txt)"
+grep -q "ball does not show: it is missed by every ray" small.txt && result=0 || result=1
+verdict "the ledger says that every ray misses" $result "$(cat small.txt)"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
