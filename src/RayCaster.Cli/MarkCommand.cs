@@ -21,7 +21,6 @@ internal sealed class MarkCommand : Command
         Options:
           -o, --output <folder>  The folder for the marks: marks.csv, class.html for the teacher, and
                                  feedback.html in a folder for each student.
-              --junit <file>     Also writes the marks as JUnit XML.
               --resume           Keeps finished marks of submissions that have not changed.
           -t, --threads <n>      How many submissions are marked at a time. [default: one per core;
                                  two where programs run, since some wait for ever]
@@ -57,7 +56,7 @@ internal sealed class MarkCommand : Command
         using var progress = ProgressLine.For(line, 0, 0, "submissions");
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(
-            line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit],
+            line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume),
             (done, all) => progress?.Show(done, all), StandardFile.WriteError);
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
         progress?.Dispose();

@@ -32,11 +32,10 @@ public sealed class ClassMarks
     /// <summary>Options for marking a class.</summary>
     /// <param name="Threads">How many submissions are marked at the same time.</param>
     /// <param name="Resume">Whether to keep finished marks if neither rubric nor submission has changed.</param>
-    /// <param name="JUnit">A file for the marks as JUnit XML, which continuous integration reads; null for none.</param>
     /// <param name="Progress">Called with the number of finished submissions and the number of all.</param>
     /// <param name="Notice">Called with what the teacher must know besides the marks.</param>
     public sealed record Options(
-        int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null, Action<string>? Notice = null);
+        int Threads, bool Resume = false, Action<int, int>? Progress = null, Action<string>? Notice = null);
 
     /// <summary>Marks all submissions in a folder.</summary>
     /// <param name="submissions">A folder that contains a folder for each student.</param>
@@ -73,7 +72,6 @@ public sealed class ClassMarks
         Write(Path.Combine(output, TableFile), table);
         Write(Path.Combine(output, Kept, TableFile), table);
         Write(Path.Combine(output, PageFile), ClassPage.Of(rubric, inOrder));
-        if (options.JUnit is { } file) Write(file, JUnitReport.Of(rubric, inOrder));
         return inOrder;
     }
 

@@ -7,7 +7,7 @@ internal static class FeedbackPage
     {
         var page = new Page($"{rubric.Title}: {marks.Student}");
         page.Element("p", $"{MarksTable.Number(marks.Points)} of {MarksTable.Number(rubric.Points)} points"
-            + (marks.Open > 0 ? $"; {MarksTable.Number(marks.Open)} more are not decided: your teacher will look." : "."));
+            + (marks.Undecided > 0 ? $"; {MarksTable.Number(marks.Undecided)} more are not decided: your teacher will look." : "."));
         page.Html("<table><tr><th>Part</th><th class=\"n\">Points</th><th>Why</th></tr>");
         foreach (var item in marks.Items) AddItem(page, rubric, item, marks.Losing);
         page.Html("</table>");
@@ -20,8 +20,8 @@ internal static class FeedbackPage
 
     private static void AddItem(Page page, Rubric rubric, ItemMarks item, IReadOnlyList<string> losing)
     {
-        var style = item.Open > 0 ? "open" : item.Points < item.Of ? "lost" : "";
-        var why = item.Open > 0 ? "Not decided: your teacher will look."
+        var style = item.Undecided > 0 ? "undecided" : item.Points < item.Of ? "lost" : "";
+        var why = item.Undecided > 0 ? "Not decided: your teacher will look."
             : string.Join("<br>", item.Because.Select(because => Hint(rubric, because, losing)).Where(hint => hint != ""));
         page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">{MarksTable.Item(item)} of " +
             $"{MarksTable.Number(item.Of)}</td><td>{why}</td></tr>");

@@ -85,7 +85,7 @@ internal sealed class Marker(Rubric rubric)
             : SceneVerdict.Explained;
         var shown = verdict == SceneVerdict.Right ? null : picture.Picture;
         return new(picture.Scene.Name, verdict, picture.Problem,
-            shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Seen).ToPng(), shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Tiny).Rgb);
+            shown is null ? [] : Thumbnail.Of(shown).ToPng());
     }
 
     private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)

@@ -9,12 +9,12 @@ internal static class MarksTable
     {
         string[] head =
         [
-            "student", "points", "open", "of", .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes",
+            "student", "points", "undecided", "of", .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes",
             "right pictures",
         ];
         var lines = marks.Select(student => (string[])
         [
-            student.Student, Number(student.Points), Number(student.Open), Number(rubric.Points), .. student.Items.Select(Item),
+            student.Student, Number(student.Points), Number(student.Undecided), Number(rubric.Points), .. student.Items.Select(Item),
             string.Join("; ", student.LookYourself), string.Join(" ", student.NotDrawn), string.Join(" ", student.Mistakes),
             $"{student.Scenes.Count(scene => scene.Verdict == SceneVerdict.Right)} of {student.Scenes.Count}",
         ]);
@@ -25,7 +25,7 @@ internal static class MarksTable
     public static string Number(double points) => points.ToString("0.##", CultureInfo.InvariantCulture);
 
     /// <summary>An item's certain points, with a question mark if more are not decided.</summary>
-    public static string Item(ItemMarks item) => item.Open > 0 ? $"{Number(item.Points)}?" : Number(item.Points);
+    public static string Item(ItemMarks item) => item.Undecided > 0 ? $"{Number(item.Points)}?" : Number(item.Points);
 
     /// <summary>
     /// A cell, in quotes if necessary. A text that begins with = + - @ gets an apostrophe, because a spreadsheet would run it as a formula, and

@@ -9,7 +9,7 @@ namespace RayCaster.Teaching;
 /// <param name="folder">The folder of all submissions.</param>
 internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
 {
-    private const int MostNamed = 5;
+    private const int MaxNamed = 5;
 
     private readonly string folder = Path.GetFullPath(folder);
     private readonly List<Watch> watches = [];
@@ -62,10 +62,10 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
                     .Order(StringComparer.Ordinal),
             ];
             if (changed.Length == 0) yield break;
-            var named = string.Join(", ", changed.Take(MostNamed).Select(path => PrintableText.Of(Path.GetRelativePath(all.folder, path))));
+            var named = string.Join(", ", changed.Take(MaxNamed).Select(path => PrintableText.Of(Path.GetRelativePath(all.folder, path))));
             var ran = beside.Length == 0 ? "it ran" : $"it and {string.Join(", ", beside.Select(other => other.Student))} ran";
             yield return $"files outside its folder changed while {ran}: {named}" +
-                $"{(changed.Length > MostNamed ? $" and {changed.Length - MostNamed} more" : "")}";
+                $"{(changed.Length > MaxNamed ? $" and {changed.Length - MaxNamed} more" : "")}";
         }
 
         public void Dispose()

@@ -7,11 +7,11 @@ namespace RayCaster.Teaching;
 /// <param name="containment">The limits that the system enforces.</param>
 internal sealed class ProgramRunner(Containment containment)
 {
-    private const int Glance = 10; // milliseconds
-    private const int Rest = 100; // milliseconds between two looks at the whole tree, if the number of processes does not grow
-    private const string Mark = "RAYCASTER_SUBMISSION"; // in the environment of all its processes
+    private const int PollInterval = 10; // milliseconds
+    private const int TreeInterval = 100; // milliseconds between two readings of the whole tree, if the number of processes does not grow
+    private const string RunVariable = "RAYCASTER_SUBMISSION"; // in the environment of all processes of a run
     private const int TryAgain = 11; // EAGAIN: there are too many processes now, perhaps of another submission
-    private static readonly TimeSpan patience = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan gracePeriod = TimeSpan.FromSeconds(10);
 
     /// <summary>Runs a command to its end, or until soon after the time limit.</summary>
     public ProgramRun Run(
@@ -25,8 +25,8 @@ internal sealed class ProgramRunner(Containment containment)
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
-        var mark = Guid.NewGuid().ToString("N");
-        start.Environment[Mark] = mark;
+        var run = Guid.NewGuid().ToString("N");
+        start.Environment[RunVariable] = run;
         foreach (var name in (ReadOnlySpan<string>)["TMPDIR", "TMP", "TEMP"]) start.Environment[name] = temporary;
         try
         {
@@ -34,8 +34,8 @@ internal sealed class ProgramRunner(Containment containment)
             process.StandardInput.Close();
             var printed = new PrintedText(process, limits.OutputBytes);
             var end = Watch(process, printed, limits, time, cancellation);
-            End(process, mark);
-            printed.WaitForEnd(patience);
+            End(process, run);
+            printed.WaitForEnd(gracePeriod);
             cancellation.ThrowIfCancellationRequested();
             return new(end, end == ProgramEnd.Exited ? process.ExitCode : 0, printed.Text);
         }
@@ -55,9 +55,9 @@ internal sealed class ProgramRunner(Containment containment)
             {
                 return Process.Start(start)!;
             }
-            catch (Win32Exception e) when (e.NativeErrorCode == TryAgain && Stopwatch.GetElapsedTime(since) < patience)
+            catch (Win32Exception e) when (e.NativeErrorCode == TryAgain && Stopwatch.GetElapsedTime(since) < gracePeriod)
             {
-                Thread.Sleep(Glance);
+                Thread.Sleep(PollInterval);
             }
         }
     }
@@ -70,12 +70,12 @@ internal sealed class ProgramRunner(Containment containment)
     {
         var start = Stopwatch.GetTimestamp();
         var (tasks, looked) = (ProcessTree.TaskCount(), start);
-        while (!process.WaitForExit(Glance))
+        while (!process.WaitForExit(PollInterval))
         {
             if (cancellation.IsCancellationRequested || Stopwatch.GetElapsedTime(start) > time) return ProgramEnd.OutOfTime;
             if (printed.IsTooLong) return ProgramEnd.TooMuchOutput;
             var now = ProcessTree.TaskCount();
-            if (now - tasks < limits.Processes && Stopwatch.GetElapsedTime(looked).TotalMilliseconds < Rest) continue;
+            if (now - tasks < limits.Processes && Stopwatch.GetElapsedTime(looked).TotalMilliseconds < TreeInterval) continue;
             var tree = ProcessTree.Of(process.Id);
             if (tree.Count > limits.Processes) return ProgramEnd.TooManyProcesses;
             if (tree.Sum(member => member.Memory) > limits.MemoryBytes) return ProgramEnd.TooMuchMemory;
@@ -85,21 +85,21 @@ internal sealed class ProgramRunner(Containment containment)
     }
 
     /// <summary>
-    /// Ends the process and its descendants, then each process that still has the mark in its environment: one that left its parent has it, too.
+    /// Ends the process and its descendants, then each process with the run's number in its environment: one that left its parent has it, too.
     /// </summary>
     /// <remarks>Process.Kill would read all processes once for each process of the tree, which takes seconds for a fork bomb on Linux.</remarks>
-    private void End(Process process, string mark)
+    private void End(Process process, string run)
     {
         if (!process.HasExited)
         {
             var tree = containment.HasOwnTree ? [] : ProcessTree.Of(process.Id);
             process.Kill(entireProcessTree: !OperatingSystem.IsLinux());
             foreach (var (id, _, _) in tree) KillOne(id);
-            process.WaitForExit(patience);
+            process.WaitForExit(gracePeriod);
         }
         if (containment.HasOwnTree) return;
         var since = Stopwatch.GetTimestamp();
-        while (ProcessTree.WithVariable(Mark, mark).Count(KillOne) > 0 && Stopwatch.GetElapsedTime(since) < patience) { }
+        while (ProcessTree.WithVariable(RunVariable, run).Count(KillOne) > 0 && Stopwatch.GetElapsedTime(since) < gracePeriod) { }
     }
 
     private static bool KillOne(int id)
@@ -122,17 +122,17 @@ internal sealed class ProgramRunner(Containment containment)
         private const int Kept = 8000; // characters
 
         private readonly StringBuilder text = new();
-        private readonly long most;
+        private readonly long maxLength;
         private readonly Task reading;
         private long length;
 
-        public PrintedText(Process process, long most)
+        public PrintedText(Process process, long maxLength)
         {
-            this.most = most;
+            this.maxLength = maxLength;
             reading = Task.WhenAll(Read(process.StandardOutput.BaseStream), Read(process.StandardError.BaseStream));
         }
 
-        public bool IsTooLong => Interlocked.Read(ref length) > most;
+        public bool IsTooLong => Interlocked.Read(ref length) > maxLength;
 
         public string Text
         {

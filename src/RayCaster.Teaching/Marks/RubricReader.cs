@@ -6,7 +6,7 @@ namespace RayCaster.Teaching;
 public static class RubricReader
 {
     /// <summary>The most pixels that a scene may have: mistakes show in small pictures, and there are many of them.</summary>
-    public const int MostPixels = 2_000_000;
+    public const int MaxPixels = 2_000_000;
 
     private static readonly string[] places = ["{dir}", "{scene}", "{out}", "{name}"];
 
@@ -158,8 +158,8 @@ public static class RubricReader
                 o.Refuse("scenes", $" cannot be used: {files[i]} has errors", i);
             else if (StoredReference.Contradiction(path, scene) is { } message)
                 o.Refuse("scenes", $" cannot be used. {message}: undo the change in src/RayCaster", i);
-            else if ((long)scene.Camera.Width * scene.Camera.Height > MostPixels)
-                o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MostPixels:N0} in all", i);
+            else if ((long)scene.Camera.Width * scene.Camera.Height > MaxPixels)
+                o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MaxPixels:N0} in all", i);
             else
                 scenes.Add(new(name, Path.GetFullPath(path), new(scene)));
         }

@@ -9,7 +9,7 @@ namespace RayCaster.Teaching;
 /// </summary>
 public sealed class SceneVariation
 {
-    private const int MostTries = 16;
+    private const int MaxTries = 16;
 
     /// <summary>How far points move at most, as a share of the distance from camera to target. After some tries it is halved.</summary>
     private const double Amplitude = 0.035;
@@ -17,7 +17,7 @@ public sealed class SceneVariation
     /// <summary>How much a radius changes at most, as a share of it.</summary>
     private const double Growth = 0.08;
 
-    private const int TriesOfOneAmplitude = 4;
+    private const int TriesPerAmplitude = 4;
 
     private static readonly string[] cameraPoints = ["position", "target"];
     private static readonly string[] modelPoints = ["point", "center", "min", "max", "a", "b", "c", "translate"];
@@ -50,9 +50,9 @@ public sealed class SceneVariation
         if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
         var mayHide = MayHide(scene);
         var distance = (scene.Camera.Target - scene.Camera.Position).Length;
-        for (var attempt = 0; attempt < MostTries; attempt++)
+        for (var attempt = 0; attempt < MaxTries; attempt++)
         {
-            var amplitude = Amplitude / (1 << attempt / TriesOfOneAmplitude);
+            var amplitude = Amplitude / (1 << attempt / TriesPerAmplitude);
             var variation = new SceneVariation(tree, distance, $"{seed}\n{attempt}", amplitude);
             variation.MoveSchema(folder, newFolder);
             var text = variation.Text();

@@ -15,7 +15,7 @@ public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<I
     public double Points => Items.Sum(item => item.Points);
 
     /// <summary>The points that are not decided: the teacher must look.</summary>
-    public double Open => Items.Sum(item => item.Open);
+    public double Undecided => Items.Sum(item => item.Undecided);
 
     /// <summary>Why no scene has a picture, if the reason is the same for all, such as a program that does not build; otherwise null.</summary>
     public string? CommonProblem =>
@@ -25,15 +25,14 @@ public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<I
 
 /// <summary>A student's points for an item.</summary>
 /// <param name="Points">The points that are certain.</param>
-/// <param name="Open">The points that are not decided.</param>
+/// <param name="Undecided">The points that are not decided.</param>
 /// <param name="Because">The ids of the mistakes and the names of the missing parts that cost points, or may cost points.</param>
-public sealed record ItemMarks(string Name, double Of, double Points, double Open, IReadOnlyList<string> Because);
+public sealed record ItemMarks(string Name, double Of, double Points, double Undecided, IReadOnlyList<string> Because);
 
 /// <summary>The judgement of one picture.</summary>
 /// <param name="Problem">What is unusual about the picture, in words; null if nothing is.</param>
 /// <param name="Small">A small copy of the picture, as PNG; empty if the picture is right or missing.</param>
-/// <param name="Likeness">A tiny copy of the picture, for finding pictures that look alike.</param>
-public sealed record SceneMarks(string Name, SceneVerdict Verdict, string? Problem, byte[] Small, byte[] Likeness);
+public sealed record SceneMarks(string Name, SceneVerdict Verdict, string? Problem, byte[] Small);
 
 /// <summary>The result of judging a picture.</summary>
 public enum SceneVerdict

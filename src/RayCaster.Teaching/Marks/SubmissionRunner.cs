@@ -6,13 +6,13 @@ namespace RayCaster.Teaching;
 internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runner)
 {
     /// <summary>How many characters, or how many errors and characters of each, of what a program printed are quoted.</summary>
-    private const int Quoted = 200, MostErrors = 3, ErrorLength = 400;
+    private const int Quoted = 200, MaxErrors = 3, ErrorLength = 400;
 
     /// <summary>How many pictures of other names are told.</summary>
-    private const int MostPictures = 3;
+    private const int MaxPictures = 3;
 
     /// <summary>A program that was ended for so many scenes in a row is not run for the rest: that could take hours.</summary>
-    private const int Patience = 2;
+    private const int MaxEndedInARow = 2;
 
     /// <summary>The pictures, one for each scene of the rubric. Whatever the program does, each result is a picture or a message.</summary>
     public IReadOnlyList<SubmittedPicture> Pictures(Submission submission, CancellationToken cancellation)
@@ -23,7 +23,7 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         if (source.Build.Count > 0 && Build(submission, cancellation) is { } problem) return None(problem);
         var pictures = new List<SubmittedPicture>();
         var ended = 0; // runs in a row that were ended
-        foreach (var scene in rubric.Scenes.TakeWhile(_ => ended < Patience))
+        foreach (var scene in rubric.Scenes.TakeWhile(_ => ended < MaxEndedInARow))
         {
             pictures.Add(Draw(submission, scene, cancellation, out var isEnded));
             ended = isEnded ? ended + 1 : 0;
@@ -52,7 +52,7 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
     private static string Others(string folder, params IEnumerable<string> scenes) => string.Join(", ",
         Submission.State(folder).Select(file => file.Path).Except(scenes)
             .Where(path => Path.GetExtension(path).ToLowerInvariant() is ".png" or ".ppm")
-            .Select(path => Path.GetRelativePath(folder, path)).Order(StringComparer.Ordinal).Take(MostPictures));
+            .Select(path => Path.GetRelativePath(folder, path)).Order(StringComparer.Ordinal).Take(MaxPictures));
 
     private string? Build(Submission submission, CancellationToken cancellation)
     {
@@ -119,8 +119,8 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
                 .Select(line => line.Length > ErrorLength ? $"{line[..ErrorLength]} …" : line),
         ];
         if (errors.Length == 0) return $"; it printed: {(text.Length > Quoted ? $"… {text[^Quoted..]}" : text).ReplaceLineEndings(" / ")}";
-        var more = errors.Length > MostErrors ? $" / and {errors.Length - MostErrors} more errors" : "";
-        return $"; it printed: {string.Join(" / ", errors.Take(MostErrors))}{more}";
+        var more = errors.Length > MaxErrors ? $" / and {errors.Length - MaxErrors} more errors" : "";
+        return $"; it printed: {string.Join(" / ", errors.Take(MaxErrors))}{more}";
     }
 
     [GeneratedRegex(@"\{(dir|scene|out|name)\}")]

@@ -3,16 +3,16 @@ namespace RayCaster.Teaching;
 /// <summary>Small copies of pictures.</summary>
 internal static class Thumbnail
 {
-    /// <summary>The longer side of a copy for people, and of a copy for comparing.</summary>
-    public const int Seen = 120, Tiny = 16;
+    /// <summary>The longer side of a copy.</summary>
+    private const int Side = 120;
 
-    /// <summary>A copy whose longer side has so many pixels; a smaller picture itself.</summary>
-    public static Picture Of(Picture picture, int side)
+    /// <summary>A smaller copy; a small picture itself.</summary>
+    public static Picture Of(Picture picture)
     {
         var longer = Math.Max(picture.Width, picture.Height);
-        if (longer <= side) return picture;
+        if (longer <= Side) return picture;
         var small = new SmallPicture(
-            picture.Width, picture.Height, Math.Max(1, picture.Width * side / longer), Math.Max(1, picture.Height * side / longer));
+            picture.Width, picture.Height, Math.Max(1, picture.Width * Side / longer), Math.Max(1, picture.Height * Side / longer));
         small.Take(picture.Rgb);
         return small.Picture;
     }

@@ -51,7 +51,7 @@ public class MarkerTests
     public void ARightProgramGetsAllPoints()
     {
         var marks = Mark("ok");
-        Assert.Equal((20.0, 0.0), (marks.Points, marks.Open));
+        Assert.Equal((20.0, 0.0), (marks.Points, marks.Undecided));
         Assert.Empty(marks.LookYourself);
     }
 
@@ -60,7 +60,7 @@ public class MarkerTests
     public void AMistakeCostsItsOwnItemAndNoOther(string mistake, string second, string lost)
     {
         var marks = Mark(mistake, second);
-        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Undecided));
     }
 
     [Theory]
@@ -80,12 +80,12 @@ public class MarkerTests
 
     [Fact]
     [Trait("kind", "campaign")] // all pairs of mistakes are tried
-    public void AFewWrongPixelsThatNothingExplainsLeaveTheirItemOpen()
+    public void AFewWrongPixelsThatNothingExplainsLeaveTheirItemUndecided()
     {
         var slip = new Planted("never along a slab", "", new Edit("Aabb", "B0 <= P", "B0 >= P"));
         var marks = Mark(With(whole.Items, Scenes("1-planes", "3-boxes", "3-spheres", "4-all")), scene => EditedLab.Render(scene, slip));
         Assert.Empty(Lost(marks).Except(["7"]));
-        Assert.Equal(["7 AABB"], marks.Items.Where(item => item.Open > 0).Select(item => item.Name));
+        Assert.Equal(["7 AABB"], marks.Items.Where(item => item.Undecided > 0).Select(item => item.Name));
     }
 
     [Theory] // each of the two changes a whole picture, so neither is near by itself
@@ -93,7 +93,7 @@ public class MarkerTests
     public void TwoMistakesThatChangeWholePicturesCostTheirItems(string mistake, string second, string lost)
     {
         var marks = Mark(two, scene => EditedLab.Render(scene, Manner.OfTheSlides, Planted.Named(mistake), Planted.Named(second)));
-        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Undecided));
     }
 
     [Theory]
@@ -120,7 +120,7 @@ public class MarkerTests
     public void WhatIsNotDrawnYetCostsItsItems(string mistake, string undone, string lost)
     {
         var marks = Mark(mistake, undone: undone);
-        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Undecided));
         Assert.Equal(undone, string.Join(' ', marks.NotDrawn.Order()));
     }
 
@@ -139,12 +139,12 @@ public class MarkerTests
     {
         var slip = new Planted("a wrong letter in the scalar product", "", new Edit("Vector3", "a.Z * b.Z;", "a.Z * a.Z;"));
         var marks = Mark(scene => EditedLab.Render(scene, slip));
-        Assert.Contains("1 Vectors", marks.Items.Where(item => item.Open > 0).Select(item => item.Name));
+        Assert.Contains("1 Vectors", marks.Items.Where(item => item.Undecided > 0).Select(item => item.Name));
     }
 
     [Fact]
     [Trait("kind", "campaign")] // tries all pairs of mistakes
-    public void WhatNothingExplainsIsOpenAndFlaggedAndNotLost()
+    public void WhatNothingExplainsIsUndecidedAndFlaggedAndNotLost()
     {
         var random = new Random(1);
         var marks = Mark(two, scene =>
@@ -153,14 +153,14 @@ public class MarkerTests
             random.NextBytes(noise.Rgb);
             return noise;
         });
-        Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
+        Assert.Equal((0.0, 20.0), (marks.Points, marks.Undecided));
         Assert.Empty(marks.Mistakes);
         Assert.Equal("3-inside, 4-all: no known mistake explains this", Assert.Single(marks.LookYourself));
     }
 
     [Fact]
     [Trait("kind", "campaign")] // tries all pairs of mistakes
-    public void WhereAllOutlinesAreRightOnlyTheLightIsOpen()
+    public void WhereAllOutlinesAreRightOnlyTheLightIsUndecided()
     {
         var marks = Mark(two, scene =>
         {
@@ -174,7 +174,7 @@ public class MarkerTests
 
     [Fact]
     [Trait("kind", "campaign")] // more of the same
-    public void WhereTheLightOfOneKindOfShapeIsWrongItsItemIsOpen()
+    public void WhereTheLightOfOneKindOfShapeIsWrongItsItemIsUndecided()
     {
         var spheres = With(whole.Items, Scenes("3-spheres", "4-all").Select(Small));
         var marks = new Marker(spheres).Mark(
@@ -194,24 +194,24 @@ public class MarkerTests
     public void WherePicturesAreMissingOnlyWhatTheOthersTellIsGiven()
     {
         var marks = Mark(scene => scene == rubric.Scenes[0].Scene ? ScalarRenderer.Render(scene) : null);
-        Assert.Equal((0.0, 2.0), (marks.Items[7].Points, marks.Items[7].Open)); // no sphere is in the only picture
-        Assert.Equal((2.0, 0.0), (marks.Items[2].Points, marks.Items[2].Open)); // planes are
+        Assert.Equal((0.0, 2.0), (marks.Items[7].Points, marks.Items[7].Undecided)); // no sphere is in the only picture
+        Assert.Equal((2.0, 0.0), (marks.Items[2].Points, marks.Items[2].Undecided)); // planes are
         Assert.Single(marks.LookYourself);
     }
 
     [Fact]
-    public void APartThatOnlyAMissingPictureShowsIsOpen()
+    public void APartThatOnlyAMissingPictureShowsIsUndecided()
     {
         var parts = With([new("Plane", 1, 1, [], ["plane"]), new("Sphere", 2, 2, [], ["sphere"])], rubric.Scenes);
         var marks = Mark(parts, scene => scene == rubric.Scenes[0].Scene ? ScalarRenderer.Render(scene) : null);
-        Assert.Equal((1.0, 2.0), (marks.Points, marks.Open)); // no sphere is in the only picture
+        Assert.Equal((1.0, 2.0), (marks.Points, marks.Undecided)); // no sphere is in the only picture
     }
 
     [Fact]
     public void PicturesOfOneColourTellNothing()
     {
         var marks = Mark(scene => new Picture(scene.Camera.Width, scene.Camera.Height));
-        Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
+        Assert.Equal((0.0, 20.0), (marks.Points, marks.Undecided));
         Assert.Equal("all pictures are of one colour: many mistakes cause that", Assert.Single(marks.LookYourself));
     }
 }
