@@ -54,9 +54,7 @@ public sealed class ClassMarks
         var all = Submission.In(submissions);
         RefuseSharedPlaces(all, submissions, output);
         var runs = rubric.Source.Run.Count > 0;
-        if (runs && Containment.RefusalHere() is { } refusal) throw new PictureFileException(refusal);
-        if (runs && !Directory.Exists(Path.GetTempPath()))
-            throw new PictureFileException($"there is no folder for temporary files, {Path.GetTempPath()}: make it, or let TMPDIR name another one");
+        if (runs) Containment.ThrowIfUnfit();
         if (Submission.LooseFiles(submissions) is [var loose, .. var more])
             options.Notice?.Invoke($"a submission is a folder, so {PrintableText.Of(Path.Combine(submissions, loose))}" +
                 (more.Length == 0 ? " is not marked" : $" and {more.Length} more are not marked"));

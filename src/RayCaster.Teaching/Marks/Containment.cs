@@ -90,9 +90,17 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits, bool HidesFi
         "students' programs would run as root, and one of them could take the whole machine: run mark as another user, or in a container as " +
         "docs/teaching.md shows";
 
-    /// <summary>The same for this process. Docker, Podman and systemd leave these files in their containers.</summary>
-    public static string? RefusalHere() => OperatingSystem.IsWindows() ? null : Refusal(
-        Environment.IsPrivilegedProcess, new[] { "/.dockerenv", "/run/.containerenv", "/run/systemd/container" }.Any(File.Exists));
+    /// <summary>Refuses to run students' programs in this process's place.</summary>
+    /// <remarks>Docker, Podman and systemd leave these files in their containers.</remarks>
+    /// <exception cref="PictureFileException">It runs as root outside a container, or has no folder for temporary files.</exception>
+    public static void ThrowIfUnfit()
+    {
+        var isRoot = !OperatingSystem.IsWindows() && Environment.IsPrivilegedProcess;
+        if (Refusal(isRoot, new[] { "/.dockerenv", "/run/.containerenv", "/run/systemd/container" }.Any(File.Exists)) is { } refusal)
+            throw new PictureFileException(refusal);
+        if (Path.GetTempPath() is var folder && !Directory.Exists(folder))
+            throw new PictureFileException($"there is no folder for temporary files, {folder}: make it, or let TMPDIR name another one");
+    }
 
     /// <summary>The limits in words, for the teacher.</summary>
     /// <param name="network">Whether the rubric allows the network.</param>

@@ -42,7 +42,8 @@ public sealed class ProgramRunnerTests : IDisposable
     public void RootRunsNoProgramsOutsideAContainer(bool isRoot, bool isContainer, bool isRefused) =>
         Assert.Equal(isRefused, Containment.Refusal(isRoot, isContainer)?.Contains("run mark as another user, or in a container") == true);
 
-    [Fact] // it was inherited: a program that prints it and crashes shows it on the student's page
+    /// <remarks>A program that prints its environment and crashes shows it on the student's page.</remarks>
+    [Fact]
     public void OfTheEnvironmentOnlyWhatProgramsNeedAndTheRubricNamesIsLeft()
     {
         if (OperatingSystem.IsWindows()) return; // has other variables
