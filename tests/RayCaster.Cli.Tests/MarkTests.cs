@@ -39,10 +39,11 @@ public sealed class MarkTests : IDisposable
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
 
         Assert.Equal(0, raycaster.ExitCode);
-        Assert.Equal("student,points,undecided,of,ball,floor,look yourself,not drawn yet,mistakes,right pictures", Table()[0]);
-        Assert.Equal("'=boris,2,0,5,0,2,,sphere,,0 of 1", Table()[1]);
-        Assert.Equal("anna,5,0,5,3,2,,,,1 of 1", Table()[2]);
-        Assert.Equal("clara,0,5,5,0?,0?,ball: the submission's folder is empty,,,0 of 1", Table()[3]);
+        Assert.Equal("student,points,undecided,of,teacher's points,comment,ball,floor,look yourself,not drawn yet,mistakes,right pictures",
+            Table()[0]);
+        Assert.Equal("'=boris,2,0,5,,,0,2,,sphere,,0 of 1", Table()[1]);
+        Assert.Equal("anna,5,0,5,,,3,2,,,,1 of 1", Table()[2]);
+        Assert.Equal("clara,0,5,5,,,0?,0?,ball: the submission's folder is empty,,,0 of 1", Table()[3]);
         var page = File.ReadAllText(raycaster.PathOf("marks/=boris/feedback.html"));
         Assert.Contains("No spheres are drawn: they are not written yet, or a mistake hides them.", page);
         Assert.DoesNotContain("http", page); // it needs no network
@@ -53,18 +54,17 @@ public sealed class MarkTests : IDisposable
     }
 
     [Fact]
-    public void PointsThatATeacherEntersAreNotOverwritten()
+    public void RowsAndPagesAreNamedByIds()
     {
         WriteRubric("");
-        Folder("clara");
-        for (var run = 0; run < 2; run++) raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "--resume");
-        Assert.DoesNotContain("edited", raycaster.Error);
-        byte[] edited = [.. "cl"u8, 0xE4, .. "ra,4"u8]; // as a spreadsheet saves it, not in UTF-8
-        File.WriteAllBytes(raycaster.PathOf("marks/marks.csv"), edited);
-        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "--resume");
-        Assert.Contains($"that table is now {Path.Combine("marks", "marks-edited-1.csv")}", raycaster.Error);
-        Assert.Equal(edited, File.ReadAllBytes(raycaster.PathOf("marks/marks-edited-1.csv")));
-        Assert.StartsWith("clara,0,5,5", Table()[1]);
+        Folder("Anna Lee");
+        Folder("boris");
+        raycaster.Write("ids.csv", "folder;id;e-mail\nAnna Lee;s123;a@b.c\n");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "--ids", "ids.csv");
+        Assert.Equal(["boris", "s123"], Table().Skip(1).Select(row => row.Split(',')[0]).Order());
+        Assert.Contains("<h1>A ball: s123</h1>", File.ReadAllText(raycaster.PathOf("marks/s123/feedback.html")));
+        raycaster.Write("ids.csv", "Anna Lee,s1\nboris,s1\n").Run("mark", "rubric.json", "class", "-o", "marks", "--ids", "ids.csv");
+        Assert.Equal((2, "raycaster: ids.csv has the id s1 twice\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
     [Fact]
@@ -193,7 +193,7 @@ public sealed class MarkTests : IDisposable
         Folder(new('ä', 125));
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
         Assert.Equal(2, raycaster.ExitCode);
-        Assert.EndsWith("has a name of 250 bytes, the limit is 200: rename the folder\n", raycaster.Error);
+        Assert.EndsWith("has a name of 250 bytes, the limit is 200: rename it\n", raycaster.Error);
     }
 
     [Fact]
@@ -226,7 +226,7 @@ public sealed class MarkTests : IDisposable
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "-t", "1");
         Assert.Equal(0, raycaster.ExitCode);
         Assert.StartsWith("vandal,0,5,5", Table()[1]);
-        Assert.Equal("victim,5,0,5,3,2,,,,1 of 1", Table()[2]);
+        Assert.Equal("victim,5,0,5,,,3,2,,,,1 of 1", Table()[2]);
     }
 
     [Fact]
@@ -238,7 +238,7 @@ public sealed class MarkTests : IDisposable
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
         var problem = $"cannot write {Path.Combine("marks", "anna", "feedback.html")}: it is a folder; name a file in it";
         Assert.Equal((0, $"anna: {problem}\n"), (raycaster.ExitCode, raycaster.Error));
-        Assert.Equal($"anna,0,5,5,0?,0?,\"ball: not marked: {problem}\",,,0 of 1", Table()[1]);
+        Assert.Equal($"anna,0,5,5,,,0?,0?,\"ball: not marked: {problem}\",,,0 of 1", Table()[1]);
     }
 
     [Fact]
@@ -248,13 +248,12 @@ public sealed class MarkTests : IDisposable
         WriteRubric("");
         Folder("anna\nboris,5");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
-        Assert.Equal((2, "raycaster: the submission 'anna\uFFFDboris,5' has an invisible character in its name: rename the folder\n"),
+        Assert.Equal((2, "raycaster: the submission 'anna\uFFFDboris,5' has an invisible character in its name: rename it\n"),
             (raycaster.ExitCode, raycaster.Error));
         Assert.False(Directory.Exists(raycaster.PathOf("marks")));
     }
 
     [Theory]
-    [InlineData("marks-edited-1.csv", "marks", "the submission 'marks-edited-1.csv' is named like a file of the marks: rename the folder")]
     [InlineData("Class.html", "marks", "the submission 'Class.html' is named like a file of the marks: rename the folder")]
     [InlineData("anna", "class/marks", "the marks cannot go to class/marks, which is in the folder of submissions: name a folder outside it")]
     public void PlacesThatMarksAndSubmissionsShareAreRefusedBeforeAnyProgramRuns(string student, string output, string problem)
@@ -320,8 +319,9 @@ public sealed class MarkTests : IDisposable
         raycaster.Run("ball.json", "-q", "-s", "20x20", "-o", Folder("anna") + "ball.png");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
         var page = File.ReadAllText(raycaster.PathOf("marks/anna/feedback.html"));
-        Assert.Contains("<h2>ball: another size</h2>\n<p>The picture is 20 x 20, not 60 x 40 pixels.</p>\n<p><img alt=\"your picture\"", page);
-        Assert.Contains("<img alt=\"the right picture\"", page);
+        Assert.Contains("<h2>ball: another size</h2>\n<p>The picture is 20 x 20, not 60 x 40 pixels.</p>\n<p><img alt=\"your picture of ball\"",
+            page);
+        Assert.Contains("<img alt=\"the right picture of ball\"", page);
     }
 
     [Fact] // eighty mistakes that cost nothing were one line

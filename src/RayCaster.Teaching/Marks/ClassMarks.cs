@@ -7,8 +7,6 @@ namespace RayCaster.Teaching;
 /// <summary>Marks the submissions of a class, and writes a table, a page for each student, and a page for the teacher.</summary>
 public sealed class ClassMarks
 {
-    private const string WrittenTable = ".kept/marks.csv";
-
     private readonly Rubric rubric;
     private readonly MarksFolder folder;
     private readonly ProgramRunner programs;
@@ -16,11 +14,13 @@ public sealed class ClassMarks
     private readonly Marker marker;
     private readonly ConcurrentDictionary<string, (long Start, long End)> times = [];
     private readonly ConcurrentDictionary<string, StudentMarks> done = [];
+    private readonly Dictionary<string, TeacherDecision> decisions;
     private readonly Dictionary<string, string?> digestsAtStart;
 
-    private ClassMarks(Rubric rubric, IReadOnlyList<Submission> all, MarksFolder folder, Containment containment)
+    private ClassMarks(
+        Rubric rubric, IReadOnlyList<Submission> all, MarksFolder folder, Dictionary<string, TeacherDecision> decisions, Containment containment)
     {
-        (this.rubric, this.folder) = (rubric, folder);
+        (this.rubric, this.folder, this.decisions) = (rubric, folder, decisions);
         programs = new(containment);
         runner = new(rubric, programs);
         marker = new(rubric);
@@ -30,16 +30,19 @@ public sealed class ClassMarks
     /// <summary>Options for marking a class.</summary>
     /// <param name="Threads">How many submissions are marked at the same time.</param>
     /// <param name="Resume">Whether to keep finished marks if neither rubric nor submission has changed.</param>
-    /// <param name="Progress">Called with the number of finished submissions and the number of all.</param>
+    /// <param name="Progress">Called with the number of finished submissions, the number of all, and who is marked next.</param>
     /// <param name="Notice">Called with what the teacher must know besides the marks.</param>
-    public sealed record Options(int Threads, bool Resume = false, Action<int, int>? Progress = null, Action<string>? Notice = null)
+    public sealed record Options(int Threads, bool Resume = false, Action<int, int, string>? Progress = null, Action<string>? Notice = null)
     {
+        /// <summary>A file with the ids by which rows and pages are named; null for the folders' names.</summary>
+        public string? Ids { get; init; }
+
         /// <summary>The limits that the system enforces on programs; null for all that this machine offers.</summary>
         internal Containment? Containment { get; init; }
     }
 
     /// <summary>Whether a student's program could change the files of others.</summary>
-    private bool MayChangeOthers => rubric.Source.Run.Count > 0 && !programs.HidesFiles;
+    private bool MayChangeOthers => rubric.Source.Run.Count > 0 && !programs.IsApart;
 
     /// <summary>Marks all submissions in a folder.</summary>
     /// <param name="submissions">A folder that contains a folder for each student.</param>
@@ -49,27 +52,28 @@ public sealed class ClassMarks
     /// <exception cref="PictureFileException">A folder cannot be read, or a file not be written.</exception>
     public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
     {
-        var all = Submission.In(submissions);
+        var all = Submission.In(submissions, options.Ids is { } ids ? TeacherTable.Ids(ids) : new Dictionary<string, string>());
         RefuseSharedPlaces(all, submissions, output);
         var runs = rubric.Source.Run.Count > 0;
         if (runs) Containment.ThrowIfUnfit();
         if (Submission.LooseFiles(submissions) is [var loose, .. var more])
             options.Notice?.Invoke($"a submission is a folder, so {PrintableText.Of(Path.Combine(submissions, loose))}" +
                 (more.Length == 0 ? " is not marked" : $" and {more.Length} more are not marked"));
+        var decisions = TeacherTable.Decisions(Path.Combine(output, MarksFolder.Table));
+        if (decisions.Count > 0)
+            options.Notice?.Invoke($"{Path.Combine(output, MarksFolder.Table)}: taken from you are the points or comments of " +
+                string.Join(", ", decisions.Keys.Select(student => PrintableText.Of(student))));
         var (key, files) = (MarksKey.Read(), rubric.HashOfFiles());
         if (rubric.Vary) rubric = rubric.WithVariedScenes(MarksKey.Sign(key, Encoding.UTF8.GetBytes(rubric.Digest)), options.Notice);
         var folder = new MarksFolder(output, key);
-        new ClassMarks(rubric, all, folder, runs ? options.Containment ?? Containment.Here : Containment.None)
+        new ClassMarks(rubric, all, folder, decisions, runs ? options.Containment ?? Containment.Here : Containment.None)
             .MarkAll(all, options, cancellation, out var marks);
         if (rubric.HashOfFiles() != files)
             options.Notice?.Invoke($"{rubric.Path} or one of its scenes was changed meanwhile: the marks are by what was read at the start");
         foreach (var page in folder.ChangedPages())
             options.Notice?.Invoke($"{page} was changed after it was written, perhaps by a student's program: --resume writes it again");
-        if (KeepEditedTable(folder) is { } copy)
-            options.Notice?.Invoke($"{MarksFolder.Table} was edited since the last run; that table is now {copy}");
-        var table = Encoding.UTF8.GetBytes(MarksTable.Of(rubric, marks));
-        MarksFolder.Write(folder.PathOf(MarksFolder.Table), table);
-        MarksFolder.Write(folder.PathOf(WrittenTable), table);
+        var others = decisions.Where(decision => !all.Any(submission => submission.Student == decision.Key));
+        MarksFolder.Write(folder.PathOf(MarksFolder.Table), Encoding.UTF8.GetBytes(MarksTable.Of(rubric, marks, others)));
         MarksFolder.Write(folder.PathOf(MarksFolder.ClassPage), Encoding.UTF8.GetBytes(ClassPage.Of(rubric, marks)));
         return marks;
     }
@@ -82,27 +86,11 @@ public sealed class ClassMarks
             throw new PictureFileException($"the marks cannot go to {output}, which is in the folder of submissions: name a folder outside it");
         if (File.Exists(output)) throw new PictureFileException($"the marks cannot go to {output}, which is a file: name a folder");
         foreach (var submission in all)
-            if (submission.Student.ToLowerInvariant() is var name && (name is MarksFolder.Table or MarksFolder.ClassPage || IsCopy(name)))
+            if (submission.Student.ToLowerInvariant() is MarksFolder.Table or MarksFolder.ClassPage)
                 throw new PictureFileException($"the submission '{submission.Student}' is named like a file of the marks: rename the folder");
         foreach (var file in (string[])[MarksFolder.Table, MarksFolder.ClassPage])
             if (Directory.Exists(Path.Combine(output, file)))
                 throw new PictureFileException($"cannot write {Path.Combine(output, file)}, which is a folder: rename it");
-    }
-
-    private static bool IsCopy(string name) => name.StartsWith("marks-edited-", StringComparison.Ordinal);
-
-    /// <summary>Copies the table of the last run if it is no longer the one that was written: it may hold points that the teacher has
-    /// decided.</summary>
-    /// <returns>The copy's path; null if the table was not edited.</returns>
-    private static string? KeepEditedTable(MarksFolder folder)
-    {
-        const long maxBytes = 1 << 26;
-        if (RegularFile.Read(folder.PathOf(MarksFolder.Table), maxBytes) is not { Length: > 0 } bytes) return null; // in any encoding
-        if (RegularFile.Read(folder.PathOf(WrittenTable), maxBytes)?.AsSpan().SequenceEqual(bytes) == true) return null;
-        var places = from number in Enumerable.Range(1, int.MaxValue - 1) select folder.PathOf($"marks-edited-{number}.csv");
-        var place = places.First(place => !File.Exists(place));
-        MarksFolder.Write(place, bytes);
-        return place;
     }
 
     private void MarkAll(IReadOnlyList<Submission> all, Options options, CancellationToken cancellation, out StudentMarks[] marks)
@@ -112,8 +100,8 @@ public sealed class ClassMarks
             Parallel.ForEach(Partitioner.Create(all, EnumerablePartitionerOptions.NoBuffering),
                 new() { MaxDegreeOfParallelism = options.Threads, CancellationToken = cancellation }, submission =>
                 {
+                    options.Progress?.Invoke(done.Count, all.Count, submission.Student);
                     done[submission.Student] = MarkOne(submission, options, cancellation);
-                    options.Progress?.Invoke(done.Count, all.Count);
                 });
         }
         catch (AggregateException several)
@@ -145,6 +133,8 @@ public sealed class ClassMarks
             times[submission.Student] = (start, Stopwatch.GetTimestamp());
             cancellation.ThrowIfCancellationRequested();
             var marks = marker.Mark(submission.Student, pictures, [.. notes, .. LibraryCalls.In(submission.Folder)]);
+            if (decisions.GetValueOrDefault(submission.Student) is { } decision)
+                marks = marks with { TeacherPoints = decision.Points, Comment = decision.Comment };
             return folder.Write(marks, FeedbackPage.Of(rubric, marks, pictures), DigestOf(submission));
         }
         catch (Exception e) when (e is not OperationCanceledException)
@@ -155,5 +145,6 @@ public sealed class ClassMarks
     }
 
     /// <summary>A hash of the rubric and the submission, with what building has made in it.</summary>
-    private string? DigestOf(Submission submission) => submission.Digest() is { } digest ? rubric.Digest + digest : null;
+    private string? DigestOf(Submission submission) =>
+        submission.Digest() is { } digest ? $"{rubric.Digest}{digest}{decisions.GetValueOrDefault(submission.Student)}" : null;
 }

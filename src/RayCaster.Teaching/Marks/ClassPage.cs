@@ -33,7 +33,7 @@ internal static class ClassPage
         page.Element("h2", "Mistakes by frequency");
         page.Element("p", counts.Length == 0 ? "No mistakes were found."
             : $"To discuss next: {string.Join("; ", counts.Take(MaxToDiscuss).Select(count => ToDiscuss(count.Id)))}.");
-        page.Html("<table><tr><th class=\"n\">Students</th><th>Mistake</th><th>What is wrong</th><th>Slide</th></tr>");
+        page.Html($"<table><tr>{Page.Head("Students", true)}{Page.Head("Mistake")}{Page.Head("What is wrong")}{Page.Head("Slide")}</tr>");
         foreach (var (id, count) in counts)
         {
             var mistake = MistakeCatalog.Named(id);
@@ -53,20 +53,15 @@ internal static class ClassPage
         page.Element("h2", "Look yourself");
         page.Html("<table>");
         foreach (var student in flagged)
-        {
-            var pictures = student.Scenes.Where(scene => scene.Verdict == SceneVerdict.Unexplained && scene.Small.Length > 0)
-                .Select(scene => Page.Image(scene.Small, scene.Name));
-            page.Html($"<tr><td>{Link(student)}</td><td class=\"long\">{string.Join("<br>", student.LookYourself.Select(Page.Escaped))}<br>" +
-                $"{string.Join(' ', pictures)}</td></tr>");
-        }
+            page.Html($"<tr><td>{Link(student)}</td><td class=\"long\">{string.Join("<br>", student.LookYourself.Select(Page.Escaped))}</td></tr>");
         page.Html("</table>");
     }
 
     private static void AddTable(Page page, Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         page.Element("h2", "All");
-        page.Html("<div class=\"wide small\"><table><tr><th>Student</th><th class=\"n\">Points</th>" +
-            $"{string.Concat(rubric.Items.Select(item => $"<th class=\"n\">{Page.Escaped(item.Name)}</th>"))}<th>Found</th></tr>");
+        page.Html($"<div class=\"wide small\"><table><tr>{Page.Head("Student")}{Page.Head("Points", true)}" +
+            $"{string.Concat(rubric.Items.Select(item => Page.Head(item.Name, true)))}{Page.Head("Found")}</tr>");
         foreach (var student in marks)
         {
             var style = student.Undecided > 0 ? "undecided" : student.Points < rubric.Points ? "lost" : "";

@@ -7,10 +7,10 @@ namespace RayCaster.Teaching;
 /// processes, which ends as a whole, no network, and its own view of the files; <c>prlimit</c> limits the size of its files and the number of its
 /// processes; and <c>nice</c> lets the marking program run first.
 /// </summary>
-/// <param name="HasOwnTree">Whether all its processes end with it, even those that left their parent.</param>
+/// <param name="IsApart">Whether all its processes end with it, even those that left their parent, and whether it sees no files but those of its
+/// <see cref="ProgramPlace"/> and the system's.</param>
 /// <param name="HasLimits">Whether the system limits the size of its files and the number of its processes.</param>
-/// <param name="HidesFiles">Whether it sees no files but those of its <see cref="ProgramPlace"/> and the system's; only with its own tree.</param>
-internal sealed record Containment(bool HasOwnTree, bool HasLimits, bool HidesFiles)
+internal sealed record Containment(bool IsApart, bool HasLimits)
 {
     /// <summary>The system counts all threads of the user, not the processes of one program, so its limit is higher by this factor.</summary>
     private const int ThreadsPerProcess = 20;
@@ -20,16 +20,11 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits, bool HidesFi
 
     /// <summary>
     /// The first process of the tree. It is a shell, because signals have another effect on the first process of a tree. It ends after the time
-    /// limit, and the whole tree with it, even if the marking program was killed before.
+    /// limit, and the whole tree with it, even if the marking program was killed before. It makes a root folder in memory, mounts there what the
+    /// program may see at the same paths, and takes from the program the rights to undo that. Its arguments: the time, a folder to mount the root
+    /// at, the folder to run in, a letter (r: may be read; w: may be written, too) and a path for each mount, <c>--</c>, and the command.
     /// </summary>
-    private const string First = "timeout --foreground -s KILL \"$0\" \"$@\"; exit $?";
-
-    /// <summary>
-    /// The same for a program that sees few files: makes a root folder in memory, mounts there what the program may see at the same paths, and
-    /// takes from the program the rights to undo that. Its arguments: the time, a folder to mount the root at, the folder to run in, a letter (r:
-    /// may be read; w: may be written, too) and a path for each mount, <c>--</c>, and the command.
-    /// </summary>
-    private const string FirstWithOwnRoot = """
+    private const string First = """
         set -e
         root=$1 folder=$2
         shift 2
@@ -77,13 +72,13 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits, bool HidesFi
     private static readonly Lazy<Containment> here = new(Find);
 
     /// <summary>No limits by the system.</summary>
-    public static Containment None { get; } = new(false, false, false);
+    public static Containment None { get; } = new(false, false);
 
     /// <summary>The limits that this machine offers.</summary>
     public static Containment Here => here.Value;
 
     /// <summary>How many processes of a tree are not the student's: unshare, the shell and timeout.</summary>
-    public int Helpers => HasOwnTree ? 3 : 0;
+    public int Helpers => IsApart ? 3 : 0;
 
     /// <summary>Why students' programs must not be run here, and how to go on; null if they may.</summary>
     public static string? Refusal(bool isRoot, bool isContainer) => !isRoot || isContainer ? null :
@@ -105,17 +100,17 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits, bool HidesFi
     /// <summary>The limits in words, for the teacher.</summary>
     /// <param name="network">Whether the rubric allows the network.</param>
     public string InWords(bool network) =>
-        (HidesFiles ? "Students' programs see their own folder, the scene and installed programs, and none of your other files."
+        (IsApart ? "Students' programs see their own folder, the scene and installed programs, and none of your other files."
             : "Students' programs run with your rights: they can read and change all your files. Use a container (docs/teaching.md).") +
         $" Their time, output, memory{(HasLimits ? ", file sizes" : "")} and processes are limited" +
-        (!HasOwnTree ? "; some processes may go on after them, and they can use the network."
+        (!IsApart ? "; some processes may go on after them, and they can use the network."
             : network ? "; the rubric allows the network." : "; they have no network.");
 
     /// <summary>The command, with the commands in front of it that set the limits.</summary>
     public IReadOnlyList<string> Wrap(IReadOnlyList<string> command, ProgramPlace place, ProgramLimits limits, TimeSpan time) =>
     [
         .. HasLimits ? LimitsOf(limits) : [],
-        .. HasOwnTree ? OwnTree(limits.Network, time, place) : [],
+        .. IsApart ? OwnTree(limits.Network, time, place) : [],
         .. command,
     ];
 
@@ -125,16 +120,10 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits, bool HidesFi
         Invariant($"--nproc={ProcessTree.TaskCount() + ThreadsPerProcess * limits.Processes}"), "--",
     ];
 
-    private string[] OwnTree(bool network, TimeSpan time, ProgramPlace place) =>
+    private static string[] OwnTree(bool network, TimeSpan time, ProgramPlace place) =>
     [
-        "unshare", "--user", .. HidesFiles ? ["--map-root-user", "--mount"] : (string[])["--map-current-user"], "--pid", "--fork", "--kill-child",
-        .. network ? [] : (string[])["--net"], "--", "sh", "-c", HidesFiles ? FirstWithOwnRoot : First, Invariant($"{time.TotalSeconds + 5:0.#}"),
-        .. HidesFiles ? OwnRoot(place) : [],
-    ];
-
-    private static string[] OwnRoot(ProgramPlace place) =>
-    [
-        place.Root, place.Folder,
+        "unshare", "--user", "--map-root-user", "--mount", "--pid", "--fork", "--kill-child", .. network ? [] : (string[])["--net"], "--",
+        "sh", "-c", First, Invariant($"{time.TotalSeconds + 5:0.#}"), place.Root, place.Folder,
         .. system.Concat(ProgramFolders()).Concat(place.Readable).SelectMany(path => (string[])["r", path]),
         .. place.Writable.SelectMany(path => (string[])["w", path]),
         "--",
@@ -150,7 +139,7 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits, bool HidesFi
         if (!OperatingSystem.IsLinux()) return None;
         var limits = new ProgramLimits(TimeSpan.FromSeconds(20), default, 100_000, 1_000_000_000, 100, false);
         using var work = new WorkFolder();
-        return new(Works(new(true, false, false)), Works(new(false, true, false)), Works(new(true, false, true)));
+        return new(Works(new(true, false)), Works(new(false, true)));
 
         bool Works(Containment one) => new ProgramRunner(one).Run(["true"], work.Place(work.Files), limits, limits.Time, default).IsDone;
     }

@@ -12,6 +12,7 @@ internal sealed class Marker(Rubric rubric)
         var verdict = diagnosis.Verdict;
         return new(student, "", Items(diagnosis, pictures), scenes,
             [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.MistakeIds],
+            [.. verdict.Wordings.Where(mistake => diagnosis.IsCertain && mistake == MistakeCatalog.Named(mistake.Id)).Select(mistake => mistake.Id)],
             [.. diagnosis.Losing.Select(mistake => mistake.Id)],
             [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
@@ -82,9 +83,7 @@ internal sealed class Marker(Rubric rubric)
             : picture.Evidence.IsRight ? SceneVerdict.Right
             : diagnosis.Unexplained.Contains(picture) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
-        var shown = verdict == SceneVerdict.Right ? null : picture.Picture;
-        return new(picture.Scene.Name, verdict, picture.Problem,
-            shown is null ? [] : Thumbnail.Of(shown).ToPng());
+        return new(picture.Scene.Name, verdict, picture.Problem);
     }
 
     private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)

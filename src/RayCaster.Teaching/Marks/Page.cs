@@ -21,8 +21,8 @@ internal sealed class Page(string title)
         .pair::after { content: ""; position: absolute; top: 0; bottom: 0; left: var(--at, 50%);
           border-left: 2px solid #fff; mix-blend-mode: difference; }
         input[type=range] { display: block; width: 100%; margin: 0; }
-        @media (scripting: none) { .pair img + img { position: static; clip-path: none; } input[type=range] { display: none; } }
-        .tile { display: inline-block; margin: 0 1rem 1rem 0; vertical-align: top; max-width: 20rem; }
+        @media print, (scripting: none) { .pair img + img { position: static; clip-path: none; } input[type=range] { display: none; }
+          .pair::after { border: 0; } }
         """;
 
     private static readonly HtmlEncoder encoder = HtmlEncoder.Create(UnicodeRanges.All);
@@ -42,10 +42,18 @@ internal sealed class Page(string title)
     /// <summary>Text, escaped for an element or an attribute.</summary>
     public static string Escaped(string text) => encoder.Encode(text);
 
+    /// <summary>The head of a column.</summary>
+    public static string Head(string text, bool isOfNumbers = false) =>
+        $"<th scope=\"col\"{(isOfNumbers ? " class=\"n\"" : "")}>{Escaped(text)}</th>";
+
     /// <summary>A picture inside the page.</summary>
     /// <param name="words">A description for people who cannot see it.</param>
-    public static string Image(byte[] png, string words) =>
-        $"<img alt=\"{Escaped(words)}\" src=\"data:image/png;base64,{Convert.ToBase64String(png)}\">";
+    public static string Image(Picture picture, string words)
+    {
+        using var png = new MemoryStream();
+        PictureFile.Write(png, picture, PictureFormat.Png);
+        return $"<img alt=\"{Escaped(words)}\" src=\"data:image/png;base64,{Convert.ToBase64String(png.ToArray())}\">";
+    }
 
     public override string ToString() => $"""
         <!DOCTYPE html>

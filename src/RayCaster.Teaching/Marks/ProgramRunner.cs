@@ -19,8 +19,8 @@ internal sealed class ProgramRunner(Containment containment)
 
     private readonly ConcurrentBag<(long Start, long End)> multiplied = [];
 
-    /// <summary>Whether another program could change files besides its own.</summary>
-    public bool HidesFiles => containment.HidesFiles;
+    /// <summary>Whether programs cannot change the files of others.</summary>
+    public bool IsApart => containment.IsApart;
 
     /// <summary>Whether a program that started too many processes ran at some time between these.</summary>
     public bool HasMultiplied(long start, long end) => multiplied.Any(other => other.Start < end && start < other.End);
@@ -125,12 +125,12 @@ internal sealed class ProgramRunner(Containment containment)
     {
         if (!process.HasExited)
         {
-            var tree = containment.HasOwnTree ? [] : ProcessTree.Of(process.Id);
+            var tree = containment.IsApart ? [] : ProcessTree.Of(process.Id);
             process.Kill(entireProcessTree: !OperatingSystem.IsLinux());
             foreach (var (id, _, _) in tree) KillOne(id);
             process.WaitForExit(gracePeriod);
         }
-        if (containment.HasOwnTree) return;
+        if (containment.IsApart) return;
         var since = Stopwatch.GetTimestamp();
         while (ProcessTree.WithVariable(RunVariable, run).Count(KillOne) > 0 && Stopwatch.GetElapsedTime(since) < gracePeriod) { }
     }

@@ -16,13 +16,18 @@ internal sealed record Submission(string Folder)
     private static readonly EnumerationOptions files =
         new() { RecurseSubdirectories = true, AttributesToSkip = 0, MaxRecursionDepth = 64 };
 
-    public string Student => Path.GetFileName(Folder);
+    /// <summary>What the student is called in place of the folder's name; null for none.</summary>
+    public string? Id { get; init; }
+
+    /// <summary>The name of rows and pages: the id, or the folder's name.</summary>
+    public string Student => Id ?? Path.GetFileName(Folder);
 
     /// <summary>The submissions in a folder: each folder in it is one. Sorted by name.</summary>
+    /// <param name="ids">The students' ids by folder; a folder without one keeps its name.</param>
     /// <exception cref="PictureFileException">
     /// The folder cannot be listed, contains no folder, or contains a name with an invisible character.
     /// </exception>
-    public static IReadOnlyList<Submission> In(string folder)
+    public static IReadOnlyList<Submission> In(string folder, IReadOnlyDictionary<string, string> ids)
     {
         if (File.Exists(folder)) throw new PictureFileException($"{folder} is a file: name the folder that contains a folder for each student");
         try
@@ -30,7 +35,7 @@ internal sealed record Submission(string Folder)
             Submission[] all =
             [
                 .. Directory.EnumerateDirectories(Path.GetFullPath(folder)).Where(path => !Path.GetFileName(path).StartsWith('.'))
-                    .Order(StringComparer.Ordinal).Select(path => new Submission(path)),
+                    .Order(StringComparer.Ordinal).Select(path => new Submission(path) { Id = ids.GetValueOrDefault(Path.GetFileName(path)) }),
             ];
             if (all.Length == 0)
             {
@@ -42,10 +47,12 @@ internal sealed record Submission(string Folder)
             {
                 if (!submission.Student.All(PrintableText.IsPrintable))
                     throw new PictureFileException(
-                        $"the submission '{PrintableText.Of(submission.Student)}' has an invisible character in its name: rename the folder");
+                        $"the submission '{PrintableText.Of(submission.Student)}' has an invisible character in its name: rename it");
+                if (submission.Student.AsSpan().ContainsAny('/', '\\') || submission.Student is ['.', ..])
+                    throw new PictureFileException($"the id '{submission.Student}' cannot name a folder: choose another one");
                 if (Encoding.UTF8.GetByteCount(submission.Student) is > MaxNameBytes and var bytes)
                     throw new PictureFileException(
-                        $"the submission '{submission.Student}' has a name of {bytes} bytes, the limit is {MaxNameBytes}: rename the folder");
+                        $"the submission '{submission.Student}' has a name of {bytes} bytes, the limit is {MaxNameBytes}: rename it");
             }
             return all;
         }

@@ -51,7 +51,7 @@ public sealed class ClassMarksTests : IDisposable
 
     [Theory]
     [InlineData(".kept/anna.json", "\"points\":0", "\"points\":3")] // the points that a friend writes
-    [InlineData("anna/feedback.html", "0? of 3", "3 of 3")] // and the page to it
+    [InlineData("anna/feedback.html", "not decided</td>", "3 of 3</td>")] // and the page to it
     public void ForgedMarksAreNotKept(string file, string old, string forged)
     {
         Write("anna", "exit 1").Mark();
@@ -60,6 +60,47 @@ public sealed class ClassMarksTests : IDisposable
         folder.Write("marks/" + file, text.Replace(old, forged));
         Assert.Equal("anna 0", PointsOf(Mark(resume: true)));
         Assert.DoesNotContain(forged, File.ReadAllText(folder["marks/" + file]));
+    }
+
+    [Fact]
+    public void WhatATeacherEntersIntoTheTableWinsAndIsKept()
+    {
+        Write("anna", "exit 1").Write("boris", "exit 1").Mark();
+        var table = File.ReadAllText(folder["marks/marks.csv"]);
+        var saved = table.Replace("anna,0,5,5,,,", "anna,0,5,5,\"4,5\",Schön; fast,").Replace("boris,0,5,5,,,", "boris,0,5,5,,look again,")
+            + "carla,3,,5,3,by mail\r\n"; // who has handed in otherwise
+        File.WriteAllBytes(folder["marks/marks.csv"], System.Text.Encoding.Latin1.GetBytes(saved.TrimStart('\uFEFF')));
+        for (var run = 0; run < 2; run++)
+        {
+            Assert.Equal("anna 4.5, boris 0", PointsOf(Mark(resume: true)));
+            var rows = File.ReadAllLines(folder["marks/marks.csv"]);
+            Assert.StartsWith("anna,4.5,0,5,4.5,\"Schön; fast\",0?,0?,", rows[1]);
+            Assert.StartsWith("boris,0,5,5,,look again,0?,0?,", rows[2]);
+            Assert.Equal("carla,3,,5,3,by mail", rows[3]);
+            Assert.EndsWith("marks.csv: taken from you are the points or comments of anna, boris, carla", Assert.Single(notices));
+        }
+        var page = File.ReadAllText(folder["marks/anna/feedback.html"]);
+        Assert.Contains("<p>Your teacher has decided: 4.5 of 5 points.</p>\n<p>Schön; fast</p>", page);
+    }
+
+    [Fact]
+    public void ATableThatIsALinkIsNotFollowed()
+    {
+        if (OperatingSystem.IsWindows()) return; // has no such file
+        Write("anna", RightProgram);
+        Directory.CreateDirectory(folder["marks"]);
+        File.CreateSymbolicLink(folder["marks/marks.csv"], "/dev/zero");
+        Assert.EndsWith("marks.csv: it must be a file, no link, of 64 MB at most", Assert.Throws<PictureFileException>(() => Mark()).Message);
+    }
+
+    [Theory]
+    [InlineData("student,teacher's points,comment\nanna,many,", "the teacher's points of anna must be a number, but is \"many\"")]
+    [InlineData("name;points\nanna;3", "has no column \"student\", \"teacher's points\" or \"comment\"")]
+    public void ATableThatCannotBeReadIsRefusedBeforeTheWork(string table, string problem)
+    {
+        Write("anna", "touch \"$0.ran\"").WriteFile("marks/marks.csv", table);
+        Assert.Contains(problem, Assert.Throws<PictureFileException>(() => Mark()).Message);
+        Assert.False(File.Exists(folder["class/anna/draw.sh.ran"]));
     }
 
     [Theory]
@@ -101,7 +142,7 @@ public sealed class ClassMarksTests : IDisposable
         File.Copy(folder["shown/right.png"], folder["lab/ball.png"]);
         Write("beside", "cp \"${1%.json}.png\" \"$2\"").Write("above", "cp \"$(dirname \"$1\")/../lab/ball.png\" \"$2\"");
         Assert.Equal("above 0, beside 0", PointsOf(Mark(Containment.None)));
-        if (!Containment.Here.HidesFiles) return; // not allowed here
+        if (!Containment.Here.IsApart) return; // not allowed here
         Write("absolute", $"cp '{folder["lab/ball.png"]}' \"$2\"");
         Assert.Equal("above 0, absolute 0, beside 0", PointsOf(Mark()));
     }
@@ -140,7 +181,6 @@ public sealed class ClassMarksTests : IDisposable
     [InlineData("mkfifo", "marks.csv")]
     [InlineData("mkfifo", ".kept/anna.json")]
     [InlineData("mkfifo", "anna/feedback.html")]
-    [InlineData("ln -s /dev/zero", "marks.csv")]
     [InlineData("ln -s /dev/zero", ".kept/anna.json")]
     [InlineData("ln -s /dev/zero", "class.html")]
     public void APipeOrALinkAmongTheMarksIsReplaced(string command, string file)

@@ -27,12 +27,11 @@ public sealed class ProgramRunnerTests : IDisposable
     [InlineData(true, true, false, ", file sizes and processes are limited; they have no network.")]
     [InlineData(true, false, false, " and processes are limited; they have no network.")]
     [InlineData(false, true, false, ", file sizes and processes are limited; some processes may go on after them, and they can use the network.")]
-    public void TheLimitsAreTold(bool hasOwnTree, bool hasLimits, bool network, string end)
+    public void TheLimitsAreTold(bool isApart, bool hasLimits, bool network, string end)
     {
-        Assert.Equal("Students' programs run with your rights: they can read and change all your files. Use a container (docs/teaching.md). " +
-            $"Their time, output, memory{end}", new Containment(hasOwnTree, hasLimits, false).InWords(network));
-        Assert.Equal("Students' programs see their own folder, the scene and installed programs, and none of your other files. " +
-            $"Their time, output, memory{end}", new Containment(hasOwnTree, hasLimits, true).InWords(network));
+        var files = isApart ? "see their own folder, the scene and installed programs, and none of your other files."
+            : "run with your rights: they can read and change all your files. Use a container (docs/teaching.md).";
+        Assert.Equal($"Students' programs {files} Their time, output, memory{end}", new Containment(isApart, hasLimits).InWords(network));
     }
 
     [Theory]
@@ -68,7 +67,7 @@ public sealed class ProgramRunnerTests : IDisposable
     [Fact]
     public void WhereFilesCanBeHiddenAProgramSeesItsOwnAndThoseThatItMayRead()
     {
-        if (!Containment.Here.HidesFiles) return; // not allowed here
+        if (!Containment.Here.IsApart) return; // not allowed here
         using var others = new TemporaryFolder();
         var (secret, shared) = (others.Write("secret", "of another"), others.Write("shared file", "for all"));
         folder.Write("mine", "my own");
