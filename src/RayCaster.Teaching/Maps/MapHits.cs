@@ -7,7 +7,6 @@ internal sealed class MapHits(Scene scene, HitMap hits)
     private const double Step = 1.0 / 64;
 
     private readonly Camera camera = scene.Camera;
-    private readonly ISurface?[] surfaces = [.. scene.Models.Select(model => model.Surface)];
 
     /// <summary>The number of a pixel, or three, as <see cref="MapKind"/> describes them.</summary>
     public Vector3 Numbers(MapKind kind, int x, int y)
@@ -28,18 +27,20 @@ internal sealed class MapHits(Scene scene, HitMap hits)
     private Vector3 Normal(int x, int y, double t, int model)
     {
         var d = Direction(x, y);
-        var n = (SurfaceAt(d, t, model)?.Normal(camera.Position + t * d) ?? FromNeighbours(x, y, scene.Models[model])).Normalized;
+        var n = (Surfaces.Normal(ShapeAt(d, t, model), camera.Position + t * d) ?? FromNeighbours(x, y, scene.Models[model])).Normalized;
         return n.Length > 0 ? n * d > 0 ? -n : n : Vector3.Zero; // else NaN
     }
 
     /// <summary>(u, v, 0); zero where the shape has no parameters.</summary>
     private Vector3 Parameters(Vector3 d, double t, int model)
     {
-        var (u, v) = SurfaceAt(d, t, model)?.Parameters(camera.Position + t * d) ?? default;
+        var (u, v) = Surfaces.Parameters(ShapeAt(d, t, model), camera.Position + t * d);
         return new(u, v, 0);
     }
 
-    private ISurface? SurfaceAt(Vector3 d, double t, int model) => scene.Models[model] is Mesh mesh ? TriangleAt(mesh, t, d) : surfaces[model];
+    /// <summary>A model, or the triangle of a mesh that is hit.</summary>
+    private Model ShapeAt(Vector3 d, double t, int model) =>
+        scene.Models[model] is Mesh mesh ? Model.Of(TriangleAt(mesh, t, d)) : scene.Models[model];
 
     /// <summary>The renderer says only which mesh is hit, and at which t: its triangle is the first whose formula gives that t to the bit.</summary>
     private Triangle TriangleAt(Mesh mesh, double t, Vector3 d)

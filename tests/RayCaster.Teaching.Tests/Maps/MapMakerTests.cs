@@ -121,19 +121,19 @@ public class MapMakerTests
     [MemberData(nameof(Places))]
     public void EachShapeKnowsItsSurface(string shape, double[] point, double[] normal, double u, double v)
     {
-        ISurface surface = shape switch
+        Model model = shape switch
         {
-            "sphere" => new Sphere(Vector3.Zero, 2),
-            "floor" => new Plane(new(0, 0, 1), new(0, 0, 1e-200)),
-            "wall" => new Plane(new(1, 0, 0), new(5, 0, 0)),
-            "box" => new Aabb(Vector3.Zero, new(1, 2, 4)),
-            "disc" => new Circle(Vector3.Zero, new(0, 0, 3), 2),
-            _ => new Triangle(Vector3.Zero, new(4, 0, 0), new(0, 2, 0)),
+            "sphere" => Model.Of(new Sphere(Vector3.Zero, 2)),
+            "floor" => Model.Of(new Plane(new(0, 0, 1), new(0, 0, 1e-200))),
+            "wall" => Model.Of(new Plane(new(1, 0, 0), new(5, 0, 0))),
+            "box" => Model.Of(new Aabb(Vector3.Zero, new(1, 2, 4))),
+            "disc" => Model.Of(new Circle(Vector3.Zero, new(0, 0, 3), 2)),
+            _ => Model.Of(new Triangle(Vector3.Zero, new(4, 0, 0), new(0, 2, 0))),
         };
         var X = new Vector3(point[0], point[1], point[2]);
-        Assert.Equal(0, (surface.Normal(X) - new Vector3(normal[0], normal[1], normal[2])).Length, 1e-12);
-        Assert.Equal(u, surface.Parameters(X).U, 1e-12);
-        Assert.Equal(v, surface.Parameters(X).V, 1e-12);
+        Assert.Equal(0, (Surfaces.Normal(model, X)!.Value.Normalized - new Vector3(normal[0], normal[1], normal[2])).Length, 1e-12);
+        Assert.Equal(u, Surfaces.Parameters(model, X).U, 1e-12);
+        Assert.Equal(v, Surfaces.Parameters(model, X).V, 1e-12);
     }
 
     [Fact]
