@@ -3,8 +3,9 @@ namespace RayCaster.Teaching;
 /// <summary>A scene that a class is marked by, with what all submissions share: its picture is drawn once.</summary>
 /// <param name="Name">The scene file's name without its extension.</param>
 /// <param name="Path">The full path of the scene file.</param>
+/// <param name="Text">The scene that programs draw: the file's, or a variation of it.</param>
 /// <param name="Judge">The scene, its picture, and the mistakes that show in it.</param>
-internal sealed record MarkedScene(string Name, string Path, SceneDiagnosis Judge)
+internal sealed record MarkedScene(string Name, string Path, ReadOnlyMemory<byte> Text, SceneDiagnosis Judge)
 {
     public Scene Scene => Judge.Scene;
 
@@ -16,4 +17,12 @@ internal sealed record MarkedScene(string Name, string Path, SceneDiagnosis Judg
     /// <summary>Whether the picture needs a part of a program (<see cref="Diagnosis.Parts"/>).</summary>
     public bool Needs(string part) =>
         Scene.Models.Any(model => model.Kind == part) || new Unfinished([part]).AsMistakes.Any(mistake => Shows(mistake.Id));
+
+    /// <summary>The scene with other numbers; null if no variation of it shows all its mistakes.</summary>
+    public MarkedScene? Varied(string seed)
+    {
+        var folder = System.IO.Path.GetDirectoryName(Path)!;
+        return SceneVariation.Of(Text, folder, seed, folder) is { } text && SceneReader.Parse(text, Path, folder).Scene is { } scene
+            ? this with { Text = text, Judge = new(scene) } : null;
+    }
 }

@@ -4,14 +4,13 @@ namespace RayCaster.Teaching;
 internal sealed class Marker(Rubric rubric)
 {
     /// <summary>Judges the pictures of a submission together.</summary>
-    /// <param name="digest">A hash of the rubric and the submission.</param>
-    public StudentMarks Mark(string student, string digest, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
+    public StudentMarks Mark(string student, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
         List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = new JointDiagnosis(pictures, rubric.Known);
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, diagnosis))];
         var verdict = diagnosis.Verdict;
-        return new(student, digest, Items(diagnosis, pictures), scenes,
+        return new(student, "", Items(diagnosis, pictures), scenes,
             [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.MistakeIds],
             [.. diagnosis.Losing.Select(mistake => mistake.Id)],
             [.. notes, .. LookYourself(submitted, diagnosis)]);

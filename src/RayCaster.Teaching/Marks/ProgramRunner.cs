@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.ComponentModel;
 using System.Diagnostics;
 
@@ -11,23 +12,43 @@ internal sealed class ProgramRunner(Containment containment)
     private const int TreeInterval = 100; // milliseconds between two readings of the whole tree, if the number of processes does not grow
     private const string RunVariable = "RAYCASTER_SUBMISSION"; // in the environment of all processes of a run
     private const int TryAgain = 11; // EAGAIN: there are too many processes now, perhaps of another submission
+    private static readonly string[] variables = ["PATH", "LANG"];
+    private static readonly string[] windowsVariables =
+        ["SystemRoot", "SystemDrive", "windir", "ComSpec", "PATHEXT", "ProgramFiles", "ProgramFiles(x86)", "ProgramData"];
     private static readonly TimeSpan gracePeriod = TimeSpan.FromSeconds(10);
+
+    private readonly ConcurrentBag<(long Start, long End)> multiplied = [];
+
+    /// <summary>Whether another program could change files besides its own.</summary>
+    public bool HidesFiles => containment.HidesFiles;
+
+    /// <summary>Whether a program that started too many processes ran at some time between these.</summary>
+    public bool HasMultiplied(long start, long end) => multiplied.Any(other => other.Start < end && start < other.End);
 
     /// <summary>Runs a command to its end, or until soon after the time limit.</summary>
     public ProgramRun Run(
-        IReadOnlyList<string> command, string folder, string temporary, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
+        IReadOnlyList<string> command, ProgramPlace place, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
     {
-        var wrapped = containment.Wrap(command, limits, time);
+        var began = Stopwatch.GetTimestamp();
+        var run = RunOnce(command, place, limits, time, cancellation);
+        if (run.End == ProgramEnd.TooManyProcesses) multiplied.Add((began, Stopwatch.GetTimestamp()));
+        return run;
+    }
+
+    private ProgramRun RunOnce(
+        IReadOnlyList<string> command, ProgramPlace place, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
+    {
+        var wrapped = containment.Wrap(command, place, limits, time);
         var start = new ProcessStartInfo(wrapped[0], wrapped.Skip(1))
         {
-            WorkingDirectory = folder,
+            WorkingDirectory = place.Folder,
             RedirectStandardInput = true,
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
         var run = Guid.NewGuid().ToString("N");
+        SetEnvironment(start.Environment, place.Temporary, limits);
         start.Environment[RunVariable] = run;
-        foreach (var name in (ReadOnlySpan<string>)["TMPDIR", "TMP", "TEMP"]) start.Environment[name] = temporary;
         try
         {
             using var process = Start(start);
@@ -43,6 +64,18 @@ internal sealed class ProgramRunner(Containment containment)
         {
             return new(ProgramEnd.NotStarted, 0, e.Message);
         }
+    }
+
+    /// <summary>Leaves few variables of the teacher's environment, which may hold passwords.</summary>
+    private static void SetEnvironment(IDictionary<string, string?> environment, string temporary, ProgramLimits limits)
+    {
+        var kept = variables.Concat(OperatingSystem.IsWindows() ? windowsVariables : []).Concat(limits.Environment).ToHashSet(
+            OperatingSystem.IsWindows() ? StringComparer.OrdinalIgnoreCase : StringComparer.Ordinal);
+        foreach (var name in environment.Keys.ToArray())
+            if (!kept.Contains(name) && (!name.StartsWith("DOTNET_", StringComparison.Ordinal) || name == "DOTNET_CLI_HOME"))
+                environment.Remove(name);
+        foreach (var name in (ReadOnlySpan<string>)["HOME", "TMPDIR", "TMP", "TEMP", "USERPROFILE"]) environment[name] = temporary;
+        foreach (var name in (ReadOnlySpan<string>)["DOTNET_NOLOGO", "DOTNET_CLI_TELEMETRY_OPTOUT"]) environment[name] = "1";
     }
 
     /// <summary>Starts a process. Tries again while another submission has too many processes; that one is ended soon.</summary>
@@ -66,7 +99,7 @@ internal sealed class ProgramRunner(Containment containment)
     /// A program that starts more and more processes doubles them within milliseconds. So the number of all tasks is read often; reading the whole
     /// tree takes longer and is done seldom.
     /// </remarks>
-    private static ProgramEnd Watch(Process process, PrintedText printed, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
+    private ProgramEnd Watch(Process process, PrintedText printed, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
     {
         var start = Stopwatch.GetTimestamp();
         var (tasks, looked) = (ProcessTree.TaskCount(), start);
@@ -77,7 +110,7 @@ internal sealed class ProgramRunner(Containment containment)
             var now = ProcessTree.TaskCount();
             if (now - tasks < limits.Processes && Stopwatch.GetElapsedTime(looked).TotalMilliseconds < TreeInterval) continue;
             var tree = ProcessTree.Of(process.Id);
-            if (tree.Count > limits.Processes) return ProgramEnd.TooManyProcesses;
+            if (tree.Count - containment.Helpers > limits.Processes) return ProgramEnd.TooManyProcesses;
             if (tree.Sum(member => member.Memory) > limits.MemoryBytes) return ProgramEnd.TooMuchMemory;
             (tasks, looked) = (now, Stopwatch.GetTimestamp());
         }

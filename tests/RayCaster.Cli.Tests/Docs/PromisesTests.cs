@@ -55,7 +55,7 @@ public class PromisesTests
 
     [Fact]
     public void OnlyTheReplacedFileWrites() =>
-        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "WrittenFiles.cs", "HandOutFolder.cs", "WorkFolder.cs"],
+        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "WrittenFiles.cs", "HandOutFolder.cs", "WorkFolder.cs", "MarksFolder.cs", "MarksKey.cs"],
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)"
             + @"|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 

@@ -34,7 +34,7 @@ public class MarkerTests
 
     private static StudentMarks Mark(Func<Scene, Picture?> draw) => Mark(rubric, draw);
 
-    private static StudentMarks Mark(Rubric rubric, Func<Scene, Picture?> draw) => new Marker(rubric).Mark("somebody", "",
+    private static StudentMarks Mark(Rubric rubric, Func<Scene, Picture?> draw) => new Marker(rubric).Mark("somebody",
         [.. rubric.Scenes.Select(
             scene => draw(scene.Scene) is { } picture ? new SubmittedPicture(scene, picture, null) : new(scene, null, "no picture"))]);
 
@@ -178,7 +178,7 @@ public class MarkerTests
     {
         var spheres = With(whole.Items, Scenes("3-spheres", "4-all").Select(Small));
         var marks = new Marker(spheres).Mark(
-            "somebody", "", [.. spheres.Scenes.Select(scene => new SubmittedPicture(scene, Darkened(scene), null))]);
+            "somebody", [.. spheres.Scenes.Select(scene => new SubmittedPicture(scene, Darkened(scene), null))]);
         Assert.Contains("8", Lost(marks));
 
         static Picture Darkened(MarkedScene scene)

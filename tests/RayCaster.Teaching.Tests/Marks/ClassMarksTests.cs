@@ -1,0 +1,175 @@
+namespace RayCaster.Teaching.Tests.Marks;
+
+/// <summary>Students' programs that attack the marks, others' submissions or the teacher's files, as scripts of a POSIX shell.</summary>
+public sealed class ClassMarksTests : IDisposable
+{
+    private const string Draw = """ "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], "readable": ["shown"], """;
+
+    private readonly TemporaryFolder folder = new();
+    private readonly List<string> notices = [];
+
+    public ClassMarksTests() => WriteRubric(Draw);
+
+    public void Dispose() => folder.Dispose();
+
+    private void WriteRubric(string more)
+    {
+        folder.Write("rubric.json", $$"""
+            { "scenes": ["lab/ball.json"], {{more}} "items": [
+                { "name": "ball", "points": 3, "mistakes": ["far-root"], "undone": ["sphere"] },
+                { "name": "floor", "points": 2, "undone": ["plane"] } ] }
+            """);
+        WriteFile("lab/ball.json", File.ReadAllText(ProjectFolder.PathOf("scenes/first.json"))
+            .Replace("\"target\"", "\"width\": 60, \"height\": 40, \"target\""));
+        PictureFile.Write(WriteFile("shown/right.png", ""), ScalarRenderer.Render(SceneReader.Read(folder["lab/ball.json"]).Scene!));
+    }
+
+    private string WriteFile(string file, string text)
+    {
+        Directory.CreateDirectory(Path.GetDirectoryName(folder[file])!);
+        return folder.Write(file, text);
+    }
+
+    /// <summary>A program that draws the right picture.</summary>
+    private string RightProgram => $"cp '{folder["shown/right.png"]}' \"$2\"";
+
+    private ClassMarksTests Write(string student, string script, string file = "draw.sh")
+    {
+        WriteFile($"class/{student}/{file}", script);
+        return this;
+    }
+
+    private StudentMarks[] Mark(Containment? containment = null, bool resume = false, int threads = 1)
+    {
+        notices.Clear();
+        var options = new ClassMarks.Options(threads, resume, null, text => { lock (notices) notices.Add(text); }) { Containment = containment };
+        return [.. ClassMarks.Mark(RubricReader.Read(folder["rubric.json"], out _)!, folder["class"], folder["marks"], options, default)];
+    }
+
+    private static string PointsOf(IEnumerable<StudentMarks> marks) =>
+        string.Join(", ", marks.Select(student => FormattableString.Invariant($"{student.Student} {student.Points}")));
+
+    [Theory]
+    [InlineData(".kept/anna.json", "\"points\":0", "\"points\":3")] // the points that a friend writes
+    [InlineData("anna/feedback.html", "0? of 3", "3 of 3")] // and the page to it
+    public void ForgedMarksAreNotKept(string file, string old, string forged)
+    {
+        Write("anna", "exit 1").Mark();
+        var text = File.ReadAllText(folder["marks/" + file]);
+        Assert.Contains(old, text);
+        folder.Write("marks/" + file, text.Replace(old, forged));
+        Assert.Equal("anna 0", PointsOf(Mark(resume: true)));
+        Assert.DoesNotContain(forged, File.ReadAllText(folder["marks/" + file]));
+    }
+
+    [Theory]
+    [InlineData("draw.sh")]
+    [InlineData("bin/draw.sh")] // folders of built files were left out
+    public void AChangedProgramIsMarkedAnewThoughItsLengthAndTimeAreTheSame(string file)
+    {
+        var script = folder[$"class/anna/{file}"];
+        var (wrong, time) = ("exit 1".PadRight(RightProgram.Length), new DateTime(2020, 1, 1));
+        Write("anna", wrong, file);
+        if (file != "draw.sh") Write("anna", $". '{script}'");
+        File.SetLastWriteTimeUtc(script, time);
+        Assert.Equal("anna 0", PointsOf(Mark()));
+        Assert.Equal("anna 0", PointsOf(Mark(resume: true)));
+        File.WriteAllText(script, RightProgram);
+        File.SetLastWriteTimeUtc(script, time);
+        Assert.Equal("anna 5", PointsOf(Mark(resume: true)));
+    }
+
+    [Theory]
+    [InlineData("ln -s ../bob/out out", "out")]
+    [InlineData("mkdir out; ln -s ../../bob/out/ball.png out/ball.png", "out/ball.png")]
+    public void ThePictureOfAnotherThatALinkLeadsToIsNotTaken(string links, string link)
+    {
+        if (OperatingSystem.IsWindows()) return; // no links without rights there
+        WriteRubric(""" "pictures": "out/{name}.png", """);
+        File.Copy(folder["shown/right.png"], WriteFile("class/bob/out/ball.png", ""), true);
+        WriteFile("class/anna/notes", "");
+        using (var shell = System.Diagnostics.Process.Start("sh", ["-c", $"cd '{folder["class/anna"]}'; {links}"])) shell.WaitForExit();
+        var marks = Mark();
+        Assert.Equal("anna 0, bob 5", PointsOf(marks));
+        Assert.Equal($"ball: {link} is a link: the picture must be in the submission's folder", Assert.Single(marks[0].LookYourself));
+    }
+
+    [Fact]
+    public void AProgramFindsNeitherThePictureBesideTheSceneNorItsFiles()
+    {
+        if (OperatingSystem.IsWindows()) return; // the programs are scripts of a POSIX shell
+        File.Copy(folder["shown/right.png"], folder["lab/ball.png"]);
+        Write("beside", "cp \"${1%.json}.png\" \"$2\"").Write("above", "cp \"$(dirname \"$1\")/../lab/ball.png\" \"$2\"");
+        Assert.Equal("above 0, beside 0", PointsOf(Mark(Containment.None)));
+        if (!Containment.Here.HidesFiles) return; // not allowed here
+        Write("absolute", $"cp '{folder["lab/ball.png"]}' \"$2\"");
+        Assert.Equal("above 0, absolute 0, beside 0", PointsOf(Mark()));
+    }
+
+    [Fact] // the scene is another one, and so is its picture
+    public void AProgramThatCopiesTheKnownPictureGetsNoPoints()
+    {
+        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        Write("copies", RightProgram);
+        Assert.Equal("copies 5", PointsOf(Mark()));
+        WriteRubric(Draw + "\"vary\": true,");
+        Assert.Equal("copies 0", PointsOf(Mark()));
+        Assert.Empty(notices);
+    }
+
+    [Fact]
+    public void ARubricThatIsReplacedMeanwhileIsNoticed()
+    {
+        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        Write("anna", $"echo '{{}}' >'{folder["rubric.json"]}'; {RightProgram}");
+        Assert.Equal("anna 5", PointsOf(Mark(Containment.None)));
+        Assert.Contains("was changed meanwhile: the marks are by what was read at the start", Assert.Single(notices));
+    }
+
+    [Fact]
+    public void WhatAProgramChangesOutsideItsFolderIsTold()
+    {
+        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        Write("anna", "echo marked before").Write("vandal", $"rm -rf '{folder["class"]}'").Write("victim", RightProgram);
+        var marks = Mark(Containment.None);
+        Assert.Equal("anna 0, vandal 0, victim 0", PointsOf(marks));
+        Assert.Contains("files outside its folder changed while it ran: anna/draw.sh, victim/draw.sh", marks[1].LookYourself);
+        Assert.Contains("its files were changed after the run began", marks[2].LookYourself[0]);
+    }
+
+    [Theory]
+    [InlineData("mkfifo", "marks.csv")]
+    [InlineData("mkfifo", ".kept/anna.json")]
+    [InlineData("mkfifo", "anna/feedback.html")]
+    [InlineData("ln -s /dev/zero", "marks.csv")]
+    [InlineData("ln -s /dev/zero", ".kept/anna.json")]
+    [InlineData("ln -s /dev/zero", "class.html")]
+    public void APipeOrALinkAmongTheMarksIsReplaced(string command, string file)
+    {
+        if (OperatingSystem.IsWindows()) return; // has neither
+        Write("anna", RightProgram).Mark();
+        File.Delete(folder["marks/" + file]);
+        using (var shell = System.Diagnostics.Process.Start("sh", ["-c", $"{command} '{folder["marks/" + file]}'"])) shell.WaitForExit();
+        Assert.Equal("anna 5", PointsOf(Mark(resume: true)));
+        Assert.True(new FileInfo(folder["marks/" + file]) is { Length: > 0, LinkTarget: null });
+    }
+
+    [Fact]
+    public void WhoeverRunsBesideAForkBombIsRunAgainAlone()
+    {
+        if (!OperatingSystem.IsLinux()) return; // elsewhere the number of processes is not known
+        WriteRubric(Draw + "\"processLimit\": 20,");
+        Write("bomb", "b() { if [ $1 -gt 0 ]; then b $(($1-1)) & b $(($1-1)) & fi; sleep 20; }; touch \"$0.began\"; b 6");
+        Write("neighbour", $"if [ -e \"$0.ran\" ]; then {RightProgram}; else touch \"$0.ran\"; sleep 3; exit 1; fi");
+        Assert.Equal("bomb 0, neighbour 5", PointsOf(Mark(threads: 2)));
+    }
+
+    [Fact]
+    public void AProgramThatNestsFoldersWithoutEndIsARow()
+    {
+        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        Write("anna", "cd \"$TMPDIR\"; " +
+            "p=$(printf 'd/%.0s' $(seq 420)); mkdir -p a/$p; for i in 2 3 4 5; do mkdir -p b/$p && mv a b/$p && mv b a || exit 1; done");
+        Assert.Equal("ball: it wrote no picture", Assert.Single(Mark()[0].LookYourself));
+    }
+}
