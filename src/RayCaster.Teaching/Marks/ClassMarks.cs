@@ -14,18 +14,16 @@ public sealed class ClassMarks
     private readonly ProgramRunner programs;
     private readonly SubmissionRunner runner;
     private readonly Marker marker;
-    private readonly OtherFiles others;
     private readonly ConcurrentDictionary<string, (long Start, long End)> times = [];
     private readonly ConcurrentDictionary<string, StudentMarks> done = [];
     private readonly Dictionary<string, string?> digestsAtStart;
 
-    private ClassMarks(Rubric rubric, IReadOnlyList<Submission> all, string submissions, MarksFolder folder, Containment containment)
+    private ClassMarks(Rubric rubric, IReadOnlyList<Submission> all, MarksFolder folder, Containment containment)
     {
         (this.rubric, this.folder) = (rubric, folder);
         programs = new(containment);
         runner = new(rubric, programs);
         marker = new(rubric);
-        others = new([rubric.Path, .. rubric.Scenes.Select(scene => scene.Path)], submissions);
         digestsAtStart = MayChangeOthers ? all.ToDictionary(submission => submission.Student, submission => submission.Digest()) : [];
     }
 
@@ -61,7 +59,7 @@ public sealed class ClassMarks
         var (key, files) = (MarksKey.Read(), rubric.HashOfFiles());
         if (rubric.Vary) rubric = rubric.WithVariedScenes(MarksKey.Sign(key, Encoding.UTF8.GetBytes(rubric.Digest)), options.Notice);
         var folder = new MarksFolder(output, key);
-        new ClassMarks(rubric, all, submissions, folder, runs ? options.Containment ?? Containment.Here : Containment.None)
+        new ClassMarks(rubric, all, folder, runs ? options.Containment ?? Containment.Here : Containment.None)
             .MarkAll(all, options, cancellation, out var marks);
         if (rubric.HashOfFiles() != files)
             options.Notice?.Invoke($"{rubric.Path} or one of its scenes was changed meanwhile: the marks are by what was read at the start");
@@ -124,7 +122,9 @@ public sealed class ClassMarks
         }
         foreach (var submission in options.Threads > 1 ? all.Where(IsVictim) : [])
             done[submission.Student] = MarkOne(submission, options with { Resume = false }, cancellation);
-        marks = [.. all.Select(submission => done[submission.Student])];
+        var same = SourceTokens.Repeated(all);
+        marks = [.. all.Select(submission => done[submission.Student]).Select(student => same.TryGetValue(student.Student, out var others)
+            ? student with { LookYourself = [.. student.LookYourself, $"the same source as {others}, up to names and layout"] } : student)];
     }
 
     /// <summary>Whether a picture is missing of a submission that ran beside a program which took all processes: it is run again, alone.</summary>
@@ -141,10 +141,10 @@ public sealed class ClassMarks
             var start = Stopwatch.GetTimestamp();
             string[] notes = digestsAtStart.TryGetValue(submission.Student, out var digest) && digest != submission.Digest()
                 ? ["its files were changed after the run began and before it was its turn, perhaps by another program"] : [];
-            var pictures = Pictures(submission, cancellation, ref notes);
+            var pictures = runner.Pictures(submission, cancellation);
             times[submission.Student] = (start, Stopwatch.GetTimestamp());
             cancellation.ThrowIfCancellationRequested();
-            var marks = marker.Mark(submission.Student, pictures, notes);
+            var marks = marker.Mark(submission.Student, pictures, [.. notes, .. LibraryCalls.In(submission.Folder)]);
             return folder.Write(marks, FeedbackPage.Of(rubric, marks, pictures), DigestOf(submission));
         }
         catch (Exception e) when (e is not OperationCanceledException)
@@ -152,15 +152,6 @@ public sealed class ClassMarks
             options.Notice?.Invoke($"{submission.Student}: {e.Message}");
             return marker.Mark(submission.Student, runner.None($"not marked: {e.Message}"));
         }
-    }
-
-    private IReadOnlyList<SubmittedPicture> Pictures(Submission submission, CancellationToken cancellation, ref string[] notes)
-    {
-        if (!MayChangeOthers) return runner.Pictures(submission, cancellation);
-        using var watch = others.WatchWhile(submission);
-        var pictures = runner.Pictures(submission, cancellation);
-        notes = [.. notes, .. watch.Changed()];
-        return pictures;
     }
 
     /// <summary>A hash of the rubric and the submission, with what building has made in it.</summary>

@@ -71,7 +71,7 @@ public class DocsTests
     [InlineData("Cylinder")]
     public void TheShapesToAddAreThoseOfTheTests(string shape)
     {
-        var code = Read($"tests/RayCaster.Testing/{shape}.cs");
+        var code = Read($"tests/Testing/{shape}.cs");
         Assert.Contains(code[code.IndexOf("public ", StringComparison.Ordinal)..], Read("docs/adding-a-primitive.md"));
     }
 

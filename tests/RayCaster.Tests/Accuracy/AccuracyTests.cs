@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>
-/// The worst of millions of rays (worst.txt, computed exactly by tests/Accuracy/exact.py) are no worse than docs/accuracy.md says.
+/// The worst of millions of rays (worst.txt, computed exactly by tests/RayCaster.Tests/Accuracy/exact.py) are no worse than docs/accuracy.md says.
 /// </summary>
 public class AccuracyTests
 {

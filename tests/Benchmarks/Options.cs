@@ -8,7 +8,7 @@ internal sealed class Options
     public const string Help = """
         Measures RayCaster beside its peers, on the same rays, in one run.
 
-          dotnet run -c Release --project tests/RayCaster.Benchmarks -- [options]
+          dotnet run -c Release --project tests/Benchmarks -- [options]
 
           --quick          A minute: small pictures, few repeats, no charts.
           --scene NAME     Only this scene: room, bumpy-70k, bumpy-1m, bumpy-10m, spheres-100k, or

@@ -3,7 +3,7 @@
 
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-root=$(cd "$here/../.." && pwd)
+root=$(cd "$here/../../.." && pwd)
 size=${SIZE:-6000x4000}
 parts=${PARTS:-8}
 scene=$root/scenes/mesh.json

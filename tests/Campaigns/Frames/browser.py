@@ -5,7 +5,7 @@ what "dotnet build src/RayCaster.Cli" leaves).
 Usage: browser.py [frames] [frames per second]"""
 import datetime, functools, http.server, os, pathlib, queue, subprocess, sys, tempfile, threading
 
-root = pathlib.Path(__file__).resolve().parents[2]
+root = pathlib.Path(__file__).resolve().parents[3]
 raycaster = os.environ.get("RAYCASTER", str(root / "src/RayCaster.Cli/bin/Release/net10.0/raycaster"))
 frames, fps = int(sys.argv[1]) if len(sys.argv) > 1 else 12, int(sys.argv[2]) if len(sys.argv) > 2 else 20
 
