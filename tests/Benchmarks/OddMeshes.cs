@@ -30,7 +30,7 @@ internal static class OddMeshes
 
     /// <summary>A camera on the x-axis that looks against it.</summary>
     private static Camera Camera(double x, int width, int height) =>
-        new(new(new(x, 0.001, 0.002), new(x - 1, 0, 0)) { Width = width, Height = height, ZNear = 0.125, ZFar = 65536 });
+        new(new(x, 0.001, 0.002), new(x - 1, 0, 0)) { Width = width, Height = height, ZNear = 0.125, ZFar = 65536 };
 
     /// <summary>A mesh and smaller and smaller copies in it, each in another direction, down to half of its size.</summary>
     private static MeshData Nested(MeshData one)

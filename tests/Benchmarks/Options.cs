@@ -19,7 +19,7 @@ internal sealed class Options
           --repeats N      How often each way runs in each comparison; otherwise 15.
           --only PART      Only rays, memory, growth or programs (whole processes). May be repeated.
           --largest        The growth charts go on to 10^8 pixels and 3 10^7 triangles, which needs 16 GB.
-          --write          Writes the tables and the charts into docs/performance.md and docs/charts.
+          --write          Writes the tables into the benchmark's README.md and the charts into docs/charts.
           --help           Shows this.
 
         Peers: apt-get install libembree-dev povray g++. What is not there is left out, and said.

@@ -24,7 +24,7 @@ internal sealed class Report
         if (Comparisons.Count > 0) WriteRays(text);
         if (Programs.Count > 0) WritePrograms(text);
         if (Charts.Count > 0) text.AppendLine("\n## Growth");
-        foreach (var chart in Charts) text.AppendLine($"\n![{chart.Title}](charts/{chart.File}.svg)");
+        foreach (var chart in Charts) text.AppendLine($"\n![{chart.Title}](../../docs/charts/{chart.File}.svg)");
         return text.ToString();
     }
 
@@ -77,10 +77,10 @@ internal sealed class Report
         foreach (var p in Programs) text.AppendLine($"| {p.What} | {p.Measure} | {Text.Spread(p.Ratio)} |");
     }
 
-    /// <summary>Puts the tables between the marks in docs/performance.md, and the charts beside it.</summary>
+    /// <summary>Puts the tables between the marks in README.md beside the benchmark, and the charts in docs/charts.</summary>
     public void Save(string text)
     {
-        var page = Path.Combine(Workshop.Root, "docs", "performance.md");
+        var page = Path.Combine(Workshop.Root, "tests", "Benchmarks", "README.md");
         var old = File.ReadAllText(page);
         var (begin, end) = (old.IndexOf(Begin, StringComparison.Ordinal), old.IndexOf(End, StringComparison.Ordinal));
         if (begin < 0 || end < begin) throw new InvalidOperationException($"{page} lacks the lines {Begin} and {End}");

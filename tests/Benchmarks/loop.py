@@ -4,7 +4,7 @@
     python3 tests/Benchmarks/loop.py            the whole table, least of five; some minutes on a machine that does nothing else
     python3 tests/Benchmarks/loop.py --rounds 3
 
-Works in a copy of the project's files, changes nothing here, and prints the table of docs/loop.md. It fails if a row is above its limit.
+Works in a copy of the project's files, changes nothing here, and prints the table of CONTRIBUTING.md. It fails if a row is above its limit.
 """
 import argparse, os, pathlib, re, shutil, subprocess, sys, tempfile, time
 
@@ -60,11 +60,6 @@ def edit_sphere(clone, i):
     file.write_text(changed)
 
 
-def edit_scene(clone, i):
-    file = clone / "scenes/room.json"
-    file.write_text(re.sub(r"\n*\Z", "\n" * (1 + i % 2), file.read_text()))
-
-
 def seconds(folder, *command):
     start = time.perf_counter()
     done = subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
@@ -98,15 +93,12 @@ def main():
                 times.append(sum(seconds(clone, *command) for command in commands))
 
         seconds(clone, "dotnet", "test")  # builds all
-        pairs = {"sphere": ([], []), "scene": ([], []), "tests": ([], [])}
+        pairs = {"sphere": ([], []), "tests": ([], [])}
         for i in range(1, rounds + 1):
             edit_console(console, i)
             pairs["sphere"][1].append(seconds(console, *empty_run))
             edit_sphere(clone, i)
             pairs["sphere"][0].append(seconds(clone, *draw))
-            pairs["scene"][1].append(seconds(console, *empty_run))
-            edit_scene(clone, i)
-            pairs["scene"][0].append(seconds(clone, *draw))
             edit_xunit(xunit, i)
             pairs["tests"][1].append(seconds(xunit, *empty_test))
             edit_sphere(clone, i + 100)
@@ -119,8 +111,7 @@ def main():
         return min(pairs[name][0]) / min(pairs[name][1])
 
     rows = [
-        ("edit a body in `Sphere.cs`, then `dotnet run … scenes/room.json`", "an empty console project's edit and run", ratio("sphere"), 1.6),
-        ("edit the scene file, then `dotnet run`", "an empty console project's run", ratio("scene"), 1.15),
+        ("edit a body in `Sphere.cs`, then `dotnet run … scenes/room.json`", "an empty console project's edit and run", ratio("sphere"), 1.8),
         ("edit `Sphere.cs`, then `dotnet test tests/RayCaster.Tests`", "an empty xunit project's edit and test", ratio("tests"), 2.5),
         ("all of `dotnet test`, built", "a minute", everything / 60, 1),
         ("the first `dotnet run` of a fresh clone", "building the five projects and running what was built", min(first) / min(minimum), 1.3),

@@ -82,8 +82,8 @@ public static class SceneReader
 
     private static Camera? ReadCamera(SceneObject o)
     {
-        var orElse = new CameraParameters(default, default);
-        var camera = new CameraParameters(
+        var orElse = new Camera(default, default);
+        var camera = new Camera(
             o.Vector("position", "P, where the rays start."),
             o.Vector("target",
                 "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
@@ -108,10 +108,10 @@ public static class SceneReader
         if (camera.ZFar <= camera.ZNear) RefuseDepths(o, camera.ZNear, camera.ZFar);
         if ((long)camera.Width * camera.Height > Camera.MaxPixels) RefuseSize(o, camera.Width, camera.Height);
         if (camera.FovY is >= 0.2 and < 3) WarnOfRadians(o, camera.FovY);
-        return o.IsSound ? new(camera) : null;
+        return o.IsSound ? camera : null;
     }
 
-    private static void RefuseView(SceneObject o, CameraParameters camera)
+    private static void RefuseView(SceneObject o, Camera camera)
     {
         var (distance, position) = ((camera.Target - camera.Position).Length, o.PathOf("position"));
         var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";

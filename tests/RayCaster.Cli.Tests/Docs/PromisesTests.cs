@@ -3,40 +3,10 @@ using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Cli.Tests.Docs;
 
-/// <summary>The tests that SECURITY.md and docs/limits.md name exist, and the sources keep the promises about files, programs and
+/// <summary>The figures of docs/limits.md are those of the code, and the sources keep SECURITY.md's promises about files, programs and
 /// variables.</summary>
 public class PromisesTests
 {
-    public static TheoryData<string> Documents => new("SECURITY.md", "docs/limits.md");
-
-    [Theory]
-    [MemberData(nameof(Documents))]
-    public void EveryNamedTestIsThere(string document)
-    {
-        var named = Regex.Matches(Read(document), @"`(\w+Tests)\.(\w+)`");
-        Assert.NotEmpty(named);
-        foreach (Match name in named)
-        {
-            var test = $@"\[(Fact|Theory)\]\r?\n( *\[.*\r?\n)*    public [\w ]+ {name.Groups[2].Value}\(";
-            // two projects may have one of a name
-            var files = SourceFiles("tests").Where(path => Path.GetFileName(path) == name.Groups[1].Value + ".cs");
-            Assert.True(files.Any(file => Regex.IsMatch(File.ReadAllText(file), test)), $"{document} names {name.Value}, which is no test");
-        }
-    }
-
-    [Theory]
-    [MemberData(nameof(Documents))]
-    public void EveryRowOfATableNamesATest(string document)
-    {
-        var isPromised = false; // a table whose last column says what holds the promise
-        foreach (var line in Read(document).Split('\n'))
-        {
-            if (!line.StartsWith('|')) isPromised = false;
-            else if (line.Contains("| held by |")) isPromised = true;
-            else if (isPromised && !line.StartsWith("|---")) Assert.Matches(@"`\w+Tests\.\w+`", line);
-        }
-    }
-
     [Theory]
     [InlineData("67,108,864", SceneReader.MostBytes)]
     [InlineData("1,048,576", 1 << 20)]

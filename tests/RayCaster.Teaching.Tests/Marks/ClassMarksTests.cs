@@ -8,6 +8,9 @@ public sealed class ClassMarksTests : IDisposable
     private readonly TemporaryFolder folder = new();
     private readonly List<string> notices = [];
 
+    /// <summary>The key of the marks is in a folder for temporary files.</summary>
+    static ClassMarksTests() => Environment.SetEnvironmentVariable("XDG_DATA_HOME", Path.Combine(Path.GetTempPath(), "raycaster-tests"));
+
     public ClassMarksTests() => WriteRubric(Draw);
 
     public void Dispose() => folder.Dispose();
