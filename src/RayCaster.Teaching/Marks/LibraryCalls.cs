@@ -62,7 +62,7 @@ internal static class LibraryCalls
         var (typeName, name) = (metadata.GetString(type.Name).Split('`')[0], metadata.GetString(member.Name));
         var call = $"{typeName}.{name}";
         if (!libraries.Contains(assembly)) return detours.Contains(call) ? call : null;
-        if (allowed.Contains(typeName) || name.StartsWith("get_", StringComparison.Ordinal)) return null;
+        if (allowed.Contains(typeName) || name.StartsWith("get_", StringComparison.Ordinal) || name is "op_Equality" or "op_Inequality") return null;
         return $"{metadata.GetString(type.Namespace)}.{call}";
     }
 

@@ -24,6 +24,7 @@ public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<I
     /// <summary>The points that are not decided: the teacher must look.</summary>
     public double Undecided => TeacherPoints is null ? Items.Sum(item => item.Undecided) : 0;
 
+    /// <summary>How many scenes have the right picture.</summary>
     public int RightPictures => Scenes.Count(scene => scene.Verdict == SceneVerdict.Right);
 
     /// <summary>Why no scene has a picture, if the reason is the same for all, such as a program that does not build; otherwise null.</summary>
