@@ -150,7 +150,7 @@ internal sealed partial class Tab
             {
                 return camera is null ? "" : server.Scene.WriteCamera(camera, version) ?? "";
             }
-            catch (Exception e) when (e is PictureFileException or IOException or UnauthorizedAccessException)
+            catch (Exception e) when (e is ProblemException or IOException or UnauthorizedAccessException)
             {
                 return e.Message;
             }

@@ -17,7 +17,7 @@ internal static class OwnWays
 
     /// <summary>The same as a later frame: the scene's models have been drawn before, from another side.</summary>
     public static Way LaterExact(BenchmarkScene scene, int width, int height) =>
-        Exact("exact t, later frame", Moving(scene, width, height), (scene, _) => scene, width, height);
+        Exact("exact t, later frame", Moving(scene, width, height), scene => scene, width, height);
 
     /// <summary>The engine, only the picture's bytes: as the first of many frames, or as a program draws that draws no other picture.</summary>
     public static Way Bytes(BenchmarkScene scene, int width, int height, bool manyFrames = true) =>
@@ -26,27 +26,27 @@ internal static class OwnWays
 
     /// <summary>The same as a later frame.</summary>
     public static Way LaterBytes(BenchmarkScene scene, int width, int height) =>
-        Bytes("bytes, later frame", Moving(scene, width, height), (scene, _) => scene, width, height, manyFrames: true);
+        Bytes("bytes, later frame", Moving(scene, width, height), scene => scene, width, height, manyFrames: true);
 
     /// <param name="ordered">Brings random meshes into an order; of the kept scene that is done.</param>
-    private static Way Exact(string name, Func<Scene> next, Func<Scene, int?, Scene> ordered, int width, int height)
+    private static Way Exact(string name, Func<Scene> next, Func<Scene, Scene> ordered, int width, int height)
     {
         var hits = new Lazy<HitMap>(() => new(width, height));
         return new(name, Answer.Hits, threads =>
         {
             var (scene, map) = (next(), hits.Value);
-            return Time(threads, () => new Renderer(ordered(scene, threads), threads) { ManyFrames = true }.CastHits(map));
+            return Time(threads, () => new Renderer(ordered(scene), threads) { ManyFrames = true }.CastHits(map));
         });
     }
 
-    /// <inheritdoc cref="Exact(string, Func{Scene}, Func{Scene, int?, Scene}, int, int)"/>
-    private static Way Bytes(string name, Func<Scene> next, Func<Scene, int?, Scene> ordered, int width, int height, bool manyFrames)
+    /// <inheritdoc cref="Exact(string, Func{Scene}, Func{Scene, Scene}, int, int)"/>
+    private static Way Bytes(string name, Func<Scene> next, Func<Scene, Scene> ordered, int width, int height, bool manyFrames)
     {
         var picture = new Lazy<Picture>(() => new(width, height));
         return new(name, Answer.Bytes, threads =>
         {
             var (scene, kept) = (next(), picture.Value);
-            return Time(threads, () => new Renderer(ordered(scene, threads), threads) { ManyFrames = manyFrames }.DrawInto(kept));
+            return Time(threads, () => new Renderer(ordered(scene), threads) { ManyFrames = manyFrames }.DrawInto(kept));
         });
     }
 

@@ -4,7 +4,7 @@ namespace RayCaster.Testing;
 public static class MeshBytes
 {
     /// <param name="path">The file's name, for its extension and for messages.</param>
-    /// <param name="blockSize">How many bytes are read at once; by default as many as of a file.</param>
-    public static MeshData Read(string path, byte[] bytes, int blockSize = MeshSource.UsualBlockSize, int threads = 1) =>
-        MeshFile.ReaderOf(path)(new MeshSource(path, new MemoryStream(bytes, writable: false), blockSize, threads));
+    /// <param name="pieceSize">How many bytes are read at once; by default as many as of a file.</param>
+    public static MeshData Read(string path, byte[] bytes, int pieceSize = 1 << 20) =>
+        MeshFile.ReaderOf(path)(new MeshSource(path, new MemoryStream(bytes, writable: false), pieceSize));
 }

@@ -87,14 +87,14 @@ internal sealed record Containment(bool IsApart, bool HasLimits)
 
     /// <summary>Refuses to run students' programs in this process's place.</summary>
     /// <remarks>Docker, Podman and systemd leave these files in their containers.</remarks>
-    /// <exception cref="PictureFileException">It runs as root outside a container, or has no folder for temporary files.</exception>
+    /// <exception cref="ProblemException">It runs as root outside a container, or has no folder for temporary files.</exception>
     public static void ThrowIfUnfit()
     {
         var isRoot = !OperatingSystem.IsWindows() && Environment.IsPrivilegedProcess;
         if (Refusal(isRoot, new[] { "/.dockerenv", "/run/.containerenv", "/run/systemd/container" }.Any(File.Exists)) is { } refusal)
-            throw new PictureFileException(refusal);
+            throw new ProblemException(refusal);
         if (Path.GetTempPath() is var folder && !Directory.Exists(folder))
-            throw new PictureFileException($"there is no folder for temporary files, {folder}: make it, or let TMPDIR name another one");
+            throw new ProblemException($"there is no folder for temporary files, {folder}: make it, or let TMPDIR name another one");
     }
 
     /// <summary>The limits in words, for the teacher.</summary>

@@ -20,7 +20,7 @@ internal static class LibraryCalls
 
     /// <summary>Types that read scenes and write pictures. Of others, programs only read properties, in order to copy a scene.</summary>
     private static readonly HashSet<string> allowed =
-        [nameof(SceneReader), nameof(SceneReading), nameof(PictureFile), nameof(PictureFormat), nameof(Picture), nameof(PictureFileException)];
+        [nameof(SceneReader), nameof(SceneReading), nameof(PictureFile), nameof(PictureFormat), nameof(Picture), nameof(ProblemException)];
 
     /// <summary>Calls of the runtime that reach any member, or another program.</summary>
     private static readonly HashSet<string> detours =

@@ -60,7 +60,7 @@ internal sealed class MarksFolder(string path, byte[] key)
     public IEnumerable<string> ChangedPages() => pages.Where(page => HashOfPage(page.Key) != page.Value).Select(page => PageOf(page.Key)).Order();
 
     /// <summary>Writes a file, and makes its folder: a student's program may have deleted it, or put a pipe or a link there.</summary>
-    /// <exception cref="PictureFileException">It cannot be written.</exception>
+    /// <exception cref="ProblemException">It cannot be written.</exception>
     public static void Write(string path, byte[] bytes)
     {
         try
@@ -70,7 +70,7 @@ internal sealed class MarksFolder(string path, byte[] key)
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new PictureFileException($"cannot write {path}: {PictureFileException.Reason(e)}", e);
+            throw new ProblemException($"cannot write {path}: {ProblemException.Reason(e)}", e);
         }
         WrittenFiles.Write(path, file => file.Write(bytes));
     }

@@ -62,7 +62,7 @@ public sealed class Rubric
 
     /// <summary>A hash of the files that the rubric was read from, as they are now.</summary>
     internal string HashOfFiles() => Convert.ToHexStringLower(SHA256.HashData(
-        [.. Scenes.Select(scene => scene.Path).Prepend(Path).SelectMany(path => RegularFile.Read(path, SceneReader.MostBytes) ?? [])]));
+        [.. Scenes.Select(scene => scene.Path).Prepend(Path).SelectMany(path => RegularFile.Read(path, SceneReader.MaxBytes) ?? [])]));
 
     /// <summary>The item whose points a mistake costs; null if it costs none.</summary>
     internal RubricItem? ItemOf(string mistake) => Items.FirstOrDefault(item => item.Mistakes.Contains(mistake));

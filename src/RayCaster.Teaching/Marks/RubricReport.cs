@@ -4,7 +4,7 @@ namespace RayCaster.Teaching;
 public static class RubricReport
 {
     /// <summary>The limits for students' programs on this machine.</summary>
-    /// <exception cref="PictureFileException">Students' programs must not be run here.</exception>
+    /// <exception cref="ProblemException">Students' programs must not be run here.</exception>
     public static string LimitsOf(Rubric rubric)
     {
         Containment.ThrowIfUnfit();

@@ -24,12 +24,12 @@ internal sealed record Submission(string Folder)
 
     /// <summary>The submissions in a folder: each folder in it is one. Sorted by name.</summary>
     /// <param name="ids">The students' ids by folder; a folder without one keeps its name.</param>
-    /// <exception cref="PictureFileException">
+    /// <exception cref="ProblemException">
     /// The folder cannot be listed, contains no folder, or contains a name with an invisible character.
     /// </exception>
     public static IReadOnlyList<Submission> In(string folder, IReadOnlyDictionary<string, string> ids)
     {
-        if (File.Exists(folder)) throw new PictureFileException($"{folder} is a file: name the folder that contains a folder for each student");
+        if (File.Exists(folder)) throw new ProblemException($"{folder} is a file: name the folder that contains a folder for each student");
         try
         {
             Submission[] all =
@@ -40,25 +40,25 @@ internal sealed record Submission(string Folder)
             if (all.Length == 0)
             {
                 var loose = LooseFiles(folder).Length;
-                throw new PictureFileException($"no submissions in {folder}: it contains no folders and {loose} file{(loose == 1 ? "" : "s")}, " +
+                throw new ProblemException($"no submissions in {folder}: it contains no folders and {loose} file{(loose == 1 ? "" : "s")}, " +
                     "but must contain a folder for each student, named after the student");
             }
             foreach (var submission in all)
             {
                 if (!submission.Student.All(PrintableText.IsPrintable))
-                    throw new PictureFileException(
+                    throw new ProblemException(
                         $"the submission '{PrintableText.Of(submission.Student)}' has an invisible character in its name: rename it");
                 if (submission.Student.AsSpan().ContainsAny('/', '\\') || submission.Student is ['.', ..])
-                    throw new PictureFileException($"the id '{submission.Student}' cannot name a folder: choose another one");
+                    throw new ProblemException($"the id '{submission.Student}' cannot name a folder: choose another one");
                 if (Encoding.UTF8.GetByteCount(submission.Student) is > MaxNameBytes and var bytes)
-                    throw new PictureFileException(
+                    throw new ProblemException(
                         $"the submission '{submission.Student}' has a name of {bytes} bytes, the limit is {MaxNameBytes}: rename it");
             }
             return all;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new PictureFileException($"cannot read the folder of submissions {folder}: {PictureFileException.Reason(e)}", e);
+            throw new ProblemException($"cannot read the folder of submissions {folder}: {ProblemException.Reason(e)}", e);
         }
     }
 

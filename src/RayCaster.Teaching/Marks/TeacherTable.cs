@@ -12,13 +12,13 @@ internal static class TeacherTable
     private const long MaxBytes = 1 << 26;
 
     /// <summary>What the teacher has entered, by student; empty if there is no table yet.</summary>
-    /// <exception cref="PictureFileException">The table cannot be read.</exception>
+    /// <exception cref="ProblemException">The table cannot be read.</exception>
     public static Dictionary<string, TeacherDecision> Decisions(string path)
     {
         if (!File.Exists(path) || Rows(path) is not [var head, .. var rows]) return [];
         var (name, points, comment) = (head.IndexOf("student"), head.IndexOf(PointsColumn), head.IndexOf(CommentColumn));
         if (name < 0 || points < 0 || comment < 0)
-            throw new PictureFileException($"{path} has no column \"student\", \"{PointsColumn}\" or \"{CommentColumn}\": " +
+            throw new ProblemException($"{path} has no column \"student\", \"{PointsColumn}\" or \"{CommentColumn}\": " +
                 "rename or delete it, and it is written anew");
         var decisions = new Dictionary<string, TeacherDecision>();
         foreach (var row in rows)
@@ -26,22 +26,22 @@ internal static class TeacherTable
             var (student, written, words) = (Cell(row, name), Cell(row, points).Replace(',', '.'), Cell(row, comment));
             var isNumber = double.TryParse(written, NumberStyles.Float, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number);
             if (!isNumber && written != "")
-                throw new PictureFileException($"{path}: the {PointsColumn} of {PrintableText.Of(student)} must be a number, but is \"{written}\"");
+                throw new ProblemException($"{path}: the {PointsColumn} of {PrintableText.Of(student)} must be a number, but is \"{written}\"");
             if (isNumber || words != "") decisions[student] = new(isNumber ? number : null, words);
         }
         return decisions;
     }
 
     /// <summary>The ids of a file whose first two columns are a submission's folder and the id by which rows and pages are named.</summary>
-    /// <exception cref="PictureFileException">The file cannot be read, or two folders have the same id.</exception>
+    /// <exception cref="ProblemException">The file cannot be read, or two folders have the same id.</exception>
     public static Dictionary<string, string> Ids(string path)
     {
-        if (!File.Exists(path)) throw new PictureFileException($"there is no file of ids {path}");
+        if (!File.Exists(path)) throw new ProblemException($"there is no file of ids {path}");
         var ids = new Dictionary<string, string>();
         foreach (var row in Rows(path))
         {
             if (Cell(row, 0) == "" || Cell(row, 1) == "") continue;
-            if (ids.ContainsValue(Cell(row, 1))) throw new PictureFileException($"{path} has the id {PrintableText.Of(Cell(row, 1))} twice");
+            if (ids.ContainsValue(Cell(row, 1))) throw new ProblemException($"{path} has the id {PrintableText.Of(Cell(row, 1))} twice");
             ids[Cell(row, 0)] = Cell(row, 1);
         }
         return ids;
@@ -51,7 +51,7 @@ internal static class TeacherTable
 
     private static List<List<string>> Rows(string path)
     {
-        var bytes = RegularFile.Read(path, MaxBytes) ?? throw new PictureFileException(
+        var bytes = RegularFile.Read(path, MaxBytes) ?? throw new ProblemException(
             $"cannot read {path}: it must be a file, no link, of {MaxBytes >> 20} MB at most");
         var text = (System.Text.Unicode.Utf8.IsValid(bytes) ? Encoding.UTF8 : Encoding.Latin1).GetString(bytes).TrimStart('\uFEFF');
         var separator = text.FirstOrDefault(c => c is ',' or ';' or '\t');

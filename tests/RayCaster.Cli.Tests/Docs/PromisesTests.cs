@@ -8,10 +8,10 @@ namespace RayCaster.Cli.Tests.Docs;
 public class PromisesTests
 {
     [Theory]
-    [InlineData("67,108,864", SceneReader.MostBytes)]
+    [InlineData("67,108,864", SceneReader.MaxBytes)]
     [InlineData("1,048,576", 1 << 20)]
-    [InlineData("268,435,456", MeshFile.MostBytesAtOnce)]
-    [InlineData("1000 are kept", SceneReading.MostProblems)]
+    [InlineData("268,435,456", MeshFile.MaxBytesAtOnce)]
+    [InlineData("1000 are kept", SceneReading.MaxProblems)]
     [InlineData("20 are printed", SceneReading.Printed)]
     [InlineData("a scene file of n bytes | 4 MiB + 75 n", MemoryLimit.BytesOfScene)]
     [InlineData("each mesh file of n bytes | 4 MiB + 75 n", MemoryLimit.BytesOfMesh)]
@@ -24,8 +24,8 @@ public class PromisesTests
     }
 
     [Fact]
-    public void OnlyTheReplacedFileWrites() =>
-        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "WrittenFiles.cs", "HandOutFolder.cs", "WorkFolder.cs", "MarksFolder.cs", "MarksKey.cs"],
+    public void FilesAreWrittenInOnePlace() =>
+        NowhereBut(["WrittenFiles.cs", "HandOutFolder.cs", "WorkFolder.cs", "MarksFolder.cs", "MarksKey.cs"],
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)"
             + @"|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 

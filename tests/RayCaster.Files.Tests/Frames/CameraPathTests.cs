@@ -111,7 +111,7 @@ public class CameraPathTests
     public void ALongFileIsReadUpToTheLimit()
     {
         using var folder = new TemporaryFolder();
-        var path = folder.Write("way.json", new string(' ', ShortFile.MostBytes + 1));
+        var path = folder.Write("way.json", new string(' ', ShortFile.MaxBytes + 1));
         Assert.Null(CameraPathReader.Read(path, Scene, out var report));
         Assert.Equal($"{path}: error: the file has more than 1,048,576 bytes, which is the limit\n", report);
     }

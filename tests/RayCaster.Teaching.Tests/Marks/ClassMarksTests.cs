@@ -93,7 +93,7 @@ public sealed class ClassMarksTests : IDisposable
         Write("anna", RightProgram);
         Directory.CreateDirectory(folder["marks"]);
         File.CreateSymbolicLink(folder["marks/marks.csv"], "/dev/zero");
-        Assert.EndsWith("marks.csv: it must be a file, no link, of 64 MB at most", Assert.Throws<PictureFileException>(() => Mark()).Message);
+        Assert.EndsWith("marks.csv: it must be a file, no link, of 64 MB at most", Assert.Throws<ProblemException>(() => Mark()).Message);
     }
 
     [Theory]
@@ -102,7 +102,7 @@ public sealed class ClassMarksTests : IDisposable
     public void ATableThatCannotBeReadIsRefusedBeforeTheWork(string table, string problem)
     {
         Write("anna", "touch \"$0.ran\"").WriteFile("marks/marks.csv", table);
-        Assert.Contains(problem, Assert.Throws<PictureFileException>(() => Mark()).Message);
+        Assert.Contains(problem, Assert.Throws<ProblemException>(() => Mark()).Message);
         Assert.False(File.Exists(folder["class/anna/draw.sh.ran"]));
     }
 

@@ -2,8 +2,8 @@ using System.Text;
 
 namespace RayCaster.Files.Tests.MeshFiles;
 
-/// <summary>The result and the error do not depend on the blocks into which a file is cut, nor on the number of threads.</summary>
-public sealed class BlocksTests : IDisposable
+/// <summary>The result and the error do not depend on the pieces in which a file is loaded.</summary>
+public sealed class PiecesTests : IDisposable
 {
     private const string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
     private const string plyHeader = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -107,7 +107,7 @@ public sealed class BlocksTests : IDisposable
             }
     }
 
-    /// <summary>Here several blocks of the usual size are read from a real file.</summary>
+    /// <summary>Here several pieces of the usual size are read from a real file.</summary>
     [Theory]
     [InlineData("knot.obj")]
     [InlineData("knot.ply")]
@@ -121,7 +121,7 @@ public sealed class BlocksTests : IDisposable
             "knot.ply" => MeshWriter.PlyBinary(knot, bigEndian: true),
             _ => MeshWriter.StlBinary(knot),
         };
-        Assert.InRange(bytes.Length, MeshSource.UsualBlockSize + 1, int.MaxValue);
+        Assert.InRange(bytes.Length, (1 << 20) + 1, int.MaxValue);
         var path = Path.Combine(folder, name);
         File.WriteAllBytes(path, bytes);
         FormatsTests.AssertSame(MeshBytes.Read(name, bytes, bytes.Length), MeshFile.Read(path));
@@ -132,34 +132,33 @@ public sealed class BlocksTests : IDisposable
     {
         var stream = new MemoryStream();
         stream.Write(Encoding.ASCII.GetBytes(vertices + "f 1 2 3\n"));
-        var source = new MeshSource("a.obj", stream, blockSize: 8);
+        var source = new MeshSource("a.obj", stream, pieceSize: 8);
         stream.SetLength(20);
-        Assert.Equal("a.obj: the file became shorter while it was read", Assert.Throws<MeshFileException>(() => ObjFile.Read(source)).Message);
+        Assert.Equal("a.obj: the file became shorter while it was read", Assert.Throws<ProblemException>(() => ObjFile.Read(source)).Message);
     }
 
     public void Dispose() => Directory.Delete(folder, recursive: true);
 
-    /// <summary>Compares every block size, in order and side by side, with the whole file as one block.</summary>
+    /// <summary>Compares every size of pieces with the whole file as one.</summary>
     private static void AssertAlike(string path, byte[] bytes, bool? isSound)
     {
-        var expected = Outcome(path, bytes, bytes.Length + 1, threads: 1);
+        var expected = Outcome(path, bytes, bytes.Length + 1);
         if (isSound is { } sound) Assert.Equal(sound, expected.Message is null);
-        for (var blockSize = 1; blockSize <= bytes.Length; blockSize += 1 + blockSize / 64)
-            foreach (var threads in new[] { 1, 3 })
-            {
-                var actual = Outcome(path, bytes, blockSize, threads);
-                Assert.Equal((blockSize, threads, expected.Message), (blockSize, threads, actual.Message));
-                if (expected.Mesh is { } mesh) FormatsTests.AssertSame(mesh, actual.Mesh!);
-            }
+        for (var pieceSize = 1; pieceSize <= bytes.Length; pieceSize += 1 + pieceSize / 64)
+        {
+            var actual = Outcome(path, bytes, pieceSize);
+            Assert.Equal((pieceSize, expected.Message), (pieceSize, actual.Message));
+            if (expected.Mesh is { } mesh) FormatsTests.AssertSame(mesh, actual.Mesh!);
+        }
     }
 
-    private static (MeshData? Mesh, string? Message) Outcome(string path, byte[] bytes, int blockSize, int threads)
+    private static (MeshData? Mesh, string? Message) Outcome(string path, byte[] bytes, int pieceSize)
     {
         try
         {
-            return (MeshBytes.Read(path, bytes, blockSize, threads), null);
+            return (MeshBytes.Read(path, bytes, pieceSize), null);
         }
-        catch (MeshFileException e)
+        catch (ProblemException e)
         {
             return (null, e.Message);
         }

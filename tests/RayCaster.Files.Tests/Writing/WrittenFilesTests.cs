@@ -1,64 +1,63 @@
 namespace RayCaster.Files.Tests.Writing;
 
-public sealed class ReplacedFileTests : IDisposable
+public sealed class WrittenFilesTests : IDisposable
 {
     private readonly TemporaryFolder folder = new();
 
     public void Dispose() => folder.Dispose();
 
     [Fact]
-    public void ANewFileIsThereAfterCommit()
+    public void ANewFileIsThereAtTheEndAndATemporaryOneBefore()
     {
-        using (var file = new ReplacedFile(folder["room.png"]))
+        WrittenFiles.Write(folder["room.png"], file =>
         {
             file.Write("new"u8);
-            file.Commit();
-        }
+            Assert.Matches(@"^room\.png\.[0-9a-f]{8}\.tmp$", Assert.Single(folder.Names));
+        });
         Assert.Equal("new", File.ReadAllText(folder["room.png"]));
         Assert.Equal(["room.png"], folder.Names);
     }
 
     [Fact]
-    public void AnOldFileIsReplacedByCommitAndNotBefore()
+    public void AnOldFileIsReplacedAtTheEndAndNotBefore()
     {
         var path = folder.Write("room.png", "old and longer"u8);
-        using var file = new ReplacedFile(path);
-        file.Write("new"u8);
-        file.Flush();
-        Assert.Equal("old and longer", File.ReadAllText(path));
-        file.Commit();
+        WrittenFiles.Write(path, file =>
+        {
+            file.Write("new"u8);
+            file.Flush();
+            Assert.Equal("old and longer", File.ReadAllText(path));
+        });
         Assert.Equal("new", File.ReadAllText(path));
     }
 
     [Fact]
-    public void WhileItIsWrittenATemporaryFileStandsBesideIt()
-    {
-        using var file = new ReplacedFile(folder["room.png"]);
-        Assert.Matches(@"^room\.png\.[0-9a-f]{8}\.tmp$", Assert.Single(folder.Names));
-    }
-
-    [Fact]
-    public void WithoutCommitTheOldFileStaysAndNothingIsLeft()
+    public void AfterAnErrorTheOldFileStaysAndNothingIsLeft()
     {
         var path = folder.Write("room.png", "old"u8);
-        using (var file = new ReplacedFile(path)) file.Write(new byte[1_000_000]);
-        Assert.Equal("old", File.ReadAllText(path));
-        Assert.Equal(["room.png"], folder.Names);
-    }
-
-    [Fact]
-    public void AnInterruptedPictureLeavesTheOldOneAndNothingElse()
-    {
-        var path = folder.Write("room.png", "old"u8);
-        using (var file = new ReplacedFile(path))
-        using (var writer = PictureWriter.Create(PictureFormat.Png, file, 1000, 1000))
+        Assert.Throws<InvalidOperationException>(() => WrittenFiles.Write(path, file =>
         {
+            using var writer = PictureWriter.Create(PictureFormat.Png, file, 1000, 1000);
             writer.WriteRows(new byte[3000 * 500]);
-            Assert.Throws<InvalidOperationException>(writer.Finish);
-        }
+            writer.Finish();
+        }));
         Assert.Equal("old", File.ReadAllText(path));
         Assert.Equal(["room.png"], folder.Names);
     }
+
+    [Fact]
+    public void AfterACancellationTheOldFileStaysAndNothingIsLeft()
+    {
+        var path = folder.Write("room.png", "old"u8);
+        Assert.Throws<OperationCanceledException>(() => WrittenFiles.Write(path, file => file.Write("new"u8), new(canceled: true)));
+        Assert.Equal("old", File.ReadAllText(path));
+        Assert.Equal(["room.png"], folder.Names);
+    }
+
+    /// <summary>An error of the drawing is not taken for one of the file.</summary>
+    [Fact]
+    public void AnErrorOfTheWriterStaysWhatItIs() => Assert.Throws<ArgumentOutOfRangeException>(
+        () => WrittenFiles.Write(folder["room.png"], _ => throw new ArgumentOutOfRangeException("width")));
 
     [Fact]
     public void APictureIsWrittenAndReadByItsName()
@@ -82,11 +81,7 @@ public sealed class ReplacedFileTests : IDisposable
         if (OperatingSystem.IsWindows()) return; // needs special rights there
         folder.Write("precious", "precious"u8);
         File.CreateSymbolicLink(folder["room.png"], folder["precious"]);
-        using (var file = new ReplacedFile(folder["room.png"]))
-        {
-            file.Write("new"u8);
-            file.Commit();
-        }
+        Write("room.png");
         Assert.Equal(("precious", "new"), (File.ReadAllText(folder["precious"]), File.ReadAllText(folder["room.png"])));
         Assert.Null(new FileInfo(folder["room.png"]).LinkTarget);
     }
@@ -95,37 +90,15 @@ public sealed class ReplacedFileTests : IDisposable
     public void ADeviceIsNotReplaced()
     {
         if (OperatingSystem.IsWindows()) return; // has no folder of devices
-        var refused = Assert.Throws<PictureFileException>(() => new ReplacedFile("/dev/raycaster-test")); // not a real one, should this fail
+        var refused = Assert.Throws<ProblemException>(() => WrittenFiles.Write("/dev/raycaster-test", _ => { })); // not a real one, should this fail
         Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
-    }
-
-    /// <summary>The type of the file decides, not its name or its folder.</summary>
-    [Theory]
-    [InlineData("mknod room.png c 1 3")]
-    [InlineData("mknod room.png b 7 200")]
-    [InlineData("mkfifo room.png")]
-    [InlineData("python3 -c \"import socket; socket.socket(socket.AF_UNIX).bind('room.png')\"")]
-    [InlineData("ln -s /dev/null room.png")]
-    [InlineData("ln -s nowhere room.png")]
-    public void WhatIsNoFileIsNotReplaced(string make)
-    {
-        if (!OperatingSystem.IsLinux()) return;
-        using (var shell = System.Diagnostics.Process.Start(
-            new System.Diagnostics.ProcessStartInfo("sh", ["-c", make + " 2>/dev/null"]) { WorkingDirectory = folder.Path })!)
-            shell.WaitForExit();
-        if (folder.Names.Count() == 0) return; // one may not make it, or there is no such program
-        Refused(folder["room.png"],
-            $"cannot write {folder["room.png"]}: it is a device, a pipe or a socket, or a link to something else than a file; name a file");
     }
 
     [Fact]
     public void AnEmptyFileIsAFile()
     {
-        using (var file = new ReplacedFile(folder.Write("room.png", ""u8)))
-        {
-            file.Write("new"u8);
-            file.Commit();
-        }
+        folder.Write("room.png", ""u8);
+        Write("room.png");
         Assert.Equal("new", File.ReadAllText(folder["room.png"]));
     }
 
@@ -135,9 +108,8 @@ public sealed class ReplacedFileTests : IDisposable
         if (OperatingSystem.IsWindows()) return; // rights are others there
         const UnixFileMode mine = UnixFileMode.UserRead | UnixFileMode.UserWrite;
         File.SetUnixFileMode(folder.Write("room.png", "old"u8), mine);
-        using var file = new ReplacedFile(folder["room.png"]);
-        foreach (var name in folder.Names) Assert.Equal(mine, File.GetUnixFileMode(folder[name])); // the temporary one is no more open to others
-        file.Commit();
+        // The temporary one is no more open to others.
+        WrittenFiles.Write(folder["room.png"], _ => Assert.All(folder.Names, name => Assert.Equal(mine, new FileInfo(folder[name]).UnixFileMode)));
         Assert.Equal(mine, File.GetUnixFileMode(folder["room.png"]));
     }
 
@@ -148,11 +120,7 @@ public sealed class ReplacedFileTests : IDisposable
     public void ANameMayBeAsLongAsTheSystemTakes(int bytes, string letter)
     {
         var name = string.Concat(Enumerable.Repeat(letter, (bytes - 4) / System.Text.Encoding.UTF8.GetByteCount(letter))) + ".png";
-        using (var file = new ReplacedFile(folder[name]))
-        {
-            file.Write("new"u8);
-            file.Commit();
-        }
+        Write(name);
         Assert.Equal([name], folder.Names);
     }
 
@@ -185,8 +153,8 @@ public sealed class ReplacedFileTests : IDisposable
     [InlineData("a\0.png", @"'a\x00.png' is no file name")]
     public void AnImpossibleNameIsRefused(string path, string message)
     {
-        Assert.Equal(message, Assert.Throws<PictureFileException>(() => new ReplacedFile(path)).Message);
-        Assert.Equal(message, Assert.Throws<PictureFileException>(() => PictureFile.Read(path)).Message);
+        Assert.Equal(message, Assert.Throws<ProblemException>(() => WrittenFiles.Write(path, _ => { })).Message);
+        Assert.Equal(message, Assert.Throws<ProblemException>(() => PictureFile.Read(path)).Message);
     }
 
     [Fact]
@@ -199,18 +167,32 @@ public sealed class ReplacedFileTests : IDisposable
     [Fact]
     public void AFailureAtTheEndLeavesNoTemporaryFile()
     {
-        using (var file = new ReplacedFile(folder["room.png"]))
-        {
-            file.Write("new"u8);
-            Directory.CreateDirectory(folder["room.png"]); // comes in between
-            Assert.Throws<PictureFileException>(file.Commit);
-        }
+        Assert.Throws<ProblemException>(() => WrittenFiles.Write(
+            folder["room.png"], _ => Directory.CreateDirectory(folder["room.png"]))); // comes in between
         Assert.Equal(["room.png"], folder.Names);
     }
 
+    [Fact]
+    public void ManyWritersOfOneTargetDoNotDisturbEachOther()
+    {
+        Parallel.For(0, 400, new ParallelOptions { MaxDegreeOfParallelism = 8 }, i =>
+        {
+            var writing = Record.Exception(() => WrittenFiles.Write(folder["room.png"], file =>
+            {
+                file.Write(BitConverter.GetBytes(i));
+                if (i % 3 == 0) throw new TimeoutException();
+            }));
+            Assert.Equal(i % 3 == 0, writing is not null);
+        });
+        Assert.Equal(["room.png"], folder.Names);
+        Assert.Equal(4, File.ReadAllBytes(folder["room.png"]).Length);
+    }
+
+    private void Write(string name) => WrittenFiles.Write(folder[name], file => file.Write("new"u8));
+
     private void Refused(string path, string message, string[]? left = null)
     {
-        Assert.Equal(message, Assert.Throws<PictureFileException>(() => new ReplacedFile(path)).Message);
+        Assert.Equal(message, Assert.Throws<ProblemException>(() => WrittenFiles.Write(path, _ => { })).Message);
         Assert.Equal(left ?? ["room.png"], folder.Names);
     }
 }

@@ -1,18 +1,26 @@
 namespace RayCaster.Files;
 
-/// <summary>A picture file cannot be read or written, for a reason that the user can remove.</summary>
+/// <summary>Something that the user can mend: a wrong command line, a file that cannot be read or written. Only the message is printed.</summary>
 /// <param name="message">What was found, where, and what is allowed; lower-case, without a full stop, further lines indented.</param>
 /// <param name="cause">The system's exception, if there is one.</param>
-public sealed class PictureFileException(string message, Exception? cause = null) : Exception(message, cause)
+public sealed class ProblemException(string message, Exception? cause = null) : Exception(message, cause)
 {
     private const int NoSpaceOnUnix = 28, QuotaOnLinux = 122, QuotaOnMac = 69;
     private const int DiskFullOnWindows = unchecked((int)0x80070070);
 
+    /// <summary>Whether the command line is wrong: then the command's usage is printed, too.</summary>
+    public bool IsUsage { get; private init; }
+
+    /// <summary>Whether the message names the file.</summary>
     internal bool NamesFile { get; init; }
+
+    /// <summary>A problem in the command line.</summary>
+    public static ProblemException Usage(string message) => new(message) { IsUsage = true };
 
     /// <summary>Whether the system throws such an exception for a file that cannot be used; the last kind is for a file that grows too
     /// large.</summary>
-    internal static bool IsCausedByFile(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException;
+    internal static bool IsCausedByFile(Exception e) =>
+        e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException { ParamName: "value" };
 
     /// <summary>The system's reason in words. Its own message names the temporary file and ends in a full stop.</summary>
     internal static string Reason(Exception e)

@@ -1,4 +1,4 @@
-namespace RayCaster.Files.Tests.MeshFiles;
+namespace RayCaster.Engine.Tests.Rendering.Meshes;
 
 public class SpatialOrderTests
 {
@@ -52,14 +52,6 @@ public class SpatialOrderTests
     }
 
     [Fact]
-    public void TheOrderDoesNotDependOnTheNumberOfThreads()
-    {
-        var (one, three) = (Sorted(shuffled, threads: 1), Sorted(shuffled, threads: 3));
-        Assert.Equal(one.Vertices, three.Vertices);
-        Assert.Equal(one.Indices, three.Indices);
-    }
-
-    [Fact]
     public void NameColourAndTheOtherModelsStay()
     {
         var mesh = new Mesh(shuffled.Vertices, shuffled.Indices) { Name = "scan", Color = new(0.1, 0.2, 0.3) };
@@ -69,7 +61,7 @@ public class SpatialOrderTests
         Assert.Equal(("scan", new Color(0.1, 0.2, 0.3)), (sorted.Models[1].Name, sorted.Models[1].Color));
     }
 
-    private static Mesh Sorted(Mesh mesh, int? threads = null) => (Mesh)SpatialOrder.Of(new(camera, [mesh]), threads).Models[0];
+    private static Mesh Sorted(Mesh mesh) => (Mesh)SpatialOrder.Of(new(camera, [mesh])).Models[0];
 
     private static HashSet<Triangle> TrianglesOf(Mesh mesh) => [.. Enumerable.Range(0, mesh.TriangleCount).Select(i => mesh[i])];
 
