@@ -58,7 +58,10 @@ internal sealed class MarkCommand : Command
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(
             line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume),
-            (done, all, next) => progress?.Show(done, all, next), StandardFile.WriteError) { Ids = line[Option.Ids] };
+            (done, all, next) => progress?.Show(done, all, next), StandardFile.WriteError)
+        {
+            Ids = line[Option.Ids],
+        };
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
         progress?.Dispose();
         var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);
