@@ -11,6 +11,9 @@ internal sealed record MarkedScene(string Name, string Path, ReadOnlyMemory<byte
 
     public Picture Right => Judge.Right;
 
+    /// <summary>The right picture of the scene that this is a variation of, which students may have; null if this is none.</summary>
+    public Picture? Known { get; init; }
+
     /// <summary>Whether a mistake changes the picture. The first call tries all mistakes, which takes a second or two.</summary>
     public bool Shows(string mistake) => !Judge.Hidden.Any(hidden => hidden.Id == mistake);
 
@@ -18,11 +21,12 @@ internal sealed record MarkedScene(string Name, string Path, ReadOnlyMemory<byte
     public bool Needs(string part) =>
         Scene.Models.Any(model => model.Kind == part) || new Unfinished([part]).AsMistakes.Any(mistake => Shows(mistake.Id));
 
-    /// <summary>The scene with other numbers; null if no variation of it shows all its mistakes.</summary>
-    public MarkedScene? Varied(string seed)
+    /// <summary>The scene with other numbers; null if no variation was found.</summary>
+    /// <param name="mayShowLess">Whether it need not show every mistake that the scene shows.</param>
+    public MarkedScene? Varied(string seed, bool mayShowLess)
     {
         var folder = System.IO.Path.GetDirectoryName(Path)!;
-        return SceneVariation.Of(Text, folder, seed, folder) is { } text && SceneReader.Parse(text, Path, folder).Scene is { } scene
-            ? this with { Text = text, Judge = new(scene) } : null;
+        return SceneVariation.Of(Text, folder, seed, folder, mayShowLess: mayShowLess) is { } text && SceneReader.Parse(text, Path, folder).Scene is { } scene
+            ? this with { Text = text, Judge = new(scene), Known = Right } : null;
     }
 }

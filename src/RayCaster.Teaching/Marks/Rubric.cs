@@ -47,10 +47,15 @@ public sealed class Rubric
     /// <param name="notice">Called with what is wrong with a scene that stays as it is.</param>
     internal Rubric WithVariedScenes(string seed, Action<string>? notice)
     {
-        var scenes = Scenes.AsParallel().AsOrdered().Select(scene => scene.Varied(seed)).ToArray();
-        foreach (var (scene, varied) in Scenes.Zip(scenes))
-            if (varied is null) notice?.Invoke($"{scene.Name}: no variation of it shows all its mistakes, so it is drawn as it is");
-        return new([.. scenes.Select((scene, i) => scene ?? Scenes[i])], $"{Digest}{seed}")
+        var varied = Scenes.AsParallel().AsOrdered().Select(scene => scene.Varied(seed, mayShowLess: false)).ToArray();
+        for (var i = 0; i < varied.Length; i++)
+        {
+            if (varied[i] is not null) continue;
+            varied[i] = Scenes[i].Varied(seed, mayShowLess: true) ?? Scenes[i];
+            notice?.Invoke($"{Scenes[i].Name}: no variation of it that was tried shows all its mistakes, so " +
+                (varied[i] == Scenes[i] ? "it is drawn as it is" : "one that shows less is drawn"));
+        }
+        return new(varied!, $"{Digest}{seed}")
         {
             Title = Title,
             Path = Path,

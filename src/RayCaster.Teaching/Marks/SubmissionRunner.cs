@@ -103,7 +103,8 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         if (note is null && !File.Exists(picture))
             note = (Others(work.Files) is { Length: > 0 } others ? $"it wrote {others}, not the picture that it was told" : "it wrote no picture")
                 + Quote(run, submission);
-        return SubmittedPicture.Read(scene, picture, note);
+        return SubmittedPicture.Read(scene, picture, note) is var read && read.IsCopied
+            ? new(scene, null, "the picture shows the scene that is handed out, not the one that was to be drawn: it is a copy") : read;
     }
 
     /// <summary>What the rubric lets programs read, and the files of the command itself.</summary>
