@@ -99,7 +99,7 @@ internal sealed class DrawCommand : Command
         var lines = line.Lines(Option.Rows, scene.Camera.Height);
         output ??= PartName(NameOf(path), lines, scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
-        var part = isPart ? PartFacts.Of(scene, lines, PictureOutput.DigestOfModels(scene)) : null;
+        var part = isPart ? PartFacts.Of(scene, lines, PictureOutput.DigestOfModels(scene), typeof(Renderer).Assembly) : null;
         if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part!, quiet))
         {
             line.Tell($"{output}: exists already");

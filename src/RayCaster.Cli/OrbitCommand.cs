@@ -64,7 +64,7 @@ internal sealed class OrbitCommand : Command
             var view = scene with { Camera = camera };
             var whole = LineRange.Whole(camera.Height);
             var output = Path.Combine(folder, $"{name}-{DrawCommand.Padded(frame, frames)}.png");
-            var part = PartFacts.Of(view, whole, models); // the file contains what it shows, so --resume can skip it
+            var part = PartFacts.Of(view, whole, models, typeof(Renderer).Assembly); // the file contains what it shows, so --resume can skip it
             // The reason to draw a frame again is printed for the first one only.
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue;
             PictureOutput.Draw(

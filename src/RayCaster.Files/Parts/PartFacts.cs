@@ -1,3 +1,5 @@
+using System.Reflection;
+using System.Security.Cryptography;
 using System.Text.RegularExpressions;
 
 namespace RayCaster.Files;
@@ -9,10 +11,11 @@ namespace RayCaster.Files;
 /// picture 500x500
 /// lines 0..249
 /// scene 7d0e… (64 digits)
-/// raycaster 1.1.0
+/// raycaster 1.1.0+5f0c…
 /// </code>
 /// </summary>
 /// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
+/// <param name="Version">The version of the program, and 12 digits that change with its code.</param>
 public sealed partial record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
 {
     /// <summary>The keyword of the text in the file.</summary>
@@ -20,9 +23,17 @@ public sealed partial record PartFacts(int Width, int Height, LineRange Lines, s
 
     /// <summary>The facts of a part that is drawn now.</summary>
     /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
-    public static PartFacts Of(Scene scene, LineRange lines, string models) =>
+    /// <param name="engine">The assembly that draws.</param>
+    public static PartFacts Of(Scene scene, LineRange lines, string models, Assembly engine) =>
         new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene, models),
-            typeof(PartFacts).Assembly.GetName().Version!.ToString(3));
+            VersionOf(typeof(Scene).Assembly, typeof(PartFacts).Assembly, engine));
+
+    /// <summary>The version of a program and a hash of its code: an edited formula draws other parts.</summary>
+    internal static string VersionOf(params IEnumerable<Assembly> assemblies)
+    {
+        var code = SHA256.HashData([.. assemblies.SelectMany(assembly => assembly.ManifestModule.ModuleVersionId.ToByteArray())]);
+        return $"{typeof(PartFacts).Assembly.GetName().Version!.ToString(3)}+{Convert.ToHexStringLower(code)[..12]}";
+    }
 
     /// <summary>Reads what <see cref="ToString"/> writes; null for any other text.</summary>
     public static PartFacts? Parse(string text)

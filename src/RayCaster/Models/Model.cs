@@ -58,6 +58,9 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     /// <inheritdoc/>
     public override string Kind => typeof(P).Name.ToLowerInvariant();
 
+    /// <summary>The shape and its numbers.</summary>
+    public override string ToString() => $"{Primitive}";
+
     /// <inheritdoc/>
     public override ISurface? Surface => Primitive as ISurface;
 

@@ -95,18 +95,32 @@ public sealed class PartFileTests : IDisposable
         }
     }
 
-    private static byte[] Pixels(int lines)
+    /// <summary>A formula that was edited makes another assembly, with a module version id of its own.</summary>
+    [Fact]
+    public void AnotherBuildOfTheProgramIsAnotherVersion()
     {
-        var rgb = new byte[7 * 3 * lines];
+        System.Reflection.Assembly library = typeof(Scene).Assembly, files = typeof(PartFacts).Assembly;
+        Assert.Matches(@"^\d+\.\d+\.\d+\+[0-9a-f]{12}$", PartFacts.VersionOf(library, files));
+        Assert.Equal(PartFacts.VersionOf(library, files), PartFacts.VersionOf(library, files));
+        Assert.NotEqual(PartFacts.VersionOf(library, files), PartFacts.VersionOf(library, typeof(PartFileTests).Assembly));
+        var (scene, lines) = (new Scene(new(new(new(5, 0, 0), Vector3.Zero)), []), LineRange.Whole(500));
+        var (mine, edited) = (PartFacts.Of(scene, lines, "", files), PartFacts.Of(scene, lines, "", typeof(PartFileTests).Assembly));
+        Assert.False(PartFile.Holds(Write(mine, width: 500), edited, out var reason));
+        Assert.Equal($"it was drawn by version {mine.Version}, and this is {edited.Version}", reason);
+    }
+
+    private static byte[] Pixels(int lines, int width = 7)
+    {
+        var rgb = new byte[width * 3 * lines];
         new Random(1).NextBytes(rgb);
         return rgb;
     }
 
-    private string Write(PartFacts facts, int? lines = null)
+    private string Write(PartFacts facts, int? lines = null, int width = 7)
     {
         using var output = new MemoryStream();
-        using var writer = PictureWriter.Create(PictureFormat.Png, output, 7, lines ?? facts.Lines.Count, facts);
-        writer.WriteRows(Pixels(lines ?? facts.Lines.Count));
+        using var writer = PictureWriter.Create(PictureFormat.Png, output, width, lines ?? facts.Lines.Count, facts);
+        writer.WriteRows(Pixels(lines ?? facts.Lines.Count, width));
         writer.Finish();
         return folder.Write("part.png", output.ToArray());
     }
