@@ -39,7 +39,7 @@ internal sealed class DiagnoseCommand : Command
         {
             return Judge(line, cancellation);
         }
-        catch (Exception e) when (line.Has(Option.Json) && e is (ProblemException or PictureFileException))
+        catch (Exception e) when (line.Has(Option.Json) && e is ProblemException)
         {
             StandardFile.WriteOutput(DiagnosisReport.Json(e.Message)); // other programs read standard output, also after an error
             throw;

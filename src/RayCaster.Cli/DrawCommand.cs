@@ -100,14 +100,14 @@ internal sealed class DrawCommand : Command
         output ??= PartName(NameOf(path), lines, scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
         var part = isPart ? PartFacts.Of(scene, lines, PictureOutput.DigestOfModels(scene), typeof(Renderer).Assembly) : null;
-        if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part!, quiet))
+        if (line.Has(Option.Resume) && PictureOutput.IsUpToDate(output, part!, quiet))
         {
             line.Tell($"{output}: exists already");
             return ExitCode.Done;
         }
 
         var (odd, preview) = (default(OddPicture), default(TerminalPreview));
-        scene = SpatialOrder.Of(scene, threads);
+        scene = SpatialOrder.Of(scene);
         var renderer = new CheckedRenderer(scene, threads, line.Has(Option.Plain));
         PictureOutput.Draw(output, format, renderer, lines, part, line, cancellation, Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);

@@ -9,7 +9,7 @@ internal static class InputFiles
     public static void Note(IEnumerable<string> files) => read.UnionWith(files.Where(file => file != SceneInput.Standard).Select(PlaceOf));
 
     /// <summary>Refuses an output that is one of the files that were read.</summary>
-    public static void Keep(string output)
+    public static void ThrowIfInput(string output)
     {
         if (read.Contains(PlaceOf(output)))
             throw new ProblemException($"{output} is one of the files that are read\n  Choose another name with -o.");

@@ -42,7 +42,7 @@ internal sealed class OrbitCommand : Command
         var only = line.Lines(Option.Only, frames, "frames", "a film");
 
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
-        scene = SpatialOrder.Of(scene, threads);
+        scene = SpatialOrder.Of(scene);
         CameraPath? way = null;
         if (line[Option.Keys] is { } keys)
         {
@@ -66,7 +66,7 @@ internal sealed class OrbitCommand : Command
             var output = Path.Combine(folder, $"{name}-{DrawCommand.Padded(frame, frames)}.png");
             var part = PartFacts.Of(view, whole, models, typeof(Renderer).Assembly); // the file contains what it shows, so --resume can skip it
             // The reason to draw a frame again is printed for the first one only.
-            if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue;
+            if (line.Has(Option.Resume) && PictureOutput.IsUpToDate(output, part, quiet || drawn > 0)) continue;
             PictureOutput.Draw(
                 output, PictureFormat.Png, new(view, threads, plain: false, manyFrames: true), whole, part, line, cancellation);
             drawn++;

@@ -14,7 +14,7 @@ internal static class PictureOutput
             throw new ProblemException(
                 "a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
         return line.Format() ?? (output == SceneInput.Standard ? ofStandardOutput
-            : Directory.Exists(output) ? throw new PictureFileException($"cannot write {output}: it is a folder; name a file in it")
+            : Directory.Exists(output) ? throw new ProblemException($"cannot write {output}: it is a folder; name a file in it")
             : PictureFormats.ByExtension(output));
     }
 
@@ -26,7 +26,7 @@ internal static class PictureOutput
             StandardFile.WriteOutput(write);
             return;
         }
-        InputFiles.Keep(output);
+        InputFiles.ThrowIfInput(output);
         WrittenFiles.Write(output, write, cancellation);
     }
 
@@ -53,7 +53,7 @@ internal static class PictureOutput
         {
             var (width, height, watcher) = (renderer.Scene.Camera.Width, lines.Count, watch?.Invoke());
             using var progress = ProgressLine.For(line, width, height);
-            using var writer = PictureWriter.Create(format, stream, width, height, part);
+            using var writer = PictureWriter.Create(format, stream, width, height, part?.ToString());
             renderer.Draw(lines, Take, done => progress?.LinesDone(done), cancellation);
             writer.Finish();
 
@@ -67,7 +67,7 @@ internal static class PictureOutput
 
     /// <summary>Whether the picture exists already and need not be drawn. If a file exists but has other content, prints why it is drawn
     /// again.</summary>
-    public static bool IsThere(string output, PartFacts part, bool quiet)
+    public static bool IsUpToDate(string output, PartFacts part, bool quiet)
     {
         if (PartFile.Holds(output, part, out var reason)) return true;
         if (reason is not null && !quiet) StandardFile.WriteError($"{output} is drawn again: {reason}");

@@ -94,7 +94,7 @@ internal static class Program
     /// <summary>What to tell the user; null for a fault of this program.</summary>
     private static string? Message(Exception e) => e switch
     {
-        ProblemException or PictureFileException => e.Message,
+        ProblemException => e.Message,
         IOException or UnauthorizedAccessException => IsCurrentFolderThere() ? e.Message : "the current folder was deleted",
         _ => IsOutOfMemory(e) ? "there is not enough memory" : null,
     };

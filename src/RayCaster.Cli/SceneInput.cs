@@ -25,7 +25,7 @@ internal static class SceneInput
     /// <param name="look">Gets the text before it is parsed.</param>
     public static SceneReading Read(string path, CommandLine line, bool judges, Action<ReadOnlySpan<byte>>? look = null)
     {
-        var reading = path == Standard ? ReadStandardInput(line.ThreadCount(), look) : SceneReader.Read(path, line.ThreadCount(), look);
+        var reading = path == Standard ? ReadStandardInput(look) : SceneReader.Read(path, look);
         InputFiles.Note([path, .. reading.MeshFiles]);
         if (judges && path != Standard && reading.Scene is { } scene && StoredReference.Contradiction(path, scene) is { } message)
             line.Warn($"{message}. What follows may be wrong.");
@@ -33,10 +33,10 @@ internal static class SceneInput
     }
 
     /// <remarks>A method of its own, because the runtime would load the console library wherever this is compiled.</remarks>
-    private static SceneReading ReadStandardInput(int? threads, Action<ReadOnlySpan<byte>>? look)
+    private static SceneReading ReadStandardInput(Action<ReadOnlySpan<byte>>? look)
     {
         if (StandardInput.IsClosed) throw new ProblemException("the scene is to be read from standard input, but that is closed");
         using var input = Console.OpenStandardInput();
-        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads, look);
+        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, look);
     }
 }

@@ -85,6 +85,6 @@ internal static class WarmUp
             vertices[i] = new(x * x * x, 0.1 * x * z, z * z);
             if (i % Side > 0 && i >= Side) indices.AddRange([i, i - 1, i - Side, i - 1, i - Side - 1, i - Side]);
         }
-        return new(new Camera(new(new(0, -2, 0.5), new(0.5, 0, 0))), [new Mesh(vertices, [.. indices])]);
+        return new(new Camera(new(0, -2, 0.5), new(0.5, 0, 0)), [new Mesh(vertices, [.. indices])]);
     }
 }

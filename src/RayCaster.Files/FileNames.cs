@@ -4,7 +4,9 @@ namespace RayCaster.Files;
 internal sealed class FileNames
 {
     /// <summary>In a larger folder only the first files are compared.</summary>
-    private const int MostFiles = 20_000;
+    private const int MaxFiles = 20_000;
+
+    private const int MaxHints = 20;
 
     private int hints;
 
@@ -14,7 +16,7 @@ internal sealed class FileNames
     {
         var full = Path.GetFullPath(path);
         var sought = full == path ? "" : $"; looked for {PrintableText.Of(full)}";
-        if (++hints > SceneReading.Printed) return sought;
+        if (++hints > MaxHints) return sought;
         try
         {
             var folder = Path.GetDirectoryName(full)!;
@@ -33,7 +35,7 @@ internal sealed class FileNames
     /// <summary>The names in a folder, sorted; without names that are not printable.</summary>
     private static string[] NamesIn(string folder) =>
     [
-        .. Directory.EnumerateFiles(folder).Take(MostFiles).Select(path => Path.GetFileName(path))
+        .. Directory.EnumerateFiles(folder).Take(MaxFiles).Select(path => Path.GetFileName(path))
             .Where(name => PrintableText.Of(name) == name && !name.Contains('\uFFFD')).Order(StringComparer.Ordinal),
     ];
 }

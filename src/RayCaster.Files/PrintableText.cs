@@ -14,6 +14,10 @@ public static class PrintableText
         return new(shown);
     }
 
+    /// <summary>The text with invisible characters as JSON can write them: <c>\u2060</c>.</summary>
+    internal static string Escaped(string text) =>
+        string.Concat(Of(text).Select(c => char.GetUnicodeCategory(c) == UnicodeCategory.Format ? $"\\u{(int)c:X4}" : $"{c}"));
+
     /// <summary>False for characters that could move a terminal's cursor, end a line, or turn the direction of a text (Unicode's
     /// Bidi_Control).</summary>
     public static bool IsPrintable(char c) =>

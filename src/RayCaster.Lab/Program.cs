@@ -18,7 +18,7 @@ try
     PictureFile.Write(pictureFile, SceneFile.Of(reading.Scene).Draw());
     return 0;
 }
-catch (PictureFileException problem) // a name that no file can have, a folder that does not exist, a full disk
+catch (ProblemException problem) // a name that no file can have, a folder that does not exist, a full disk
 {
     Console.Error.WriteLine(problem.Message);
     return 2;

@@ -1,5 +1,4 @@
 using System.Globalization;
-using RayCaster.Cli;
 
 namespace RayCaster.Live;
 

@@ -64,7 +64,7 @@ internal sealed class LiveScene
 
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
     /// <returns>Null if it is done; otherwise the reason: the file has changed since, or is broken.</returns>
-    /// <exception cref="PictureFileException">It cannot be written.</exception>
+    /// <exception cref="ProblemException">It cannot be written.</exception>
     public string? WriteCamera(Camera camera, int version)
     {
         var state = State;

@@ -7,7 +7,6 @@ using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
 using Microsoft.Extensions.FileProviders;
-using RayCaster.Cli;
 
 namespace RayCaster.Live;
 
@@ -168,7 +167,7 @@ internal sealed class LiveServer : IAsyncDisposable
         {
             await RefuseAsync(context, e.StatusCode, "The file is larger than any picture of this scene's size.");
         }
-        catch (PictureFileException e)
+        catch (ProblemException e)
         {
             await RefuseAsync(context, StatusCodes.Status422UnprocessableEntity, e.Message);
         }

@@ -30,7 +30,7 @@ internal sealed class MinePicture(string? path, CancellationToken end)
 
     /// <summary>Takes a picture that was dropped on the page.</summary>
     /// <param name="mostPixels">The most pixels that its header may promise.</param>
-    /// <exception cref="PictureFileException">The file is no picture, or too large.</exception>
+    /// <exception cref="ProblemException">The file is no picture, or too large.</exception>
     public void Take(string name, Stream bytes, long mostPixels) => Put(name, PictureFile.Read(bytes, 3 * mostPixels));
 
     public void Forget() => Put(null, null);
@@ -68,7 +68,7 @@ internal sealed class MinePicture(string? path, CancellationToken end)
         {
             return (PictureFile.Read(path), null);
         }
-        catch (PictureFileException e)
+        catch (ProblemException e)
         {
             return (null, e.Message);
         }

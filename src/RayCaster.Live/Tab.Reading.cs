@@ -120,11 +120,11 @@ internal sealed partial class Tab
     /// <summary>Restores a camera that the page remembers, or with null the scene's own.</summary>
     private void SeeThrough(JsonElement value)
     {
-        var camera = IsNull(value) || server.Scene.State.Scene is not { } scene ? null : new Camera(scene.Camera.Parameters with
+        var camera = IsNull(value) || server.Scene.State.Scene is not { } scene ? null : scene.Camera with
         {
             Position = VectorOf(value.GetProperty("position")),
             Target = VectorOf(value.GetProperty("target")),
-        });
+        };
         Look(view with { Camera = camera?.ValidationError is null ? camera : null });
         Rest();
     }
@@ -150,7 +150,7 @@ internal sealed partial class Tab
             {
                 return camera is null ? "" : server.Scene.WriteCamera(camera, version) ?? "";
             }
-            catch (Exception e) when (e is PictureFileException or IOException or UnauthorizedAccessException)
+            catch (Exception e) when (e is ProblemException or IOException or UnauthorizedAccessException)
             {
                 return e.Message;
             }

@@ -1,5 +1,3 @@
-using RayCaster.Cli;
-
 namespace RayCaster.Live.Tests;
 
 public class LiveOptionsTests

@@ -2,7 +2,7 @@ namespace RayCaster.Teaching.Tests;
 
 public sealed class DefinitionCheckTests
 {
-    private static readonly Camera camera = new(new(new(5, 0, 0), new(0, 0, 0)) { Width = 30, Height = 20 });
+    private static readonly Camera camera = new(new(5, 0, 0), new(0, 0, 0)) { Width = 30, Height = 20 };
 
     [Fact]
     public void IfTheDefinitionFailsLikeTheFastWayItsFaultIsTold()

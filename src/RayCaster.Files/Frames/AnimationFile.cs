@@ -12,7 +12,7 @@ public static class AnimationFile
     /// <param name="frames">The pictures, as this program draws them: PNG of red, green and blue, 8 bits each, not interlaced; all of one
     /// size.</param>
     /// <param name="framesPerSecond">1 to 1000.</param>
-    /// <exception cref="PictureFileException">A picture cannot be read, is damaged, or of another size or kind.</exception>
+    /// <exception cref="ProblemException">A picture cannot be read, is damaged, or of another size or kind.</exception>
     public static void Write(Stream output, IReadOnlyList<string> frames, int framesPerSecond, CancellationToken cancellation = default)
     {
         PngHeader? first = null;
@@ -25,7 +25,7 @@ public static class AnimationFile
             {
                 var header = png.Header;
                 Check(header, first ?? header, frames[0]);
-                if (png.IsAnimation) throw new PictureFileException("it is an animation, not a single picture");
+                if (png.IsAnimation) throw new ProblemException("it is an animation, not a single picture");
                 png.ReadLines(_ => { }); // otherwise the animation could contain damaged data
                 if (first is null)
                 {
@@ -55,9 +55,9 @@ public static class AnimationFile
     private static void Check(PngHeader header, PngHeader first, string firstPath)
     {
         if (header is not { BitDepth: 8, ColorType: PngHeader.Rgb, Interlaced: false })
-            throw new PictureFileException("a frame must be a PNG of red, green and blue, 8 bits each, not interlaced, as this program draws it");
+            throw new ProblemException("a frame must be a PNG of red, green and blue, 8 bits each, not interlaced, as this program draws it");
         if (header != first)
-            throw new PictureFileException(
+            throw new ProblemException(
                 $"it has {header.Width} x {header.Height} pixels, but {firstPath} has {first.Width} x {first.Height}: frames are of one size");
     }
 

@@ -14,7 +14,7 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
     public long Height => (long)((pictures.Count - 1) / columns + 1) * (height + Gap) + Gap;
 
     /// <summary>The default size of small pictures: at most 160 pixels wide, with the proportions of the given picture.</summary>
-    /// <exception cref="PictureFileException">It cannot be read.</exception>
+    /// <exception cref="ProblemException">It cannot be read.</exception>
     public static (int Width, int Height) SizeFor(string picture) => PngReader.OpenFile(picture, png =>
     {
         var width = Math.Min(png.Header.Width, 160);
@@ -23,7 +23,7 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
 
     /// <summary>Writes the sheet, a row of small pictures at a time.</summary>
     /// <param name="writer">Receives the lines; it is not finished.</param>
-    /// <exception cref="PictureFileException">A picture cannot be read.</exception>
+    /// <exception cref="ProblemException">A picture cannot be read.</exception>
     public void Write(PictureWriter writer, CancellationToken cancellation = default)
     {
         var lineBytes = 3 * (int)Width;

@@ -48,9 +48,12 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 return tree[open[^1]].Kind == JsonTokenType.StartObject ? Key(next) : Value(next);
             case ';':
                 return new(at, at + 1, "a comma, not a semicolon, stands between two values");
+            case ':' when last == JsonTokenType.String && KeyInArray(tree.Last.Start, valueEnd) is { } key:
+                return key;
             case ':' or '=':
                 return new(at, at + 1, $"'{c}' cannot follow a value; a comma or a bracket can");
         }
+        if (c == '"' && wrong.Text(at, out var keyEnd) is null && KeyInArray(at, keyEnd) is { } inArray) return inArray;
         var line = tree.Text.LineOf(valueEnd - 1);
         if (line != tree.Text.LineOf(at)) return new(at, words.End(at), $"a comma is missing after line {line}");
         var end = c == '"' && wrong.Text(at, out var textEnd) is null ? textEnd : words.End(at);
@@ -125,9 +128,28 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         var found = (char)utf8[at];
         if (open.Length == 0) return new(at, at + 1, $"there is a {found} but nothing that it closes");
         var bracket = Bracket(out var line);
-        return new(at, at + 1, (bracket, found) is ('{', '}') or ('[', ']')
-            ? "there is one comma too many"
+        var (pair, justClosed) = found == ']' ? ('[', JsonTokenType.EndArray) : ('{', JsonTokenType.EndObject);
+        return new(at, at + 1,
+            bracket == pair ? "there is one comma too many"
+            : !IsOpen(pair) ? $"there is one {found} too many: the {bracket} of line {line} is open here, and no {pair}"
+            : last == justClosed ? $"there is one {found} too many, or the {bracket} of line {line} is not closed before it"
             : $"the {bracket} of line {line} is not closed before this {found}");
+    }
+
+    private bool IsOpen(char bracket)
+    {
+        foreach (var node in open)
+            if (utf8[tree[node].Start] == bracket) return true;
+        return false;
+    }
+
+    /// <summary>A key behind the elements of an array, whose bracket is missing; null for anything else.</summary>
+    private JsonMistake? KeyInArray(int at, int end)
+    {
+        var colon = words.SkipBlanks(end);
+        var isKey = utf8[at] == '"' && colon < utf8.Length && utf8[colon] == ':';
+        if (!isKey || Bracket(out var line) != '[' || at == tree[open[^1] + 1].Start) return null;
+        return new(at, end, $"the [ of line {line} is not closed before the key {tree.Text.Quote(at, end)}");
     }
 
     /// <summary>The innermost bracket that is open.</summary>

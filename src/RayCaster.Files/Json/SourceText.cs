@@ -23,7 +23,7 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         var text = Encoding.UTF8.GetString(Utf8[start..Math.Min(end, start + 240)]);
         var cut = text.AsSpan().IndexOfAny('\r', '\n') is >= 0 and var lineEnd ? lineEnd : text.Length;
         cut = BetweenLetters(text, Math.Min(cut, 60));
-        return PrintableText.Of(cut < text.Length || start + 240 < end ? string.Concat(text.AsSpan(0, cut), "…") : text);
+        return PrintableText.Escaped(cut < text.Length || start + 240 < end ? string.Concat(text.AsSpan(0, cut), "…") : text);
     }
 
     /// <summary>The line of a byte, from 1, and its column, from 1, in UTF-16 units. LF, CR LF and CR end a line.</summary>

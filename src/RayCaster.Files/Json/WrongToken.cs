@@ -10,12 +10,12 @@ internal readonly ref struct WrongToken(SourceText text)
     public JsonMistake? Number(int at)
     {
         var (word, end, digits) = (words.Word(at), words.End(at), at);
-        if (utf8[at] == '+') return new(at, end, $"a number has no plus sign: write {word[1..]}");
+        if (IsNotFinite(word)) return NotFinite(at);
+        if (utf8[at] == '+') return Corrected("a number has no plus sign: write");
         if (utf8[at] == '-') digits++;
-        if (digits < end && utf8[digits] == '.') return new(at, end, $"a number needs a digit before the point: {word.Replace(".", "0.")}");
-        if (word is "-Infinity" or "-NaN") return NotFinite(at);
+        if (digits < end && utf8[digits] == '.') return Corrected("a number needs a digit before the point:");
         if (!words.IsDigit(digits)) return new(at, Math.Max(end, at + 1), "a digit must follow the minus sign");
-        if (utf8[digits] == '0' && words.IsDigit(digits + 1)) return new(at, end, $"a number does not begin with 0: write {WithoutZeros(word)}");
+        if (utf8[digits] == '0' && words.IsDigit(digits + 1)) return Corrected("a number does not begin with 0: write");
         if (utf8[digits] == '0' && digits + 1 < end && (utf8[digits + 1] | 0x20) == 'x') return new(at, end, $"numbers are decimal; {word} is not");
 
         var i = SkipDigits(digits);
@@ -31,7 +31,15 @@ internal readonly ref struct WrongToken(SourceText text)
             if (!words.IsDigit(i) && i < utf8.Length) return new(at, end, "a digit must follow the e of a number: 1e-6");
             i = SkipDigits(i);
         }
-        return i == end ? null : new(at, end, $"{word} is not a number; a number ends before '{words.Character(i)}'");
+        return i == end ? null : new(at, end, $"{word} is not a number; a number ends before {Shown(words.Character(i))}");
+
+        JsonMistake Corrected(string advice)
+        {
+            var sign = word[0] == '-' ? "-" : "";
+            var rest = word.TrimStart('+', '-').TrimStart('0');
+            var number = sign + (rest.Length == 0 || !char.IsAsciiDigit(rest[0]) ? "0" : "") + rest;
+            return new(at, end, IsNumber(number) ? $"{advice} {number}" : $"{word} is not a number");
+        }
     }
 
     /// <summary>A word without quotes, where a value should be.</summary>
@@ -43,10 +51,10 @@ internal readonly ref struct WrongToken(SourceText text)
             if (literal == word || (end == utf8.Length && literal.StartsWith(word, StringComparison.Ordinal))) return null;
             if (literal.Equals(word, StringComparison.OrdinalIgnoreCase)) return new(at, end, $"{word} is written {literal} in JSON");
         }
-        if (word is "NaN" or "Infinity" or "nan" or "inf" or "INF") return NotFinite(at);
+        if (IsNotFinite(word)) return NotFinite(at);
         return char.IsLetter(word[0]) || word[0] == '_'
             ? new(at, end, $"{word} is not a value; a text is written in double quotes: \"{word}\"")
-            : new(at, end, $"a value is expected here, not '{words.Character(at)}'");
+            : new(at, end, $"a value is expected here, not {Shown(words.Character(at))}");
     }
 
     /// <summary>A text in double quotes.</summary>
@@ -81,9 +89,9 @@ internal readonly ref struct WrongToken(SourceText text)
         var c = words.Character(at);
         if (c.Value is '“' or '”' or '„' or '«' or '»' or '‘' or '’')
             return new(at, words.End(at), $"texts and keys are written in straight double quotes \", not in {c}");
-        if (c.Value is 0xFEFF or 0x200B || (!c.IsAscii && Rune.IsWhiteSpace(c)))
-            return new(at, at + c.Utf8SequenceLength,
-                $"the character U+{c.Value:X4} looks like a space or like nothing, but only a plain space is allowed here");
+        if (IsInvisible(c))
+            return new(at, at + c.Utf8SequenceLength, $"the character {Shown(c)} looks like a space or like nothing, "
+                + "but only a plain space is allowed here");
         return null;
     }
 
@@ -95,10 +103,23 @@ internal readonly ref struct WrongToken(SourceText text)
         return at;
     }
 
-    private static string WithoutZeros(string word)
+    private static bool IsNotFinite(string word) => word.TrimStart('+', '-').ToLowerInvariant() is "nan" or "inf" or "infinity";
+
+    private static bool IsNumber(string word)
     {
-        var sign = word[0] == '-' ? "-" : "";
-        var rest = word.AsSpan(sign.Length).TrimStart('0');
-        return sign + (rest.IsEmpty || !char.IsAsciiDigit(rest[0]) ? "0" : "") + rest.ToString();
+        var reader = new Utf8JsonReader(Encoding.UTF8.GetBytes(word));
+        try
+        {
+            return reader.Read() && reader.TokenType == JsonTokenType.Number && reader.BytesConsumed == word.Length && !reader.Read();
+        }
+        catch (JsonException)
+        {
+            return false;
+        }
     }
+
+    private static bool IsInvisible(Rune c) => !c.IsAscii && (Rune.IsWhiteSpace(c) || Rune.GetUnicodeCategory(c) == UnicodeCategory.Format);
+
+    /// <summary>A character in quotes; an invisible one by its number.</summary>
+    private static string Shown(Rune c) => IsInvisible(c) ? $"U+{c.Value:X4}" : $"'{c}'";
 }

@@ -10,42 +10,25 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     /// The file's vertices and triangles. The model shares the array of vertices if none is moved, and the array of indices if no triangle is
     /// dropped.
     /// </param>
-    /// <param name="threads">How many threads place a large mesh; one per core if left out.</param>
     /// <exception cref="OverflowException">A placed vertex is not finite.</exception>
-    public Mesh Place(MeshData data, out int dropped, int? threads = null)
+    public Mesh Place(MeshData data, out int dropped)
     {
-        var threadCount = threads ?? Environment.ProcessorCount;
-        var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices, threadCount);
-        var indices = WithoutFlat(data.Indices, vertices, threadCount);
+        var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices);
+        var indices = WithoutFlat(data.Indices, vertices);
         dropped = (data.Indices.Length - indices.Length) / 3;
         return new Mesh(vertices, indices);
     }
 
     private bool IsNone => Scale == new Vector3(1, 1, 1) && Rotate == Vector3.Zero && Translate == Vector3.Zero;
 
-    private Vector3[] PlaceVertices(Vector3[] from, int threads)
-    {
-        var placement = this;
-        var placed = GC.AllocateUninitializedArray<Vector3>(from.Length);
-        var areFinite = true;
-        Ranges.Each(from.Length, threads, (start, length) =>
-        {
-            if (!placement.Place(from.AsSpan(start, length), placed.AsSpan(start, length))) Volatile.Write(ref areFinite, false);
-        });
-        if (areFinite) return placed;
-        var first = Array.FindIndex(placed, p => !(double.IsFinite(p.X) && double.IsFinite(p.Y) && double.IsFinite(p.Z)));
-        throw new OverflowException($"vertex {first + 1} is placed at {placed[first]}, beyond the largest number");
-    }
-
-    /// <summary>Places some vertices; false where one is no longer finite.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // called a few times, for many vertices each
-    private bool Place(ReadOnlySpan<Vector3> from, Span<Vector3> placed)
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // called once, for many vertices
+    private Vector3[] PlaceVertices(Vector3[] from)
     {
         var (scale, translate) = (Scale, Translate);
         var (sx, cx) = SinCos(Rotate.X);
         var (sy, cy) = SinCos(Rotate.Y);
         var (sz, cz) = SinCos(Rotate.Z);
-        var zero = 0d; // NaN as soon as a coordinate is not finite
+        var placed = GC.AllocateUninitializedArray<Vector3>(from.Length);
         for (var i = 0; i < from.Length; i++)
         {
             var p = from[i];
@@ -54,60 +37,29 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
             p = new(cy * p.X + sy * p.Z, p.Y, cy * p.Z - sy * p.X);
             p = new(cz * p.X - sz * p.Y, sz * p.X + cz * p.Y, p.Z);
             placed[i] = p += translate;
-            zero += 0 * p.X + 0 * p.Y + 0 * p.Z;
+            if (!(double.IsFinite(p.X) && double.IsFinite(p.Y) && double.IsFinite(p.Z)))
+                throw new OverflowException($"vertex {i + 1} is placed at {p}, beyond the largest number");
         }
-        return zero == 0;
+        return placed;
     }
 
     /// <summary>The triangles that have an area: the same array where all have.</summary>
-    private static int[] WithoutFlat(int[] indices, Vector3[] vertices, int threads)
-    {
-        var flat = 0;
-        Ranges.Each(indices.Length, threads, (start, length) => Interlocked.Add(ref flat, CountFlat(indices.AsSpan(start, length), vertices)));
-        return flat == 0 ? indices : WithoutFlat(indices, vertices, new int[indices.Length - 3 * flat]);
-    }
-
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private static int[] WithoutFlat(ReadOnlySpan<int> indices, Vector3[] vertices, int[] kept)
+    private static int[] WithoutFlat(int[] indices, Vector3[] vertices)
     {
-        for (var to = 0; !indices.IsEmpty; indices = indices[3..])
-        {
-            if (IsFlat(vertices[indices[0]], vertices[indices[1]], vertices[indices[2]])) continue;
-            indices[..3].CopyTo(kept.AsSpan(to));
-            to += 3;
-        }
-        return kept;
-    }
-
-    /// <remarks>The corners of many triangles are copied first: they may lie anywhere, and so the processor waits for all of them at once.</remarks>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private static int CountFlat(ReadOnlySpan<int> indices, Vector3[] vertices)
-    {
-        const int AtOnce = 3 * 32;
-        Span<Vector3> corners = stackalloc Vector3[AtOnce];
+        int[]? kept = null;
         var count = 0;
-        for (; !indices.IsEmpty; indices = indices[Math.Min(AtOnce, indices.Length)..])
+        for (var i = 0; i < indices.Length; i += 3)
         {
-            if (indices.Length < AtOnce) corners = corners[..indices.Length];
-            for (var i = 0; i < corners.Length; i++) corners[i] = vertices[indices[i]];
-            for (var i = 0; i < corners.Length; i += 3)
-                if (IsFlat(corners[i], corners[i + 1], corners[i + 2]))
-                    count++;
+            if (Triangle.IsOnOneLine(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]]))
+            {
+                kept ??= indices[..];
+                continue;
+            }
+            if (kept is not null) Array.Copy(indices, i, kept, count, 3);
+            count += 3;
         }
-        return count;
-    }
-
-    /// <remarks>
-    /// Almost all triangles pass a test without roots: squared, and with twice the limit of <see cref="Triangle.IsOnOneLine"/>. A triangle that
-    /// passes it has an area by that definition too, because the roots round by only a few parts in 10¹⁶. The bounds 1e-100 and 1e100 keep all
-    /// products within a double.
-    /// </remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsFlat(Vector3 a, Vector3 b, Vector3 c)
-    {
-        var (e1, e2, e3) = (b - a, c - a, c - b);
-        var (n, longest) = (e1 % e2, Math.Max(e1 * e1, Math.Max(e2 * e2, e3 * e3)));
-        return !(longest is > 1e-100 and < 1e100 && n * n > 4e-24 * longest * longest) && Triangle.IsOnOneLine(a, b, c);
+        return kept?[..count] ?? indices;
     }
 
     /// <summary>

@@ -1,75 +1,87 @@
 namespace RayCaster.Files;
 
-/// <summary>The bytes of a mesh file, which need not fit into memory, and the errors that name a place in it.</summary>
+/// <summary>The bytes of a mesh file in order. Only a piece of them is in memory, so a file may have any size.</summary>
 /// <param name="stream">The file's bytes; it must be able to seek.</param>
-/// <param name="blockSize">How many bytes are read at once, unless a line or row is longer.</param>
-/// <param name="threads">How many blocks are read at the same time, at most.</param>
-internal sealed class MeshSource(string path, Stream stream, int blockSize = MeshSource.UsualBlockSize, int threads = 1)
+/// <param name="pieceSize">How many bytes are in memory, unless a line is longer.</param>
+internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 << 20)
 {
-    /// <summary>Small enough for a core's own cache. A file that is no larger is read on the caller's thread.</summary>
-    public const int UsualBlockSize = 1 << 20;
+    private byte[] buffer = new byte[Math.Min(pieceSize, stream.Length + 1)];
+    private int first, end; // the bytes that are loaded and not taken yet
+    private long loaded;
 
     /// <summary>The bytes of the file when it was opened.</summary>
     public long Length { get; } = stream.Length;
 
-    public int BlockSize => blockSize;
+    /// <summary>The place of the next byte in the file.</summary>
+    public long Position => loaded - (end - first);
 
-    public int Threads => threads;
+    /// <summary>The next bytes, as many as are loaded; valid until more are loaded.</summary>
+    public ReadOnlySpan<byte> Bytes => buffer.AsSpan(first, end - first);
 
-    /// <summary>Fills the buffer; any thread may call it.</summary>
-    /// <exception cref="MeshFileException">The file cannot be read, or became shorter.</exception>
-    public void Read(long offset, Span<byte> buffer)
+    /// <summary>Loads more bytes; false at the end of the file.</summary>
+    /// <exception cref="ProblemException">The file cannot be read or became shorter, or a line is too long.</exception>
+    public bool Load()
     {
+        if (loaded == Length) return false;
+        if (end == buffer.Length) MakeRoom();
         try
         {
-            lock (stream)
-            {
-                stream.Position = offset;
-                stream.ReadExactly(buffer);
-            }
-        }
-        catch (EndOfStreamException e)
-        {
-            throw new MeshFileException(path, "the file became shorter while it was read", inner: e);
+            var count = stream.Read(buffer.AsSpan(end, (int)Math.Min(buffer.Length - end, Length - loaded)));
+            if (count == 0) throw Error("the file became shorter while it was read");
+            (end, loaded) = (end + count, loaded + count);
+            return true;
         }
         catch (IOException e)
         {
-            throw new MeshFileException(path, $"cannot be read: {e.Message}", inner: e);
+            throw new ProblemException($"{path}: cannot be read: {e.Message}", e);
         }
     }
 
-    /// <summary>The place of the first byte, from a place on, that is neither blank nor 0; null if there is none.</summary>
-    public long? FirstNotBlank(long from)
+    /// <summary>Whether so many bytes follow; they are loaded then.</summary>
+    public bool Has(int count)
     {
-        if (from >= Length) return null;
-        var buffer = new byte[Math.Min(1 << 16, Length - from)];
-        for (; from < Length; from += buffer.Length)
-        {
-            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Length - from));
-            Read(from, bytes);
-            if (bytes.IndexOfAnyExcept(" \t\r\n\v\f\0"u8) is >= 0 and var place) return from + place;
-        }
-        return null;
+        while (end - first < count)
+            if (!Load()) return false;
+        return true;
     }
 
-    public MeshFileException Error(string reason) => new(path, reason);
-
-    public MeshFileException ErrorAtByte(long offset, string reason) => new(path, reason, offset: offset);
-
-    /// <summary>A mistake in a text part of the file. Lines are counted only here, so that readers need not count them.</summary>
-    public MeshFileException ErrorAtLine(long offset, string reason) => new(path, reason, LineAt(offset));
-
-    private int LineAt(long offset)
+    /// <summary>Takes bytes that are there.</summary>
+    public ReadOnlySpan<byte> Take(int count)
     {
-        var buffer = new byte[UsualBlockSize + 1]; // one more: CR or CRLF?
-        var line = 1;
-        for (var start = 0L; start < offset; start += UsualBlockSize)
-        {
-            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Math.Min(offset + 1, Length) - start));
-            Read(start, bytes);
-            var counted = bytes[..(int)Math.Min(UsualBlockSize, offset - start)];
-            line += counted.Count((byte)'\n') + counted.Count((byte)'\r') - bytes.Count("\r\n"u8);
-        }
-        return line;
+        Has(count);
+        first += count;
+        return buffer.AsSpan(first - count, count);
+    }
+
+    /// <summary>Skips bytes that are there.</summary>
+    public void Skip(long count)
+    {
+        for (; count > end - first; Load()) (count, first) = (count - (end - first), end);
+        first += (int)count;
+    }
+
+    /// <summary>Goes back to the first byte.</summary>
+    public void Restart()
+    {
+        stream.Position = 0;
+        (first, end, loaded) = (0, 0, 0);
+    }
+
+    public ProblemException Error(string reason) => new($"{path}: {reason}");
+
+    public ProblemException ErrorAtByte(long offset, string reason) => new($"{path}(byte {offset}): {reason}");
+
+    /// <summary>A mistake in a text. Lines count from 1 and end with LF, CRLF or CR.</summary>
+    public ProblemException ErrorAtLine(int line, string reason) => new($"{path}({line}): {reason}");
+
+    private void MakeRoom()
+    {
+        if (first == 0 && end >= MeshFile.MaxBytesAtOnce)
+            throw ErrorAtByte(Position, FormattableString.Invariant(
+                $"a line or row begins here that has more than {MeshFile.MaxBytesAtOnce:N0} bytes, which is the limit"));
+        var bytes = Bytes;
+        if (first == 0) buffer = new byte[Math.Min(2L * end, MeshFile.MaxBytesAtOnce)];
+        bytes.CopyTo(buffer);
+        (first, end) = (0, bytes.Length);
     }
 }

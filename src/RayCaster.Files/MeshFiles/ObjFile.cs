@@ -3,24 +3,13 @@ using System.Buffers.Text;
 namespace RayCaster.Files;
 
 /// <summary>Wavefront OBJ: the statements <c>v x y z</c> and <c>f i j k …</c>; all others are skipped.</summary>
-internal sealed class ObjFile : MeshFormat
+internal static class ObjFile
 {
-    private readonly long vertexCount;
-
-    private ObjFile(MeshSource source, long vertexCount = long.MaxValue) : base(source) => this.vertexCount = vertexCount;
-
     public static MeshData Read(MeshSource source)
     {
-        var mesh = MeshReader.Read(source, () => new ObjFile(source));
-        // A face may stand before its vertices, so the range of indices is known only now. A second reading stops at the first index beyond it.
-        if (!mesh.Indices.AsSpan().ContainsAnyInRange(mesh.Vertices.Length, int.MaxValue)) return mesh;
-        MeshReader.ReadInOrder(source, new ObjFile(source, mesh.Vertices.Length));
-        throw source.Error("the file changed while it was read");
-    }
-
-    public override void Read(MeshBlock block, MeshBuilder mesh)
-    {
-        var scanner = new TextScanner(block, isObj: true);
+        var (scanner, mesh) = (new TextScanner(source, isObj: true), new MeshBuilder(source));
+        var ahead = new List<(long Index, int Line)>(); // of faces before their vertices: each index that is greater than those before it
+        string? warning = null;
         do
         {
             var statement = scanner.NextInLine();
@@ -28,7 +17,8 @@ internal sealed class ObjFile : MeshFormat
             {
                 mesh.AddVertex(new(
                     scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z")));
-                while (scanner.NextInLine() is { IsEmpty: false } more) scanner.ToNumber(more, "what follows a vertex's x, y and z");
+                while (scanner.NextInLine() is { IsEmpty: false } more) // weights and colours, which may be no numbers
+                    if (!IsNotFinite(more)) scanner.ToNumber(more, "what follows a vertex's x, y and z");
             }
             else if (statement is [(byte)'f'])
             {
@@ -36,31 +26,35 @@ internal sealed class ObjFile : MeshFormat
                 while (scanner.NextInLine() is { IsEmpty: false } corner)
                 {
                     var index = ToIndex(corner, scanner);
-                    if (index > vertexCount) throw scanner.Error($"face index {index} is beyond the file's {vertexCount} vertices");
-                    if (index < -mesh.VerticesAbove)
-                        throw scanner.Error($"face index {index} counts back beyond the {mesh.VerticesAbove} vertices that are above it");
-                    if (index > 0) mesh.AddCorner(index - 1);
-                    else mesh.AddCornerBack(index);
+                    if (index < -mesh.VertexCount)
+                        throw scanner.Error($"face index {index} counts back beyond the {mesh.VertexCount} vertices that are above it");
+                    if (index > mesh.VertexCount && (ahead.Count == 0 || index > ahead[^1].Index)) ahead.Add((index, scanner.LineNumber));
+                    mesh.AddCorner((int)Math.Min(index < 0 ? mesh.VertexCount + index : index - 1, int.MaxValue));
                 }
                 if (mesh.CornerCount < 3) throw scanner.Error($"a face needs at least three corners, but this one has {mesh.CornerCount}");
             }
+            else if (warning is null && (statement.SequenceEqual("usemtl"u8) || statement.SequenceEqual("mtllib"u8)))
+            {
+                warning = "the file's materials are ignored; \"color\" colours the whole mesh";
+            }
         }
         while (scanner.NextLine());
+
+        foreach (var (index, line) in ahead)
+            if (index > mesh.VertexCount)
+                throw source.ErrorAtLine(line, $"face index {index} is beyond the file's {mesh.VertexCount} vertices");
+        return mesh.Finish(warning);
     }
 
-    /// <summary>After any line that no backslash continues.</summary>
-    public override int Cut(ReadOnlySpan<byte> text, bool isEnd)
+    /// <summary>Whether a program has written NaN or infinity: <c>nan</c>, <c>-nan(ind)</c>, <c>Infinity</c>.</summary>
+    private static bool IsNotFinite(ReadOnlySpan<byte> word)
     {
-        if (isEnd) return text.Length;
-        for (var left = text; TextScanner.TryTakeLastLine(ref left, out var line);)
-        {
-            var isCrLf = line.IsEmpty && left is [.., (byte)'\r'];
-            if ((isCrLf ? left[..^1] : line) is not [.., (byte)'\\']) return left.Length + 1;
-        }
-        return 0;
+        var letters = word.TrimStart("+-"u8);
+        return letters.Length >= 3 && (Ascii.EqualsIgnoreCase(letters[..3], "nan") || Ascii.EqualsIgnoreCase(letters[..3], "inf"));
     }
 
-    /// <summary>The vertex of a corner: <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c> (vertex, texture, normal).</summary>
+    /// <summary>The vertex of a corner: <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c> (vertex, texture, normal); numbers may be left out at
+    /// the end, as in <c>7//</c>.</summary>
     private static long ToIndex(ReadOnlySpan<byte> corner, TextScanner scanner)
     {
         var isCorner = Utf8Parser.TryParse(corner, out long index, out var length);
@@ -70,8 +64,7 @@ internal sealed class ObjFile : MeshFormat
             Utf8Parser.TryParse(rest[1..], out long _, out length); // of length 0 where nothing is written
             rest = rest[(1 + length)..];
         }
-        if (!isCorner || !rest.IsEmpty || corner is [.., (byte)'/'])
-            throw scanner.Error($"a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is {scanner.Quoted}");
+        if (!isCorner || !rest.IsEmpty) throw scanner.Error($"a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is {scanner.Quoted}");
         if (index == 0) throw scanner.Error("face index 0 is not allowed: vertices count from 1, or from -1 backwards");
         return index;
     }

@@ -2,7 +2,7 @@ using System.Buffers.Text;
 
 namespace RayCaster.Files;
 
-internal enum PlyRole { X, Y, Z, Corners, Skipped }
+internal enum PlyRole { X, Y, Z, Corners, Strips, Skipped }
 
 internal enum PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 }
 
@@ -27,9 +27,9 @@ internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType?
 }
 
 /// <summary>A table of the file.</summary>
-/// <param name="Name">What its rows are: <c>vertex</c>, <c>face</c>, or anything else, which is skipped.</param>
-/// <param name="At">The place of the header's line, for a message.</param>
-internal sealed record PlyElement(string Name, long Count, int At)
+/// <param name="Name">What its rows are: <c>vertex</c>, <c>face</c>, <c>tristrips</c>, or anything else, which is skipped.</param>
+/// <param name="Line">The header's line, for a message.</param>
+internal sealed record PlyElement(string Name, long Count, int Line)
 {
     public List<PlyProperty> Properties { get; } = [];
 }
@@ -39,25 +39,27 @@ internal sealed class PlyHeader
 {
     private const int longest = 1 << 20;
     private readonly MeshSource source;
-    private readonly TextScanner scanner;
 
-    /// <exception cref="MeshFileException">
+    /// <exception cref="ProblemException">
     /// The header is broken, or there is no vertex with x, y and z, or no face with vertex_indices.
     /// </exception>
     public PlyHeader(MeshSource source)
     {
-        var start = new MeshBlock(source).Load(0, (int)Math.Min(longest, source.Length));
-        (this.source, scanner) = (source, new(start));
-        if (NextWord() != "ply") throw scanner.Error("a PLY file must begin with the line 'ply'");
-        var lineEnd = scanner.Position;
+        (this.source, Scanner) = (source, new(source));
+        if (NextWord() != "ply") throw Scanner.Error("a PLY file must begin with the line 'ply'");
+        var endsWithCr = Scanner.LineEnd is [(byte)'\r'];
         ReadLines();
-        BodyAt = scanner.Position;
         // If lines end with a lone CR, a byte 10 after the last one is not its LF but the first byte of the data.
-        if (start.Bytes[lineEnd..] is [(byte)'\r', not (byte)'\n', ..] && start.Bytes[BodyAt - 1] == '\n') BodyAt--;
+        if (Format == "ascii") Scanner.NextLine();
+        else Scanner.EndText(endsWithCr ? 1 : Scanner.LineEnd.Length);
 
         VertexCount = Require("vertex", (PlyRole.X, "x"), (PlyRole.Y, "y"), (PlyRole.Z, "z")).Count;
-        Require("face", (PlyRole.Corners, "list vertex_indices"));
+        if (!Elements.Exists(element => element.Properties.Exists(property => property.Role == PlyRole.Strips)))
+            Require("face", (PlyRole.Corners, "list vertex_indices"));
     }
+
+    /// <summary>At the first row of an ascii file.</summary>
+    public TextScanner Scanner { get; }
 
     /// <summary><c>ascii</c>, <c>binary_little_endian</c> or <c>binary_big_endian</c>.</summary>
     public string Format { get; private set; } = "";
@@ -66,11 +68,9 @@ internal sealed class PlyHeader
 
     public long VertexCount { get; }
 
-    public int BodyAt { get; }
-
     private void ReadLines()
     {
-        while (scanner.NextLine())
+        while (source.Position < longest && Scanner.NextLine())
         {
             switch (NextWord())
             {
@@ -78,14 +78,14 @@ internal sealed class PlyHeader
                 case "element": ReadElement(); break;
                 case "property": ReadProperty(); break;
                 case "comment" or "obj_info" or "": break;
-                case "end_header" when Format == "": throw scanner.Error("the header has no format");
-                case "end_header": scanner.NextLine(); return;
+                case "end_header" when Format == "": throw Scanner.Error("the header has no format");
+                case "end_header": return;
                 default:
-                    throw scanner.Error(
-                        $"a header line must be format, element, property, comment, obj_info or end_header, but is {scanner.Quoted}");
+                    throw Scanner.Error(
+                        $"a header line must be format, element, property, comment, obj_info or end_header, but is {Scanner.Quoted}");
             }
         }
-        throw scanner.Error(source.Length > longest
+        throw Scanner.Error(source.Length > longest
             ? $"end_header is missing in the first {longest} bytes; a header must not be longer"
             : "the file ends within the header: end_header is missing");
     }
@@ -94,29 +94,29 @@ internal sealed class PlyHeader
     {
         Format = NextWord();
         if (Format is not ("ascii" or "binary_little_endian" or "binary_big_endian"))
-            throw scanner.Error($"the format must be ascii, binary_little_endian or binary_big_endian, but is {scanner.Quoted}");
-        if (NextWord() != "1.0") throw scanner.Error($"the version of the format must be 1.0, but is {scanner.Quoted}");
+            throw Scanner.Error($"the format must be ascii, binary_little_endian or binary_big_endian, but is {Scanner.Quoted}");
+        if (NextWord() != "1.0") throw Scanner.Error($"the version of the format must be 1.0, but is {Scanner.Quoted}");
     }
 
     private void ReadElement()
     {
         var name = NextWord();
-        var at = scanner.WordAt;
-        if (name is "vertex" or "face" && Elements.Exists(element => element.Name == name))
-            throw scanner.Error($"the element {name} is there twice");
-        var word = scanner.NextInLine();
+        var line = Scanner.LineNumber;
+        if (name is "vertex" or "face" or "tristrips" && Elements.Exists(element => element.Name == name))
+            throw Scanner.Error($"the element {name} is there twice");
+        var word = Scanner.NextInLine();
         if (!Utf8Parser.TryParse(word, out long count, out var length) || length < word.Length || count < 0)
-            throw scanner.Error($"the count of an element must be a whole number from 0 on, but is {scanner.Quoted}");
-        Elements.Add(new(name, count, at));
+            throw Scanner.Error($"the count of an element must be a whole number from 0 on, but is {Scanner.Quoted}");
+        Elements.Add(new(name, count, line));
     }
 
     private void ReadProperty()
     {
-        if (Elements.Count == 0) throw scanner.Error("a property must come after its element");
+        if (Elements.Count == 0) throw Scanner.Error("a property must come after its element");
         var element = Elements[^1];
         var type = NextWord();
         PlyType? countType = type == "list" ? ToType(NextWord()) : null;
-        if (countType is PlyType.Float32 or PlyType.Float64) throw scanner.Error("the count of a list must be of a whole-number type");
+        if (countType is PlyType.Float32 or PlyType.Float64) throw Scanner.Error("the count of a list must be of a whole-number type");
         var valueType = ToType(countType is null ? type : NextWord());
         var role = (element.Name, NextWord(), countType is not null) switch
         {
@@ -124,10 +124,11 @@ internal sealed class PlyHeader
             ("vertex", "y", false) => PlyRole.Y,
             ("vertex", "z", false) => PlyRole.Z,
             ("face", "vertex_indices" or "vertex_index", true) => PlyRole.Corners,
+            ("tristrips", "vertex_indices" or "vertex_index", true) => PlyRole.Strips,
             _ => PlyRole.Skipped,
         };
         if (role != PlyRole.Skipped && element.Properties.Exists(property => property.Role == role))
-            throw scanner.Error("the element has this property twice");
+            throw Scanner.Error("the element has this property twice");
         element.Properties.Add(new(role, valueType, countType));
     }
 
@@ -141,8 +142,8 @@ internal sealed class PlyHeader
         "uint" or "uint32" => PlyType.UInt32,
         "float" or "float32" => PlyType.Float32,
         "double" or "float64" => PlyType.Float64,
-        _ => throw scanner.Error(
-            $"{scanner.Quoted} is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64"),
+        _ => throw Scanner.Error(
+            $"{Scanner.Quoted} is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64"),
     };
 
     private PlyElement Require(string name, params ReadOnlySpan<(PlyRole Role, string Name)> needed)
@@ -150,9 +151,9 @@ internal sealed class PlyHeader
         var element = Elements.Find(element => element.Name == name) ?? throw source.Error($"the file has no element {name}");
         foreach (var (role, property) in needed)
             if (!element.Properties.Exists(p => p.Role == role))
-                throw source.ErrorAtLine(element.At, $"the element {name} must have the property {property}");
+                throw source.ErrorAtLine(element.Line, $"the element {name} must have the property {property}");
         return element;
     }
 
-    private string NextWord() => Encoding.UTF8.GetString(scanner.NextInLine());
+    private string NextWord() => Encoding.UTF8.GetString(Scanner.NextInLine());
 }

@@ -1,30 +1,39 @@
 namespace RayCaster.Files;
 
-/// <summary>Reads the numbers in some rows of a PLY file, one after another.</summary>
-internal abstract class PlyValues
+/// <summary>Reads the numbers in the rows of a PLY file, one after another.</summary>
+internal abstract class PlyValues(MeshSource source)
 {
-    /// <exception cref="MeshFileException">It is missing or not finite.</exception>
+    protected MeshSource Source => source;
+
+    /// <summary>How many rows of an element the rest of the file can hold at most.</summary>
+    public abstract long MaxRows(PlyElement element);
+
+    /// <exception cref="ProblemException">It is missing or not finite.</exception>
     public abstract double Next(PlyType type);
 
     public abstract void Skip(PlyProperty property, long count);
-
-    /// <summary>An upper limit of the numbers that are left, whatever a count in the file says.</summary>
-    public abstract long MostLeft { get; }
 
     public virtual void BeginRow() { }
 
     public virtual void EndRow() { }
 
+    /// <summary>After the last row there may be nothing but blanks: anything else was meant to be part of the mesh.</summary>
+    public abstract void CheckEnd();
+
     /// <summary>A mistake in the last number.</summary>
-    public abstract MeshFileException Error(string reason);
+    public abstract ProblemException Error(string reason);
+
+    protected const string TooShort = "the file ends before all that its header promises";
+
+    protected const string TooLong = "there is more in the file than the rows that its header promises";
 }
 
 /// <summary>Numbers as text, each row on a line of its own.</summary>
-internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
+internal sealed class AsciiPlyValues(MeshSource source, TextScanner scanner) : PlyValues(source)
 {
-    private readonly TextScanner scanner = new(block);
-
-    public override long MostLeft => (block.Length - scanner.Position + 1L) / 2; // each a digit and a blank
+    /// <remarks>Each number has a digit, and a blank or line end; the last line may have no end.</remarks>
+    public override long MaxRows(PlyElement element) =>
+        (Source.Length - Source.Position + 1) / element.Properties.Sum(property => 2L * property.LeastNumbers);
 
     public override double Next(PlyType type) => scanner.ToNumber(NextWord(), "the value");
 
@@ -35,9 +44,8 @@ internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
 
     public override void BeginRow()
     {
-        while (scanner.NextInLine().IsEmpty)
-            if (!scanner.NextLine()) throw scanner.Error("the file ends before all that its header promises");
-        scanner.Position = scanner.WordAt;
+        if (scanner.Next().IsEmpty) throw scanner.Error(TooShort);
+        scanner.Return();
     }
 
     public override void EndRow()
@@ -46,31 +54,13 @@ internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
         scanner.NextLine();
     }
 
-    /// <summary>The length of the rows that are whole, each of which is a line; blank lines do not count.</summary>
-    /// <param name="bytes">Some of the file, from the beginning of a row on.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public static int Measure(ReadOnlySpan<byte> bytes, long wanted, out long count)
+    public override void CheckEnd()
     {
-        var (rowsEnd, at) = (0, 0);
-        for (count = 0; count < wanted;)
-        {
-            var line = bytes[at..];
-            var end = line.IndexOfAny((byte)'\n', (byte)'\r');
-            if (end < 0) break;
-            at += end + 1;
-            if (line[end] == '\r')
-            {
-                if (at == bytes.Length) break; // the next byte may be an LF of the same line end
-                if (bytes[at] == '\n') at++;
-            }
-            if (!line[..end].ContainsAnyExcept(" \t\v\f"u8)) continue;
-            rowsEnd = at;
-            count++;
-        }
-        return rowsEnd;
+        while (scanner.Next() is { IsEmpty: false } word)
+            if (word.ContainsAnyExcept((byte)0)) throw scanner.Error(TooLong);
     }
 
-    public override MeshFileException Error(string reason) => scanner.Error(reason);
+    public override ProblemException Error(string reason) => scanner.Error(reason);
 
     private ReadOnlySpan<byte> NextWord()
     {
@@ -79,74 +69,51 @@ internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
     }
 }
 
-internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValues
+internal sealed class BinaryPlyValues(MeshSource source, bool isBigEndian) : PlyValues(source)
 {
-    private readonly byte[] buffer = block.Buffer;
-    private readonly int length = block.Length;
-    private int position, last;
+    private long last; // where the last number begins
 
-    public override long MostLeft => length - position;
+    public override long MaxRows(PlyElement element) =>
+        (Source.Length - Source.Position) / element.Properties.Sum(property => property.LeastSize);
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override double Next(PlyType type)
     {
-        last = position;
+        last = Source.Position;
         var size = PlyProperty.SizeOf(type);
-        if (size > length - position) throw TooShort();
-        var at = buffer.AsSpan(position, size);
-        position += size;
-        var value = Number(at, type, bigEndian);
+        if (!Source.Has(size)) throw Error(TooShort);
+        var value = Number(Source.Take(size), type, isBigEndian);
         return double.IsFinite(value) ? value : throw Error($"the value must be a finite number, but is {value}");
-    }
-
-    /// <summary>The number that begins at the first of some bytes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double Number(ReadOnlySpan<byte> at, PlyType type, bool bigEndian) => type switch
-    {
-        PlyType.Int8 => (sbyte)at[0],
-        PlyType.UInt8 => at[0],
-        PlyType.Int16 => bigEndian ? BinaryPrimitives.ReadInt16BigEndian(at) : BinaryPrimitives.ReadInt16LittleEndian(at),
-        PlyType.UInt16 => bigEndian ? BinaryPrimitives.ReadUInt16BigEndian(at) : BinaryPrimitives.ReadUInt16LittleEndian(at),
-        PlyType.Int32 => bigEndian ? BinaryPrimitives.ReadInt32BigEndian(at) : BinaryPrimitives.ReadInt32LittleEndian(at),
-        PlyType.UInt32 => bigEndian ? BinaryPrimitives.ReadUInt32BigEndian(at) : BinaryPrimitives.ReadUInt32LittleEndian(at),
-        PlyType.Float32 => bigEndian ? BinaryPrimitives.ReadSingleBigEndian(at) : BinaryPrimitives.ReadSingleLittleEndian(at),
-        _ => bigEndian ? BinaryPrimitives.ReadDoubleBigEndian(at) : BinaryPrimitives.ReadDoubleLittleEndian(at),
-    };
-
-    /// <summary>The length of the rows that are whole: a row ends where the lists in it say.</summary>
-    /// <param name="bytes">Some of the file, from the beginning of a row on.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public static int Measure(ReadOnlySpan<byte> bytes, PlyElement element, bool bigEndian, long wanted, out long count)
-    {
-        var rowsEnd = 0L;
-        for (count = 0; count < wanted; count++)
-        {
-            var at = rowsEnd;
-            foreach (var property in element.Properties)
-            {
-                if (property.CountType is not { } type)
-                {
-                    at += property.Size;
-                    continue;
-                }
-                if (at + PlyProperty.SizeOf(type) > bytes.Length) return (int)rowsEnd;
-                // A count below 0 is refused when the row is read.
-                at += PlyProperty.SizeOf(type) + Math.Max(0, (long)Number(bytes[(int)at..], type, bigEndian)) * property.Size;
-            }
-            if (at > bytes.Length) break;
-            rowsEnd = at;
-        }
-        return (int)rowsEnd;
     }
 
     public override void Skip(PlyProperty property, long count)
     {
-        last = position;
-        if (count > (length - position) / property.Size) throw TooShort();
-        position += (int)count * property.Size;
+        last = Source.Position;
+        if (count > (Source.Length - last) / property.Size) throw Error(TooShort);
+        Source.Skip(count * property.Size);
     }
 
-    public override MeshFileException Error(string reason) => block.Source.ErrorAtByte(block.Start + last, reason);
+    public override void CheckEnd()
+    {
+        do
+        {
+            if (Source.Bytes.IndexOfAnyExcept(" \t\r\n\v\f\0"u8) is >= 0 and var rest) throw Source.ErrorAtByte(Source.Position + rest, TooLong);
+            Source.Skip(Source.Bytes.Length);
+        }
+        while (Source.Load());
+    }
 
-    private MeshFileException TooShort() => Error("the file ends before all that its header promises");
+    public override ProblemException Error(string reason) => Source.ErrorAtByte(last, reason);
+
+    private static double Number(ReadOnlySpan<byte> bytes, PlyType type, bool isBigEndian) => type switch
+    {
+        PlyType.Int8 => (sbyte)bytes[0],
+        PlyType.UInt8 => bytes[0],
+        PlyType.Int16 => isBigEndian ? BinaryPrimitives.ReadInt16BigEndian(bytes) : BinaryPrimitives.ReadInt16LittleEndian(bytes),
+        PlyType.UInt16 => isBigEndian ? BinaryPrimitives.ReadUInt16BigEndian(bytes) : BinaryPrimitives.ReadUInt16LittleEndian(bytes),
+        PlyType.Int32 => isBigEndian ? BinaryPrimitives.ReadInt32BigEndian(bytes) : BinaryPrimitives.ReadInt32LittleEndian(bytes),
+        PlyType.UInt32 => isBigEndian ? BinaryPrimitives.ReadUInt32BigEndian(bytes) : BinaryPrimitives.ReadUInt32LittleEndian(bytes),
+        PlyType.Float32 => isBigEndian ? BinaryPrimitives.ReadSingleBigEndian(bytes) : BinaryPrimitives.ReadSingleLittleEndian(bytes),
+        _ => isBigEndian ? BinaryPrimitives.ReadDoubleBigEndian(bytes) : BinaryPrimitives.ReadDoubleLittleEndian(bytes),
+    };
 }

@@ -2,19 +2,34 @@ using System.Buffers.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>Divides a text into words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>
-/// <param name="isObj">Whether, as in OBJ, # starts a comment, and a backslash at the end of a line continues it on the next.</param>
-internal sealed class TextScanner(MeshBlock block, bool isObj = false)
+/// <summary>Divides a text into lines and words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>
+internal sealed class TextScanner
 {
-    private readonly byte[] buffer = block.Buffer;
-    private readonly int length = block.Length;
-    private int wordEnd;
+    private readonly MeshSource source;
+    private readonly bool isObj;
+    private int length, lineEnd; // the bytes of the line without its end, and of its end
+    private int lineNumber = 1, linesInIt; // line ends that a backslash takes back
+    private int wordAt;
 
-    /// <summary>Where the search for the next word begins.</summary>
-    public int Position { get; set; } = MarkOf(block);
+    /// <param name="isObj">Whether, as in OBJ, # starts a comment, and a backslash at the end of a line continues it on the next.</param>
+    /// <exception cref="ProblemException">The text is in UTF-16.</exception>
+    public TextScanner(MeshSource source, bool isObj = false)
+    {
+        (this.source, this.isObj) = (source, isObj);
+        source.Has(3);
+        if (source.Bytes is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..]) throw source.ErrorAtLine(1, "the file is in UTF-16; save it as UTF-8");
+        if (source.Bytes is [0xEF, 0xBB, 0xBF, ..]) source.Skip(3); // the byte order mark that some editors write
+        LoadLine();
+    }
 
-    /// <summary>Where the last word began, or where one was missing.</summary>
-    public int WordAt { get; private set; }
+    /// <summary>Where the search for the next word begins: the last word's end.</summary>
+    public int Position { get; private set; }
+
+    /// <summary>The bytes of the line's end.</summary>
+    public ReadOnlySpan<byte> LineEnd => source.Bytes.Slice(length, lineEnd);
+
+    /// <summary>The line of the last word, or where one was missing.</summary>
+    public int LineNumber => lineNumber + (linesInIt > 0 ? CountLines(Line[..wordAt]) : 0);
 
     /// <summary>The last word for a message, shortened, without control characters.</summary>
     public string Quoted
@@ -22,8 +37,8 @@ internal sealed class TextScanner(MeshBlock block, bool isObj = false)
         get
         {
             const int most = 40;
-            var word = buffer.AsSpan(WordAt, wordEnd - WordAt);
-            if (word.IsEmpty) return Position == length ? "the end of the file" : "the end of the line";
+            var word = Line[wordAt..Position];
+            if (word.IsEmpty) return lineEnd == 0 ? "the end of the file" : "the end of the line";
             var text = Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)]).Select(c => char.IsControl(c) ? '?' : c);
             return $"'{string.Concat(text)}{(word.Length > most ? "…" : "")}'";
         }
@@ -33,14 +48,14 @@ internal sealed class TextScanner(MeshBlock block, bool isObj = false)
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public ReadOnlySpan<byte> NextInLine()
     {
-        var text = Text;
-        var at = SkipBlanks();
-        WordAt = at;
+        var text = Line;
+        var at = SkipBlanks(text);
+        wordAt = at;
         while (at < text.Length && !EndsWord(text[at])) at++;
         // A backslash within a line is a word of its own; otherwise the scanner would not move.
-        if (at == WordAt && at < text.Length && text[at] == '\\') at++;
-        Position = wordEnd = at;
-        return text[WordAt..at];
+        if (at == wordAt && at < text.Length && text[at] == '\\') at++;
+        Position = at;
+        return text[wordAt..at];
     }
 
     /// <summary>The next word, on this line or a later one; empty at the end of the file.</summary>
@@ -51,29 +66,29 @@ internal sealed class TextScanner(MeshBlock block, bool isObj = false)
         return word;
     }
 
+    /// <summary>Goes back to the beginning of the last word, or to a <see cref="Position"/> in the line.</summary>
+    public void Return(int? position = null) => Position = position ?? wordAt;
+
     /// <summary>Skips the rest of the line; false at the end of the file.</summary>
     public bool NextLine()
     {
-        while (true)
-        {
-            var rest = Text[Position..];
-            var end = rest.IndexOfAny((byte)'\n', (byte)'\r');
-            if (end < 0)
-            {
-                Position = length;
-                return false;
-            }
-            Position += end + LineEnd(rest[end..]);
-            var continues = isObj && end > 0 && rest[end - 1] == '\\' && !rest[..end].Contains((byte)'#');
-            if (!continues) return Position < length;
-        }
+        var next = lineNumber + 1 + linesInIt;
+        source.Skip(length + lineEnd);
+        (Position, wordAt) = (0, 0);
+        if (!LoadLine()) return false;
+        lineNumber = next;
+        return true;
     }
+
+    /// <summary>Ends the text with this line: other bytes follow.</summary>
+    /// <param name="lineEndBytes">How many bytes end the line.</param>
+    public void EndText(int lineEndBytes) => source.Skip(length + lineEndBytes);
 
     /// <inheritdoc cref="ToNumber"/>
     public double NextNumber(string what) => ToNumber(NextInLine(), what);
 
     /// <summary>Reads the word that came last as a number.</summary>
-    /// <exception cref="MeshFileException">It is something else, NaN, or beyond the largest number.</exception>
+    /// <exception cref="ProblemException">It is something else, NaN, or beyond the largest number.</exception>
     public double ToNumber(ReadOnlySpan<byte> word, string what)
     {
         if (TryParse(word, out var number)) return number;
@@ -86,45 +101,48 @@ internal sealed class TextScanner(MeshBlock block, bool isObj = false)
     public static bool TryParse(ReadOnlySpan<byte> word, out double number) =>
         Utf8Parser.TryParse(word, out number, out var length) && length == word.Length && double.IsFinite(number);
 
-    /// <summary>Takes the last line that has an end off a text.</summary>
-    /// <param name="line">The line without its end. A line that ends with CR and LF comes as an empty line first.</param>
-    public static bool TryTakeLastLine(ref ReadOnlySpan<byte> text, out ReadOnlySpan<byte> line)
+    public ProblemException Error(string reason) => source.ErrorAtLine(LineNumber, reason);
+
+    private ReadOnlySpan<byte> Line => source.Bytes[..length];
+
+    /// <summary>Finds the end of the line that begins here, and loads it as a whole; false at the end of the file.</summary>
+    private bool LoadLine()
     {
-        var end = text.LastIndexOfAny((byte)'\n', (byte)'\r');
-        line = default;
-        if (end < 0) return false;
-        text = text[..end];
-        line = text[(text.LastIndexOfAny((byte)'\n', (byte)'\r') + 1)..];
-        return true;
+        var (begin, searched) = (0, 0); // where the last line begins that a backslash continues, and where no line end is
+        for (linesInIt = 0; ; linesInIt++, begin = searched = length + lineEnd)
+        {
+            while ((length = EndIn(source.Bytes, searched)) < 0)
+            {
+                searched = source.Bytes is [.., (byte)'\r'] ? source.Bytes.Length - 1 : source.Bytes.Length;
+                if (source.Load()) continue;
+                length = searched;
+                break;
+            }
+            var text = source.Bytes;
+            lineEnd = LineEndOf(text[length..]);
+            var continues = isObj && lineEnd > 0 && length > begin && text[length - 1] == '\\' && !text[begin..length].Contains((byte)'#');
+            if (!continues) return length + lineEnd > 0;
+        }
+
+        // Where the line end is; −1 if there is none, or an LF may follow a CR.
+        static int EndIn(ReadOnlySpan<byte> text, int from)
+        {
+            var end = text[from..].IndexOfAny((byte)'\n', (byte)'\r');
+            return end < 0 || text[(from + end)..] is [(byte)'\r'] ? -1 : from + end;
+        }
     }
 
-    public MeshFileException Error(string reason) => ErrorAt(WordAt, reason);
-
-    public MeshFileException ErrorAt(int position, string reason) => block.Source.ErrorAtLine(block.Start + position, reason);
-
-    /// <summary>The bytes of the byte order mark that some editors write at the beginning of a file.</summary>
-    /// <exception cref="MeshFileException">The text is in UTF-16.</exception>
-    private static int MarkOf(MeshBlock block) => (block.Start == 0 ? block.Bytes : []) switch
+    private int SkipBlanks(ReadOnlySpan<byte> text)
     {
-        [0xEF, 0xBB, 0xBF, ..] => 3,
-        [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] => throw block.Source.ErrorAtLine(0, "the file is in UTF-16; save it as UTF-8"),
-        _ => 0,
-    };
-
-    private ReadOnlySpan<byte> Text => buffer.AsSpan(0, length);
-
-    private int SkipBlanks()
-    {
-        var text = Text;
         var at = Position;
         while (at < text.Length)
         {
             if (text[at] is (byte)' ' or (byte)'\t' or (byte)'\v' or (byte)'\f')
                 at++;
-            else if (isObj && text[at] == '\\' && LineEnd(text[(at + 1)..]) is > 0 and var lineEnd)
-                at += 1 + lineEnd;
+            else if (isObj && text[at] == '\\' && LineEndOf(text[(at + 1)..]) is > 0 and var end)
+                at += 1 + end;
             else if (isObj && text[at] == '#')
-                return text[at..].IndexOfAny((byte)'\n', (byte)'\r') is >= 0 and var end ? at + end : text.Length;
+                return text.Length;
             else
                 break;
         }
@@ -134,8 +152,10 @@ internal sealed class TextScanner(MeshBlock block, bool isObj = false)
     private bool EndsWord(byte c) =>
         c is (byte)' ' or (>= (byte)'\t' and <= (byte)'\r') || (isObj && c is (byte)'#' or (byte)'\\');
 
+    private static int CountLines(ReadOnlySpan<byte> text) => text.Count((byte)'\n') + text.Count((byte)'\r') - text.Count("\r\n"u8);
+
     /// <summary>The bytes of the line end at the beginning of a text; 0 for none.</summary>
-    private static int LineEnd(ReadOnlySpan<byte> text) => text switch
+    private static int LineEndOf(ReadOnlySpan<byte> text) => text switch
     {
         [(byte)'\r', (byte)'\n', ..] => 2,
         [(byte)'\r' or (byte)'\n', ..] => 1,

@@ -5,8 +5,8 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Files;
 
 /// <summary>
-/// Which lines of which picture a file holds. A PNG contains this as a text (chunk tEXt) under <see cref="Keyword"/>; other programs show it and
-/// do not change it:
+/// Which lines of which picture a file holds. A PNG contains this as a text (chunk tEXt) under "raycaster:part"; other programs show it and do
+/// not change it:
 /// <code>
 /// picture 500x500
 /// lines 0..249
@@ -18,9 +18,6 @@ namespace RayCaster.Files;
 /// <param name="Version">The version of the program, and 12 digits that change with its code.</param>
 public sealed partial record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
 {
-    /// <summary>The keyword of the text in the file.</summary>
-    public const string Keyword = "raycaster:part";
-
     /// <summary>The facts of a part that is drawn now.</summary>
     /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
     /// <param name="engine">The assembly that draws.</param>

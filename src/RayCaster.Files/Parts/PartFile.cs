@@ -4,7 +4,7 @@ namespace RayCaster.Files;
 public static class PartFile
 {
     /// <summary>Which lines of which picture a file holds; null for a PNG that is no part.</summary>
-    /// <exception cref="PictureFileException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
+    /// <exception cref="ProblemException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
     public static PartFacts? FactsOf(string path) => Open(path, (_, facts) => facts);
 
     /// <summary>Whether a file exists, can be read to its last pixel, and holds these lines of this picture.</summary>
@@ -17,7 +17,7 @@ public static class PartFile
         {
             reason = Open(path, (png, found) => WhyNot(png, found, facts));
         }
-        catch (PictureFileException e)
+        catch (ProblemException e)
         {
             reason = e.Message;
         }
@@ -40,9 +40,9 @@ public static class PartFile
     {
         if (png.PartText is not { } text) return null;
         if (PartFacts.Parse(text) is not { } facts)
-            throw new PictureFileException("its text about its part of the picture is unknown; perhaps a newer raycaster drew it");
+            throw new ProblemException("its text about its part of the picture is unknown; perhaps a newer raycaster drew it");
         if ((png.Header.Width, png.Header.Height) != (facts.Width, facts.Lines.Count))
-            throw new PictureFileException($"it says that it holds the lines {facts.Lines}, each of {facts.Width} pixels, "
+            throw new ProblemException($"it says that it holds the lines {facts.Lines}, each of {facts.Width} pixels, "
                 + $"but has {png.Header.Height} lines of {png.Header.Width}: it was changed by another program");
         png.RequireLines();
         return facts;

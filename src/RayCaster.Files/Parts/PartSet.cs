@@ -11,7 +11,7 @@ public sealed class PartSet
     /// <summary>Reads the facts of the files.</summary>
     /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
     /// none.</param>
-    /// <exception cref="PictureFileException">A file cannot be read.</exception>
+    /// <exception cref="ProblemException">A file cannot be read.</exception>
     public PartSet(IReadOnlyList<string> paths, Predicate<string>? isChosen = null)
     {
         foreach (var path in paths)
@@ -23,7 +23,7 @@ public sealed class PartSet
         parts.Sort(
             (a, b) => a.Facts.Lines.First.CompareTo(b.Facts.Lines.First) is var order and not 0 ? order : string.CompareOrdinal(a.Path, b.Path));
         if (parts.Count == 0) return;
-        FindStrangers();
+        FindPartsOfOtherPictures();
         if (problems.Count == 0) FindGapsAndOverlaps();
     }
 
@@ -44,14 +44,14 @@ public sealed class PartSet
 
     /// <summary>Writes the picture of parts without problems and without missing lines, a line at a time.</summary>
     /// <param name="writer">Receives the lines; it is not finished.</param>
-    /// <exception cref="PictureFileException">A part is damaged, or was replaced.</exception>
+    /// <exception cref="ProblemException">A part is damaged, or was replaced.</exception>
     public void Write(PictureWriter writer, Action<int>? linesDone = null, CancellationToken cancellation = default)
     {
         foreach (var (path, facts) in parts)
         {
             PartFile.Open(path, (png, found) =>
             {
-                if (found != facts) throw new PictureFileException("it was replaced in the meantime");
+                if (found != facts) throw new ProblemException("it was replaced in the meantime");
                 png.ReadLines(line =>
                 {
                     cancellation.ThrowIfCancellationRequested();
@@ -63,8 +63,7 @@ public sealed class PartSet
         }
     }
 
-    /// <summary>Finds parts of another picture than the first part's.</summary>
-    private void FindStrangers()
+    private void FindPartsOfOtherPictures()
     {
         var (first, mine) = parts[0];
         foreach (var (path, other) in parts)

@@ -4,14 +4,14 @@ namespace RayCaster.Files;
 public static class PictureFile
 {
     /// <summary>The largest array there is, a little less than 2^31 bytes.</summary>
-    internal static long MostBytes => Array.MaxLength;
+    internal static long MaxBytes => Array.MaxLength;
 
     /// <summary>
     /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), recognised by its first bytes.
     /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
     /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
-    /// <exception cref="PictureFileException">The file cannot be read, is damaged, of another kind, or too large.</exception>
+    /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
     public static Picture Read(string path) => Open(path, file =>
     {
         try
@@ -20,37 +20,38 @@ public static class PictureFile
         }
         catch (IOException e)
         {
-            throw new PictureFileException(PictureFileException.Reason(e), e);
+            throw new ProblemException(ProblemException.Reason(e), e);
         }
     });
 
     /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string)"/> does; the messages name no file.</summary>
-    /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
+    /// <exception cref="ProblemException">The data are damaged, of another kind, or too large.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     /// <param name="limit">The most bytes that the picture may take in memory, three for each pixel; those of the largest array if left out.</param>
     public static Picture Read(Stream stream, long? limit = null)
     {
-        var mostBytes = limit ?? MostBytes;
+        var maxBytes = limit ?? MaxBytes;
         try
         {
             long? length = stream.CanSeek ? stream.Length - stream.Position : null;
             var first = stream.ReadByte(); // shows the format; a pipe cannot seek back
-            if (first < 0) throw new PictureFileException("the file is empty");
-            if (first == 'P') return PnmReader.Read(new(stream, 1 << 16), length, mostBytes);
-            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), mostBytes);
-            var begun = new byte[8];
+            if (first < 0) throw new ProblemException("the file is empty");
+            if (first == 'P') return PnmReader.Read(new(stream, 1 << 16), length, maxBytes);
+            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), maxBytes);
+            var begun = new byte[GitPointer.Start.Length];
             begun[0] = (byte)first;
-            var count = 1 + stream.Read(begun.AsSpan(1));
-            throw new PictureFileException($"{Guess(begun.AsSpan(0, count))}; PNG, PBM, PGM and PPM can be read");
+            var count = 1 + stream.ReadAtLeast(begun.AsSpan(1), begun.Length - 1, throwOnEndOfStream: false);
+            if (GitPointer.Is(begun)) throw new ProblemException(GitPointer.Advice);
+            throw new ProblemException($"{Guess(begun.AsSpan(0, count))}; PNG, PBM, PGM and PPM can be read");
         }
         catch (OutOfMemoryException e)
         {
-            throw new PictureFileException("there is not enough memory for the picture", e);
+            throw new ProblemException("there is not enough memory for the picture", e);
         }
     }
 
     /// <summary>Writes a picture in the format of the path's extension. An old file is replaced at the end, and stays if anything fails.</summary>
-    /// <exception cref="PictureFileException">The extension names no format, or the file cannot be written.</exception>
+    /// <exception cref="ProblemException">The extension names no format, or the file cannot be written.</exception>
     public static void Write(string path, Picture picture)
     {
         var format = PictureFormats.ByExtension(path);
@@ -66,18 +67,18 @@ public static class PictureFile
     }
 
     /// <summary>Opens a file, reads it and closes it; errors name the file.</summary>
-    /// <exception cref="PictureFileException">The file cannot be read.</exception>
+    /// <exception cref="ProblemException">The file cannot be read.</exception>
     internal static T Open<T>(string path, Func<FileStream, T> read)
     {
         try
         {
-            if (Directory.Exists(path)) throw new PictureFileException("it is a folder, not a picture");
+            if (Directory.Exists(path)) throw new ProblemException("it is a folder, not a picture");
             using var file = OpenToRead(path);
             return read(file);
         }
-        catch (PictureFileException e) when (!e.NamesFile)
+        catch (ProblemException e) when (!e.NamesFile)
         {
-            throw new PictureFileException($"cannot read {path}: {e.Message}", e) { NamesFile = true };
+            throw new ProblemException($"cannot read {path}: {e.Message}", e) { NamesFile = true };
         }
     }
 
@@ -90,27 +91,27 @@ public static class PictureFile
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
             var place = PrintableText.Of(Path.GetFullPath(path));
-            throw new PictureFileException($"picture file not found: {path}\n  looked for {place}", e) { NamesFile = true };
+            throw new ProblemException($"picture file not found: {path}\n  looked for {place}", e) { NamesFile = true };
         }
         catch (ArgumentException e) // empty, or with a zero in it
         {
-            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e) { NamesFile = true };
+            throw new ProblemException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e) { NamesFile = true };
         }
-        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
-            throw new PictureFileException(PictureFileException.Reason(e), e);
+            throw new ProblemException(ProblemException.Reason(e), e);
         }
     }
 
     /// <summary>Refuses a size that a header promises, before anything is allocated for it.</summary>
-    /// <exception cref="PictureFileException">A side is 0, or the picture is too large.</exception>
-    internal static void CheckSize(long width, long height, long mostBytes)
+    /// <exception cref="ProblemException">A side is 0, or the picture is too large.</exception>
+    internal static void CheckSize(long width, long height, long maxBytes)
     {
         if (width < 1 || height < 1)
-            throw new PictureFileException($"its size is {width} × {height} pixels, but each side must be at least 1");
+            throw new ProblemException($"its size is {width} × {height} pixels, but each side must be at least 1");
         var bytes = (Int128)width * height * 3;
-        if (bytes > mostBytes)
-            throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {mostBytes:N0}");
+        if (bytes > maxBytes)
+            throw new ProblemException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {maxBytes:N0}");
     }
 
     /// <summary>A piece of a damaged file, fit for a message.</summary>
@@ -118,15 +119,15 @@ public static class PictureFile
         string.Concat(bytes.ToArray().Select(value => value is >= 0x20 and < 0x7F ? $"{(char)value}" : $"\\x{value:X2}"));
 
     private static MemoryStream InMemory(byte first, Stream rest) =>
-        InputBytes.TryReadToEnd(rest, MostBytes - 1, out var bytes, [first])
+        InputBytes.TryReadToEnd(rest, MaxBytes - 1, out var bytes, [first])
             ? new(bytes.Array!, bytes.Offset, bytes.Count)
-            : throw new PictureFileException($"the file is longer than {MostBytes:N0} bytes, which is the limit");
+            : throw new ProblemException($"the file is longer than {MaxBytes:N0} bytes, which is the limit");
 
     private static string Guess(ReadOnlySpan<byte> file) => file switch
     {
         [0xFF, 0xD8, ..] => "it is a JPEG, whose colours are not exact",
         [(byte)'G', (byte)'I', (byte)'F', ..] => "it is a GIF",
         [(byte)'B', (byte)'M', ..] => "it is a BMP",
-        _ => $"it begins with '{Printable(file)}', which is no known picture format",
+        _ => $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format",
     };
 }

@@ -17,12 +17,12 @@ public enum PictureFormat
 public static class PictureFormats
 {
     /// <summary>The format that a file's extension names: .png or .ppm, in any case.</summary>
-    /// <exception cref="PictureFileException">Another extension, or none.</exception>
+    /// <exception cref="ProblemException">Another extension, or none.</exception>
     public static PictureFormat ByExtension(string path) => Path.GetExtension(path).ToLowerInvariant() switch
     {
         ".png" => PictureFormat.Png,
         ".ppm" => PictureFormat.Ppm,
-        "" => throw new PictureFileException($"no picture format for '{path}': the name has no extension; use .png or .ppm"),
-        var other => throw new PictureFileException($"no picture format for '{path}': {other} is not known; use .png or .ppm"),
+        "" => throw new ProblemException($"no picture format for '{path}': the name has no extension; use .png or .ppm"),
+        var other => throw new ProblemException($"no picture format for '{path}': {other} is not known; use .png or .ppm"),
     };
 }

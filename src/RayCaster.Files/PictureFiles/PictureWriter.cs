@@ -24,8 +24,8 @@ public abstract class PictureWriter : IDisposable
 
     /// <summary>Begins a picture: writes the header.</summary>
     /// <param name="output">Receives the file's bytes in order. It need not seek, and is left open.</param>
-    /// <param name="part">Which part of a picture it is, if it is one; only a PNG can say so.</param>
-    public static PictureWriter Create(PictureFormat format, Stream output, int width, int height, PartFacts? part = null) => format switch
+    /// <param name="part">Which part of a picture it is, as a text, if it is one; only a PNG can hold it.</param>
+    public static PictureWriter Create(PictureFormat format, Stream output, int width, int height, string? part = null) => format switch
     {
         PictureFormat.Png => new PngWriter(output, width, height, part),
         _ when part is not null => throw new ArgumentException("a part of a picture is a PNG", nameof(format)),

@@ -7,16 +7,16 @@ internal sealed class PngChunkReader
     private readonly byte[] frame = new byte[8], passedBy = new byte[1 << 14];
     private uint crc;
 
-    /// <exception cref="PictureFileException">The file cannot seek, or does not begin like a PNG.</exception>
+    /// <exception cref="ProblemException">The file cannot seek, or does not begin like a PNG.</exception>
     public PngChunkReader(Stream file)
     {
-        if (!file.CanSeek) throw new PictureFileException("it is a pipe or a device; name a file");
+        if (!file.CanSeek) throw new ProblemException("it is a pipe or a device; name a file");
         this.file = file;
         file.Position = 0;
-        if (Fill(frame) == 0) throw new PictureFileException("the file is empty");
-        if (frame[0] != PngChunk.Signature[0]) throw new PictureFileException("it is not a PNG");
+        if (Fill(frame) == 0) throw new ProblemException("the file is empty");
+        if (frame[0] != PngChunk.Signature[0]) throw new ProblemException("it is not a PNG");
         if (!frame.AsSpan().SequenceEqual(PngChunk.Signature))
-            throw new PictureFileException("it begins like a PNG, but its first eight bytes are damaged; perhaps it was transferred as text");
+            throw new ProblemException("it begins like a PNG, but its first eight bytes are damaged; perhaps it was transferred as text");
     }
 
     /// <summary>The chunk's four letters.</summary>
@@ -33,15 +33,15 @@ internal sealed class PngChunkReader
         Place = file.Position;
         var follow = file.Length - Place - PngChunk.Frame;
         if (follow < 0 || Fill(frame) < frame.Length)
-            throw new PictureFileException($"the file is cut short: it ends at byte {file.Length:N0}, before its chunk IEND");
+            throw new ProblemException($"the file is cut short: it ends at byte {file.Length:N0}, before its chunk IEND");
         Left = BinaryPrimitives.ReadUInt32BigEndian(frame);
         foreach (var letter in frame.AsSpan(4))
             if (!char.IsAsciiLetter((char)letter))
-                throw new PictureFileException($"its chunk at byte {Place:N0} is of the type {PictureFile.Printable(frame.AsSpan(4))}, " +
+                throw new ProblemException($"its chunk at byte {Place:N0} is of the type {PictureFile.Printable(frame.AsSpan(4))}, " +
                     "which is not four letters");
         Type = Encoding.ASCII.GetString(frame.AsSpan(4));
         if (Left > follow)
-            throw new PictureFileException(
+            throw new ProblemException(
                 $"the file is cut short: its chunk {Type} at byte {Place:N0} needs {Left:N0} bytes, but {follow:N0} follow");
         crc = PngChunk.Crc(0, frame.AsSpan(4));
         if (Left == 0) CheckCrc();
@@ -56,12 +56,12 @@ internal sealed class PngChunkReader
 
     /// <summary>Reads the next bytes of the chunk's data, and checks the checksum after the last of them.</summary>
     /// <returns>How many: fewer than the buffer holds only at the chunk's end.</returns>
-    /// <exception cref="PictureFileException">The checksum is wrong, or the file became shorter.</exception>
+    /// <exception cref="ProblemException">The checksum is wrong, or the file became shorter.</exception>
     public int Read(Span<byte> buffer)
     {
         if (Left == 0) return 0;
         var data = buffer[..(int)Math.Min(buffer.Length, Left)];
-        if (Fill(data) < data.Length) throw new PictureFileException("the file became shorter while it was read");
+        if (Fill(data) < data.Length) throw new ProblemException("the file became shorter while it was read");
         crc = PngChunk.Crc(crc, data);
         Left -= data.Length;
         if (Left == 0) CheckCrc();
@@ -93,9 +93,9 @@ internal sealed class PngChunkReader
     private void CheckCrc()
     {
         var sum = frame.AsSpan(0, 4);
-        if (Fill(sum) < 4) throw new PictureFileException("the file became shorter while it was read");
+        if (Fill(sum) < 4) throw new ProblemException("the file became shorter while it was read");
         if (BinaryPrimitives.ReadUInt32BigEndian(sum) != crc)
-            throw new PictureFileException($"its chunk {Type} at byte {Place:N0} is damaged: the checksum is wrong");
+            throw new ProblemException($"its chunk {Type} at byte {Place:N0} is damaged: the checksum is wrong");
     }
 
     private int Fill(Span<byte> buffer)
@@ -106,7 +106,7 @@ internal sealed class PngChunkReader
         }
         catch (IOException e)
         {
-            throw new PictureFileException(PictureFileException.Reason(e), e); // an IOException would be taken for damaged data
+            throw new ProblemException(ProblemException.Reason(e), e); // an IOException would be taken for damaged data
         }
     }
 }

@@ -27,7 +27,7 @@ internal static class PngFilter
                 for (var i = step; i < line.Length; i++) line[i] += Paeth(line[i - step], above[i], above[i - step]);
                 break;
             default:
-                throw new PictureFileException($"a line has filter {filter}, but there are only 0 to 4");
+                throw new ProblemException($"a line has filter {filter}, but there are only 0 to 4");
         }
     }
 

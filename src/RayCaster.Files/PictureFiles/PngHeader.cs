@@ -54,24 +54,24 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
         return data;
     }
 
-    public static PngHeader Read(ReadOnlySpan<byte> data, long mostBytes)
+    public static PngHeader Read(ReadOnlySpan<byte> data, long maxBytes)
     {
         long width = BinaryPrimitives.ReadUInt32BigEndian(data), height = BinaryPrimitives.ReadUInt32BigEndian(data[4..]);
-        PictureFile.CheckSize(width, height, mostBytes);
+        PictureFile.CheckSize(width, height, maxBytes);
         if (width > Camera.MaxSide) // two lines of up to 8 bytes a pixel are in memory, whatever the file's size
-            throw new PictureFileException($"its lines have {width:N0} pixels, the limit is {Camera.MaxSide:N0}");
+            throw new ProblemException($"its lines have {width:N0} pixels, the limit is {Camera.MaxSide:N0}");
         var header = new PngHeader((int)width, (int)height, data[8], data[9], data[12] == 1);
         var allowed = header.ColorType switch
         {
             0 => header.BitDepth is 1 or 2 or 4 or 8 or 16,
             Palette => header.BitDepth is 1 or 2 or 4 or 8,
             Rgb or 4 or 6 => header.BitDepth is 8 or 16,
-            _ => throw new PictureFileException($"its colour type is {data[9]}, but must be 0, 2, 3, 4 or 6"),
+            _ => throw new ProblemException($"its colour type is {data[9]}, but must be 0, 2, 3, 4 or 6"),
         };
-        if (!allowed) throw new PictureFileException($"its bit depth is {data[8]}, which colour type {data[9]} does not allow");
-        if (data[10] != 0) throw new PictureFileException($"its compression method is {data[10]}, but must be 0");
-        if (data[11] != 0) throw new PictureFileException($"its filter method is {data[11]}, but must be 0");
-        if (data[12] > 1) throw new PictureFileException($"its interlace method is {data[12]}, but must be 0 or 1");
+        if (!allowed) throw new ProblemException($"its bit depth is {data[8]}, which colour type {data[9]} does not allow");
+        if (data[10] != 0) throw new ProblemException($"its compression method is {data[10]}, but must be 0");
+        if (data[11] != 0) throw new ProblemException($"its filter method is {data[11]}, but must be 0");
+        if (data[12] > 1) throw new ProblemException($"its interlace method is {data[12]}, but must be 0 or 1");
         return header;
     }
 }

@@ -9,43 +9,43 @@ namespace RayCaster.Files;
 internal sealed class PngReader
 {
     /// <summary>The best compression there is: Deflate describes 258 bytes with two bits.</summary>
-    private const int MostBytesFromOne = 1032;
+    private const int MaxBytesFromOne = 1032;
 
     /// <summary>Longer texts were not written by this program.</summary>
-    private const int MostText = 4096;
+    private const int MaxText = 4096;
 
     private readonly PngChunkReader chunks;
     private readonly byte[] palette = [];
     private readonly long firstData;
 
     /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
-    /// <exception cref="PictureFileException">The file is damaged, or the picture needs more than <paramref name="mostBytes"/> bytes, three
+    /// <exception cref="ProblemException">The file is damaged, or the picture needs more than <paramref name="maxBytes"/> bytes, three
     /// for each pixel.</exception>
-    public PngReader(Stream file, long mostBytes)
+    public PngReader(Stream file, long maxBytes)
     {
         chunks = new(file);
         PngHeader? header = null;
         var (dataBytes, paletteBytes, before) = (0L, 0L, "");
         for (chunks.Next(); ; before = chunks.Type, chunks.Next())
         {
-            if (header is null && chunks.Type != "IHDR") throw new PictureFileException($"its first chunk is {chunks.Type} instead of IHDR");
+            if (header is null && chunks.Type != "IHDR") throw new ProblemException($"its first chunk is {chunks.Type} instead of IHDR");
             switch (chunks.Type)
             {
                 case "IHDR" when header is null && chunks.Left != PngHeader.Bytes:
-                    throw new PictureFileException($"its chunk IHDR has {chunks.Left} bytes instead of {PngHeader.Bytes}");
+                    throw new ProblemException($"its chunk IHDR has {chunks.Left} bytes instead of {PngHeader.Bytes}");
                 case "IHDR" when header is null:
-                    header = PngHeader.Read(chunks.ReadUpTo(PngHeader.Bytes), mostBytes);
+                    header = PngHeader.Read(chunks.ReadUpTo(PngHeader.Bytes), maxBytes);
                     continue;
                 case "PLTE" when firstData != 0:
-                    throw new PictureFileException("its palette comes after its data");
+                    throw new ProblemException("its palette comes after its data");
                 case "PLTE" when paletteBytes > 0:
-                    throw new PictureFileException("it has two palettes");
+                    throw new ProblemException("it has two palettes");
                 case "PLTE":
                     paletteBytes = chunks.Left;
                     palette = chunks.ReadUpTo(3 * 256);
                     break;
                 case "IDAT" when firstData != 0 && before != "IDAT":
-                    throw new PictureFileException("its chunks IDAT do not follow one another");
+                    throw new ProblemException("its chunks IDAT do not follow one another");
                 case "IDAT":
                     if (firstData == 0) firstData = chunks.Place;
                     dataBytes += chunks.Left;
@@ -54,15 +54,15 @@ internal sealed class PngReader
                 case "acTL":
                     IsAnimation = true;
                     break;
-                case "tEXt" when chunks.Left <= MostText && PartText is null:
-                    PartText = Encoding.Latin1.GetString(chunks.ReadUpTo(MostText)).Split('\0') is [PartFacts.Keyword, var text] ? text : null;
+                case "tEXt" when chunks.Left <= MaxText && PartText is null:
+                    PartText = Encoding.Latin1.GetString(chunks.ReadUpTo(MaxText)).Split('\0') is [PngChunk.PartKeyword, var text] ? text : null;
                     break;
                 case "IEND":
                     break;
                 default:
                     // A capital first letter says that the picture cannot be shown without this chunk.
                     if (char.IsAsciiLetterUpper(chunks.Type[0]))
-                        throw new PictureFileException($"its chunk {chunks.Type} is unknown or in the wrong place");
+                        throw new ProblemException($"its chunk {chunks.Type} is unknown or in the wrong place");
                     break;
             }
             chunks.Check();
@@ -70,10 +70,11 @@ internal sealed class PngReader
         }
 
         Header = header!.Value;
+        if (firstData == 0) throw new ProblemException("it has no pixels: there is no chunk IDAT");
         if (Header.ColorType == PngHeader.Palette && (paletteBytes % 3 != 0 || paletteBytes / 3 is < 1 or > 256))
-            throw new PictureFileException($"its palette has {paletteBytes} bytes, but must be 1 to 256 colours of 3 bytes");
-        if (Header.DataBytes > (Int128)dataBytes * MostBytesFromOne)
-            throw new PictureFileException("the file is cut short: "
+            throw new ProblemException($"its palette has {paletteBytes} bytes, but must be 1 to 256 colours of 3 bytes");
+        if (Header.DataBytes > (Int128)dataBytes * MaxBytesFromOne)
+            throw new ProblemException("the file is cut short: "
                 + $"{Header.Width:N0} × {Header.Height:N0} pixels are {Header.DataBytes:N0} bytes, "
                 + $"which cannot be compressed to the {dataBytes:N0} that the file holds");
     }
@@ -83,26 +84,26 @@ internal sealed class PngReader
     /// <summary>Whether the file is an animation (APNG), of which only the first picture is read.</summary>
     public bool IsAnimation { get; }
 
-    /// <summary>The text under <see cref="PartFacts.Keyword"/>; null if there is none.</summary>
+    /// <summary>The text under <see cref="PngChunk.PartKeyword"/>; null if there is none.</summary>
     public string? PartText { get; }
 
-    public static Picture Read(Stream file, long mostBytes)
+    public static Picture Read(Stream file, long maxBytes)
     {
-        var reader = new PngReader(file, mostBytes);
+        var reader = new PngReader(file, maxBytes);
         var picture = new Picture(reader.Header.Width, reader.Header.Height);
         reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { });
         return picture;
     }
 
     /// <summary>Opens a file for reading it line by line.</summary>
-    /// <exception cref="PictureFileException">The file cannot be read; the message names it.</exception>
+    /// <exception cref="ProblemException">The file cannot be read; the message names it.</exception>
     public static T OpenFile<T>(string path, Func<PngReader, T> read) =>
         PictureFile.Open(path, file => read(new(file, 3 * Camera.MaxPixels)));
 
-    /// <exception cref="PictureFileException">The picture is interlaced, so that its lines do not follow each other.</exception>
+    /// <exception cref="ProblemException">The picture is interlaced, so that its lines do not follow each other.</exception>
     public void RequireLines()
     {
-        if (Header.Interlaced) throw new PictureFileException("it is interlaced, so that its lines cannot be read one after another");
+        if (Header.Interlaced) throw new ProblemException("it is interlaced, so that its lines cannot be read one after another");
     }
 
     /// <summary>Reads all lines of a picture that is not interlaced, three bytes for each pixel, and checks the end of the data.</summary>
@@ -154,10 +155,10 @@ internal sealed class PngReader
         {
             var isCut = e is EndOfStreamException || chunks.Type == "IEND";
             chunks.Check();
-            throw new PictureFileException(
+            throw new ProblemException(
                 isCut ? $"the file is cut short: its data end in line {y} of {Header.Height}" : "its compressed data are damaged", e);
         }
-        catch (PictureFileException)
+        catch (ProblemException)
         {
             chunks.Check();
             throw;
@@ -171,12 +172,12 @@ internal sealed class PngReader
     {
         try
         {
-            if (data.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
+            if (data.ReadByte() >= 0) throw new ProblemException("it holds more data than its pixels need");
             data.BaseStream.CopyTo(Stream.Null);
         }
         catch (InvalidDataException e)
         {
-            throw new PictureFileException("its compressed data do not end with their checksum", e);
+            throw new ProblemException("its compressed data do not end with their checksum", e);
         }
     }
 
@@ -189,7 +190,7 @@ internal sealed class PngReader
             case PngHeader.Palette:
                 var i = 3 * samples[0];
                 if (i >= palette.Length)
-                    throw new PictureFileException($"a pixel has colour {samples[0]} of a palette that has {palette.Length / 3}");
+                    throw new ProblemException($"a pixel has colour {samples[0]} of a palette that has {palette.Length / 3}");
                 return (palette[i], palette[i + 1], palette[i + 2]);
             default:
                 return (samples[0], samples[1], samples[2]);

@@ -17,22 +17,22 @@ internal sealed class PnmReader
 
     /// <param name="file">The file after its first byte, which is P.</param>
     /// <param name="length">The bytes of the file with that byte; null for a pipe or device.</param>
-    public static Picture Read(BufferedStream file, long? length, long mostBytes) => new PnmReader(file, mostBytes).ReadPixels(length);
+    public static Picture Read(BufferedStream file, long? length, long maxBytes) => new PnmReader(file, maxBytes).ReadPixels(length);
 
-    private PnmReader(BufferedStream file, long mostBytes)
+    private PnmReader(BufferedStream file, long maxBytes)
     {
         this.file = file;
         Advance();
         var digit = Advance();
         kind = digit - '0';
         if (kind is < 1 or > 6)
-            throw new PictureFileException(
+            throw new ProblemException(
                 $"it begins with 'P{PictureFile.Printable(digit < 0 ? [] : [(byte)digit])}'; P1 to P6 can be read, and PNG");
         width = ReadNumber("the width");
         height = ReadNumber("the height");
         maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval");
-        if (maxval is < 1 or > 65535) throw new PictureFileException($"maxval is {maxval}, but must be from 1 to 65535");
-        PictureFile.CheckSize(width, height, mostBytes);
+        if (maxval is < 1 or > 65535) throw new ProblemException($"maxval is {maxval}, but must be from 1 to 65535");
+        PictureFile.CheckSize(width, height, maxBytes);
         if (kind >= 4) SkipSeparator();
         dataAt = place;
     }
@@ -97,7 +97,7 @@ internal sealed class PnmReader
             _ when maxval > 255 => Byte() << 8 | Byte(),
             _ => Byte(),
         };
-        if (value > maxval) throw new PictureFileException($"the value {value} at byte {start} is greater than maxval, which is {maxval}");
+        if (value > maxval) throw new ProblemException($"the value {value} at byte {start} is greater than maxval, which is {maxval}");
         return (byte)((value * 255 + maxval / 2) / maxval);
     }
 
@@ -133,7 +133,7 @@ internal sealed class PnmReader
         {
             number = number * 10 + Advance() - '0';
             if (number > int.MaxValue)
-                throw new PictureFileException($"{what} at byte {start} is greater than {int.MaxValue:N0}, which is the limit");
+                throw new ProblemException($"{what} at byte {start} is greater than {int.MaxValue:N0}, which is the limit");
         }
         return (int)number;
     }
@@ -143,7 +143,7 @@ internal sealed class PnmReader
     {
         while (IsBlank(next) || next == '#')
             if (Advance() == '#') SkipComment();
-        if (next < 0) throw new PictureFileException($"the file is cut short: it ends where {what} should be");
+        if (next < 0) throw new ProblemException($"the file is cut short: it ends where {what} should be");
     }
 
     /// <summary>Skips from # to the end of the line; the line end is left.</summary>
@@ -156,7 +156,7 @@ internal sealed class PnmReader
     private void SkipSeparator()
     {
         if (next == '#') SkipComment();
-        if (next < 0) throw new PictureFileException("the file is cut short: it ends with its header");
+        if (next < 0) throw new ProblemException("the file is cut short: it ends with its header");
         if (!IsBlank(next)) throw Unexpected("a line end");
         place++;
     }
@@ -166,9 +166,9 @@ internal sealed class PnmReader
     private static bool IsDigit(int value) => value is >= '0' and <= '9';
 
     /// <summary>The error for a header that promises more than the file holds.</summary>
-    private PictureFileException CutShort(long there) => new($"the file is cut short: {width:N0} × {height:N0} pixels need "
+    private ProblemException CutShort(long there) => new($"the file is cut short: {width:N0} × {height:N0} pixels need "
         + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
 
-    private PictureFileException Unexpected(string due) =>
+    private ProblemException Unexpected(string due) =>
         new($"'{PictureFile.Printable([(byte)next])}' at byte {place}, where {due} should be");
 }

@@ -77,13 +77,14 @@ internal static class PrimitiveList
         if (file is null) return nothing;
         try
         {
-            var data = o.Document!.Mesh(file);
+            var data = o.Document!.Mesh(file, out var isNew);
             if (!o.IsSound) return nothing;
-            var mesh = placement.Place(data, out var dropped, o.Document.Threads);
+            if (isNew && data.Warning is { } warning) o.Warn("file", $": {warning}");
+            var mesh = placement.Place(data, out var dropped);
             if (dropped > 0) o.Warn("file", $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
             return mesh;
         }
-        catch (Exception e) when (e is MeshFileException or OverflowException)
+        catch (Exception e) when (e is ProblemException or OverflowException)
         {
             o.Refuse("file", $": {e.Message}");
             return nothing;

@@ -2,8 +2,7 @@ namespace RayCaster.Files;
 
 /// <summary>A scene file while it is read: its text, the problems found so far, and the mesh files that it names.</summary>
 /// <param name="folder">The folder where paths of mesh files start.</param>
-/// <param name="threads">How many threads read and place a large mesh; one per core if left out.</param>
-internal sealed class SceneDocument(SourceText text, string folder, int? threads = null)
+internal sealed class SceneDocument(SourceText text, string folder)
 {
     private const int LongestMessage = 2000; // a mesh file's path in it may have any length
     private readonly List<(bool IsError, int Start, int End, string Message)> findings = [];
@@ -13,11 +12,9 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     public int ErrorCount { get; private set; }
 
     /// <summary>Whether so many errors were found that the rest is not read.</summary>
-    public bool IsHopeless => ErrorCount >= SceneReading.MostProblems;
+    public bool HasTooManyErrors => ErrorCount >= SceneReading.MaxProblems;
 
     public SourceText Text => text;
-
-    public int? Threads => threads;
 
     /// <summary>The full paths of the mesh files that the scene names.</summary>
     public IReadOnlyCollection<string> MeshFiles => meshes is null ? [] : meshes.Keys;
@@ -26,7 +23,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     public void Add(bool isError, int start, int end, string message)
     {
         if (isError) ErrorCount++;
-        else if (findings.Count >= SceneReading.MostProblems) return;
+        else if (findings.Count >= SceneReading.MaxProblems) return;
         if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
         findings.Add((isError, start, end, PrintableText.Of(message)));
     }
@@ -47,12 +44,13 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
 
     /// <summary>The content of a mesh file. A file that several models name is read only once.</summary>
     /// <param name="file">The path as the scene writes it; both / and \ separate folders.</param>
-    public MeshData Mesh(string file)
+    /// <param name="isNew">Whether no model before has named the file.</param>
+    public MeshData Mesh(string file, out bool isNew)
     {
         var path = Path.Combine(folder, file.Replace('\\', '/'));
         var place = Path.GetFullPath(path); // a scene may write the path of one file in several ways
         meshes ??= [];
-        if (!meshes.TryGetValue(place, out var mesh)) meshes.Add(place, mesh = new(() => MeshFile.Read(path, threads, names)));
-        return mesh.Value;
+        isNew = meshes.TryAdd(place, new(() => MeshFile.Read(path, names)));
+        return meshes[place].Value;
     }
 }

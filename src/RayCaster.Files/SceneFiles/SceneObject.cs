@@ -164,7 +164,7 @@ internal sealed class SceneObject
         var (i, o) = (0, new SceneObject(Document!, PathOf(key)));
         foreach (var element in value.Content)
         {
-            if (Document!.IsHopeless) yield break;
+            if (Document!.HasTooManyErrors) yield break;
             if (o.Begin(element, i++)) yield return o;
         }
     }

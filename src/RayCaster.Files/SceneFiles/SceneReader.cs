@@ -4,7 +4,7 @@ namespace RayCaster.Files;
 public static class SceneReader
 {
     /// <summary>The longest scene file, in bytes: some 400,000 models. More triangles belong in a mesh file.</summary>
-    public const int MostBytes = 1 << 26;
+    public const int MaxBytes = 1 << 26;
 
     /// <summary>The types of models, as scene files name them.</summary>
     public static IReadOnlyList<string> ModelTypes => PrimitiveList.Names;
@@ -13,45 +13,43 @@ public static class SceneReader
 
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
-    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     /// <param name="look">Receives the file's bytes before they are parsed, also if they contain mistakes.</param>
-    public static SceneReading Read(string path, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
+    public static SceneReading Read(string path, Action<ReadOnlySpan<byte>>? look = null)
     {
         if (MeshFile.IsNamedLikeOne(path) && File.Exists(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-        if (InputBytes.ReadFile(path, Kind, MostBytes, Remedy, out var bytes) is { } problem) return Unreadable(path, problem);
+        if (InputBytes.ReadFile(path, Kind, MaxBytes, Remedy, out var bytes) is { } problem) return Unreadable(path, problem);
         look?.Invoke(bytes);
-        return Parse(bytes, path, Path.GetDirectoryName(path) ?? "", threads);
+        return Parse(bytes, path, Path.GetDirectoryName(path) ?? "");
     }
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
-    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string, int?)"/>
+    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
+    public static SceneReading Read(Stream stream, string displayName, string folder, Action<ReadOnlySpan<byte>>? look = null)
     {
-        if (!InputBytes.TryReadToEnd(stream, MostBytes, out var bytes)) return Unreadable(displayName, InputBytes.TooLong(Kind, MostBytes, Remedy));
+        if (!InputBytes.TryReadToEnd(stream, MaxBytes, out var bytes)) return Unreadable(displayName, InputBytes.TooLong(Kind, MaxBytes, Remedy));
         look?.Invoke(bytes);
-        return Parse(bytes, displayName, folder, threads);
+        return Parse(bytes, displayName, folder);
     }
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text, with or without a byte order mark.</param>
     /// <param name="displayName">Its name in messages; <c>&lt;stdin&gt;</c> for standard input.</param>
     /// <param name="folder">The folder where paths of mesh files start.</param>
-    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
-    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, int? threads = null)
+    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder)
     {
-        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var document, threads);
+        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var document);
         return new(scene, document.Problems()) { MeshFiles = document.MeshFiles, Text = utf8 };
     }
 
     /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>
-    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string, int?)"/>
+    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
     /// <param name="name">The name of the outermost object in messages.</param>
     internal static T? Parse<T>(
-        ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out SceneDocument document,
-        int? threads = null) where T : class
+        ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out SceneDocument document)
+        where T : class
     {
-        document = new SceneDocument(new SourceText(displayName, utf8), folder, threads);
+        document = new SceneDocument(new SourceText(displayName, utf8), folder);
         var root = ReadRoot(document, name);
         var result = root is null ? null : read(root);
         return document.ErrorCount == 0 ? result : null;
@@ -82,8 +80,8 @@ public static class SceneReader
 
     private static Camera? ReadCamera(SceneObject o)
     {
-        var orElse = new CameraParameters(default, default);
-        var camera = new CameraParameters(
+        var orElse = new Camera(default, default);
+        var camera = new Camera(
             o.Vector("position", "P, where the rays start."),
             o.Vector("target",
                 "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
@@ -108,10 +106,10 @@ public static class SceneReader
         if (camera.ZFar <= camera.ZNear) RefuseDepths(o, camera.ZNear, camera.ZFar);
         if ((long)camera.Width * camera.Height > Camera.MaxPixels) RefuseSize(o, camera.Width, camera.Height);
         if (camera.FovY is >= 0.2 and < 3) WarnOfRadians(o, camera.FovY);
-        return o.IsSound ? new(camera) : null;
+        return o.IsSound ? camera : null;
     }
 
-    private static void RefuseView(SceneObject o, CameraParameters camera)
+    private static void RefuseView(SceneObject o, Camera camera)
     {
         var (distance, position) = ((camera.Target - camera.Position).Length, o.PathOf("position"));
         var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";

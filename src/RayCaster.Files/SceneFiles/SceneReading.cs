@@ -1,12 +1,12 @@
 namespace RayCaster.Files;
 
 /// <summary>The result of reading a scene file.</summary>
-/// <param name="Problems">The errors and warnings in the order of the file, at most about <see cref="MostProblems"/>.</param>
+/// <param name="Problems">The errors and warnings in the order of the file, at most about <see cref="MaxProblems"/>.</param>
 public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
 {
     /// <summary>After this many errors the rest of a file is not read, and after this many problems no warning is kept: a large file that is all
     /// mistakes would take hours.</summary>
-    public const int MostProblems = 1000;
+    public const int MaxProblems = 1000;
 
     /// <summary>How many problems <see cref="Report"/> writes out.</summary>
     public const int Printed = 20;
@@ -24,7 +24,7 @@ public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
     public string Report()
     {
         if (Problems.Count == 0) return "";
-        var more = Problems.Count <= Printed ? "" : $"and {(Problems.Count < MostProblems ? "" : "at least ")}{Problems.Count - Printed} more\n";
+        var more = Problems.Count <= Printed ? "" : $"and {(Problems.Count < MaxProblems ? "" : "at least ")}{Problems.Count - Printed} more\n";
         return string.Concat(Problems.OrderByDescending(problem => problem.IsError).Take(Printed).Select(problem => $"{problem}\n")) + more;
     }
 }

@@ -4,7 +4,7 @@ namespace RayCaster.Files;
 internal static class ShortFile
 {
     /// <summary>The longest file, in bytes: some ten thousand keys of a camera's path.</summary>
-    public const int MostBytes = 1 << 20;
+    public const int MaxBytes = 1 << 20;
 
     /// <summary>Reads a file, which may be a pipe that never ends. Returns null if there is an error.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
@@ -12,7 +12,7 @@ internal static class ShortFile
     /// <param name="report">All errors and warnings, as text for people; empty if there are none.</param>
     public static T? Read<T>(string path, string name, Func<SceneObject, T?> read, out string report) where T : class
     {
-        if (InputBytes.ReadFile(path, "file", MostBytes, "", out var utf8) is { } problem)
+        if (InputBytes.ReadFile(path, "file", MaxBytes, "", out var utf8) is { } problem)
         {
             report = $"{path}: error: {problem}\n";
             return null;

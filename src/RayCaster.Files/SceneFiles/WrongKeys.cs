@@ -9,14 +9,14 @@ internal readonly struct WrongKeys(SceneObject o, SceneDocument document)
         var places = new Dictionary<string, JsonValue>(); // each key once, though it may be there twice
         foreach (var key in keys)
         {
-            if (document.IsHopeless) return;
+            if (document.HasTooManyErrors) return;
             if (!places.TryAdd(key.Text, key))
                 o.Report(true, key, Shown(key.Text), $" is given twice; the first is in line {document.Text.LineOf(places[key.Text].Start)}");
         }
         var free = known.FindAll(name => !places.ContainsKey(name)); // once for all unknown keys: there may be millions
         foreach (var (name, key) in places)
         {
-            if (document.IsHopeless) return;
+            if (document.HasTooManyErrors) return;
             if (!known.Contains(name)) o.Report(true, key, Shown(name), " is an unknown key" + Hint(name, known, free, places));
         }
     }
@@ -31,5 +31,5 @@ internal readonly struct WrongKeys(SceneObject o, SceneDocument document)
     }
 
     /// <summary>A key of any length and content, fit for a message.</summary>
-    private static string Shown(string key) => PrintableText.Of(key.Length > 60 ? key[..60] + "…" : key);
+    private static string Shown(string key) => PrintableText.Escaped(key.Length > 60 ? key[..60] + "…" : key);
 }

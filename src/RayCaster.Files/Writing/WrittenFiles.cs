@@ -1,13 +1,14 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// The files that this process has written and is writing. A program that must end at once deletes the unfinished ones, whatever its threads
-/// are doing, and can name the finished ones.
+/// Writes files completely or not at all: to a temporary file NAME.XXXXXXXX.tmp beside the target, with eight random hexadecimal digits, which
+/// takes the target's place at the end. A program that must end at once deletes the temporary files, whatever its threads are doing, and can
+/// name the finished ones.
 /// </summary>
 public static class WrittenFiles
 {
     private static readonly Lock access = new();
-    private static readonly HashSet<string> unfinished = []; // the temporary files
+    private static readonly HashSet<string> unfinished = []; // the temporary files and folders
     private static bool isOver;
 
     /// <summary>How many files are finished.</summary>
@@ -26,73 +27,106 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>Writes a file completely or not at all: an old one is replaced at the end, and stays if anything fails.</summary>
-    /// <exception cref="PictureFileException">The file cannot be written.</exception>
+    /// <summary>Writes a file. An old one stays until the new one is complete; a symbolic link is replaced, not followed.</summary>
+    /// <exception cref="ProblemException">The file cannot be written.</exception>
     public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default)
     {
-        using var file = new ReplacedFile(path);
-        write(file);
-        cancellation.ThrowIfCancellationRequested();
-        file.Commit();
-    }
-
-    /// <summary>
-    /// Makes a folder completely or not at all. Files go to a temporary folder NAME.XXXXXXXX.dir beside it, which is renamed at the end. The locked
-    /// file NAME.XXXXXXXX.tmp (<see cref="TemporaryFile"/>) shows that the folder is in use.
-    /// </summary>
-    /// <param name="path">The folder; if it is there, it must be empty. The folders above it are made, too.</param>
-    /// <param name="fill">Fills the temporary folder, whose path it gets.</param>
-    /// <exception cref="PictureFileException">It cannot be written, or a folder or file of this name came in between.</exception>
-    public static void WriteFolder(string path, Action<string> fill)
-    {
+        var target = TargetOf(path);
+        var temporary = NameBeside(target);
         try
         {
-            WriteAndMove(Path.TrimEndingDirectorySeparator(Path.GetFullPath(path)), fill);
+            using var file = Create(path, target, temporary);
+            write(file);
+            cancellation.ThrowIfCancellationRequested();
+            // A network drive reports only now that the quota is used up, and then the old picture must still be there.
+            file.Flush(flushToDisk: true);
+            Finish(temporary, path, () => File.Move(temporary, target, overwrite: true));
         }
-        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
-            throw new PictureFileException($"cannot write the folder {PrintableText.Of(path)}: {PictureFileException.Reason(e)}", e);
-        }
-    }
-
-    private static void WriteAndMove(string target, Action<string> fill)
-    {
-        Directory.CreateDirectory(Path.GetDirectoryName(target)!);
-        using var sign = Begin(target);
-        try
-        {
-            var folder = TemporaryFile.FolderOf(sign.Name);
-            Directory.CreateDirectory(folder);
-            fill(folder);
-            if (Directory.Exists(target)) Directory.Delete(target); // fails unless it is empty
-            Finish(sign.Name, target, () => Directory.Move(folder, target));
+            throw Failure(path, ProblemException.Reason(e), e);
         }
         finally
         {
-            Delete(sign.Name);
+            Delete(temporary);
         }
     }
 
-    /// <summary>Creates a temporary file for a target, remembers it as unfinished, and deletes what killed runs have left of the target.</summary>
-    /// <exception cref="OperationCanceledException">The process ends.</exception>
-    /// <exception cref="IOException">It cannot be created.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be created.</exception>
-    internal static FileStream Begin(string target)
+    /// <summary>Makes a folder: files go to a temporary folder beside it, which is renamed at the end.</summary>
+    /// <param name="path">The folder; if it is there, it must be empty. The folders above it are made, too.</param>
+    /// <param name="fill">Fills the temporary folder, whose path it gets.</param>
+    /// <exception cref="ProblemException">It cannot be written, or a folder or file of this name came in between.</exception>
+    public static void WriteFolder(string path, Action<string> fill)
     {
-        FileStream file;
+        var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
+        var temporary = NameBeside(target);
+        try
+        {
+            Begin(temporary, () => Directory.CreateDirectory(temporary));
+            fill(temporary);
+            if (Directory.Exists(target)) Directory.Delete(target); // fails unless it is empty
+            Finish(temporary, target, () => Directory.Move(temporary, target));
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            throw new ProblemException($"cannot write the folder {PrintableText.Of(path)}: {ProblemException.Reason(e)}", e);
+        }
+        finally
+        {
+            Delete(temporary);
+        }
+    }
+
+    /// <summary>The full path of a file that may be written.</summary>
+    private static string TargetOf(string path)
+    {
+        if (path.Length == 0 || path.Contains('\0')) throw new ProblemException($"'{path.Replace("\0", @"\x00")}' is no file name");
+        var target = Path.GetFullPath(path);
+        var folder = Path.GetDirectoryName(target);
+        if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(target))
+            throw Failure(path, "it is a folder; name a file in it");
+        if (folder == "/dev") throw Failure(path, "its folder is for devices, not for files"); // root would lose /dev/null
+        if (!Directory.Exists(folder))
+            throw Failure(path, $"its folder does not exist\n  make the folder {PrintableText.Of(folder)} first");
+        if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly)) throw Failure(path, "the old file is read-only");
+        return target;
+    }
+
+    /// <summary>The name for a temporary file. A long name is shortened, because file systems take up to 255 bytes.</summary>
+    private static string NameBeside(string target)
+    {
+        var name = Path.GetFileName(target);
+        return Path.Combine(Path.GetDirectoryName(target)!, $"{name[..Math.Min(name.Length, 60)]}.{Random.Shared.Next():x8}.tmp");
+    }
+
+    /// <summary>Creates a temporary file with the old file's rights, so that only users who could read the old one can read it.</summary>
+    private static FileStream Create(string path, string target, string temporary)
+    {
+        var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write, Share = FileShare.Delete, BufferSize = 1 << 16 };
+        if (!OperatingSystem.IsWindows() && File.Exists(target))
+            options.UnixCreateMode = File.GetUnixFileMode(target) & (UnixFileMode)0b111_111_111 | UnixFileMode.UserWrite;
+        try
+        {
+            return Begin(temporary, () => new FileStream(temporary, options));
+        }
+        catch (Exception e) when (e is UnauthorizedAccessException or FileNotFoundException) // the latter in a folder like /proc
+        {
+            throw Failure(path, "you may not write to its folder", e);
+        }
+    }
+
+    private static T Begin<T>(string temporary, Func<T> create)
+    {
         lock (access)
         {
             if (isOver) throw new OperationCanceledException();
-            file = TemporaryFile.Create(target);
-            unfinished.Add(file.Name);
+            var created = create();
+            unfinished.Add(temporary);
+            return created;
         }
-        TemporaryFile.DeleteOrphans(target, file.Name);
-        return file;
     }
 
-    /// <summary>Puts a finished file in its place.</summary>
-    /// <exception cref="OperationCanceledException">The process ends.</exception>
-    internal static void Finish(string temporary, string path, Action move)
+    private static void Finish(string temporary, string path, Action move)
     {
         lock (access)
         {
@@ -103,21 +137,24 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>Deletes an unfinished file, and before it the unfinished folder that belongs to it. Never fails.</summary>
-    internal static void Delete(string temporary)
+    /// <summary>Deletes a temporary file or folder unless it is finished. Never fails.</summary>
+    private static void Delete(string temporary)
     {
         lock (access) // of two threads that deleted the same folder, both would fail
         {
-            unfinished.Remove(temporary);
+            if (!unfinished.Remove(temporary)) return;
             try
             {
-                TemporaryFile.DeleteFolderOf(temporary);
-                File.Delete(temporary);
+                if (Directory.Exists(temporary)) Directory.Delete(temporary, recursive: true);
+                else File.Delete(temporary);
             }
-            catch (Exception e) when (PictureFileException.IsCausedByFile(e))
+            catch (Exception e) when (ProblemException.IsCausedByFile(e))
             {
-                // The next run that writes the same deletes what is left.
+                // It stays. This must not hide the error that gave the file up.
             }
         }
     }
+
+    private static ProblemException Failure(string path, string reason, Exception? cause = null) =>
+        new($"cannot write {path}: {reason}", cause) { NamesFile = true };
 }

@@ -9,13 +9,13 @@ public static class SideBySide
     private const byte Grey = 128;
 
     /// <summary>Mine, the reference, the heat map, from left to right; without the heat map where the sizes differ.</summary>
-    /// <exception cref="PictureFileException">It would be larger than a picture can be.</exception>
+    /// <exception cref="ProblemException">It would be larger than a picture can be.</exception>
     public static Picture Draw(PictureComparison comparison)
     {
         var (mine, reference) = (comparison.Mine, comparison.Reference);
         var width = mine.Width + (long)Gap + reference.Width + (comparison.Difference is null ? 0 : Gap + (long)mine.Width);
         var height = Math.Max(mine.Height, reference.Height);
-        PictureFile.CheckSize(width, height, PictureFile.MostBytes);
+        PictureFile.CheckSize(width, height, PictureFile.MaxBytes);
         var picture = new Picture((int)width, height);
         Array.Fill(picture.Rgb, Grey);
         Put(mine, picture, 0);

@@ -12,7 +12,7 @@ public static class StoredReference
     /// <summary>A message, without a full stop, if this build's own picture of a scene is not the stored one; null if it is, or if there is
     /// none.</summary>
     /// <param name="path">The scene's file. The reference of <c>scenes/room.json</c> is <c>tests/References/room.png</c>.</param>
-    /// <exception cref="PictureFileException">The reference cannot be read.</exception>
+    /// <exception cref="ProblemException">The reference cannot be read.</exception>
     public static string? Contradiction(string path, Scene scene)
     {
         if (!ScalarRenderer.IsChanged || Find(path) is not { } file) return null;

@@ -15,7 +15,7 @@ internal static class AxisMistakes
             .Or("the camera stands at T and looks at P", lab => lab.SwapEnds()),
         new Mistake("dir-plus-w", Concerns.Camera, Slides.PixelTranslation, "d = uc U + ur V + W",
             lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(-uc, -ur)),
-            "Nothing before the camera is in the picture.",
+            "Nothing in front of the camera is visible.",
             "W points backwards. With which sign does it go into d?",
             "d = (uc U + ur V − W) normalised.")
             .Or("d = −(uc U + ur V − W)", lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, ur)))

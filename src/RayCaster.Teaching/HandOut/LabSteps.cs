@@ -47,7 +47,7 @@ public static class LabSteps
             // The least bias that exists: t > 0.
             Camera = step >= Clipping
                 ? c
-                : new(c.Parameters with { ZNear = 0, ZFar = double.MaxValue, Bias = double.Epsilon }),
+                : c with { ZNear = 0, ZFar = double.MaxValue, Bias = double.Epsilon },
         };
     }
 

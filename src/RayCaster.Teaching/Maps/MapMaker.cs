@@ -8,14 +8,14 @@ public static class MapMaker
 
     /// <summary>Casts all rays of a scene and makes a map of their hits.</summary>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
-    /// <exception cref="PictureFileException">The map has more pixels than <see cref="MostPixels"/>, or does not fit into this machine's
+    /// <exception cref="ProblemException">The map has more pixels than <see cref="MostPixels"/>, or does not fit into this machine's
     /// memory.</exception>
     public static NumberMap Make(Scene scene, MapKind kind, int? threads = null)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         var pixels = (long)width * height;
         if (pixels > MostPixels)
-            throw new PictureFileException(FormattableString.Invariant(
+            throw new ProblemException(FormattableString.Invariant(
                 $"a map of {width} × {height} has {pixels:N0} pixels; the limit is {MostPixels:N0}, for all of it is in memory at once"));
         try
         {
@@ -34,7 +34,7 @@ public static class MapMaker
         }
         catch (OutOfMemoryException e)
         {
-            throw new PictureFileException($"there is not enough memory for a map of {width} × {height}", e);
+            throw new ProblemException($"there is not enough memory for a map of {width} × {height}", e);
         }
     }
 

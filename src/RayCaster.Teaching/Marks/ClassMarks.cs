@@ -43,7 +43,7 @@ public sealed class ClassMarks
     /// <param name="output">The folder for the results; made if it does not exist.</param>
     /// <param name="cancellation">Ends the work; finished marks are kept for <see cref="Options.Resume"/>.</param>
     /// <returns>The marks in the order of the students' names.</returns>
-    /// <exception cref="PictureFileException">A folder cannot be read, or a file not be written.</exception>
+    /// <exception cref="ProblemException">A folder cannot be read, or a file not be written.</exception>
     public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
     {
         var all = Submission.In(submissions);
@@ -82,11 +82,11 @@ public sealed class ClassMarks
     {
         var above = Path.GetFullPath(submissions).TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar;
         if ((Path.GetFullPath(output) + Path.DirectorySeparatorChar).StartsWith(above, StringComparison.OrdinalIgnoreCase))
-            throw new PictureFileException($"the marks cannot go to {output}, which is in the folder of submissions: name a folder outside it");
-        if (File.Exists(output)) throw new PictureFileException($"the marks cannot go to {output}, which is a file: name a folder");
+            throw new ProblemException($"the marks cannot go to {output}, which is in the folder of submissions: name a folder outside it");
+        if (File.Exists(output)) throw new ProblemException($"the marks cannot go to {output}, which is a file: name a folder");
         foreach (var submission in all)
             if (submission.Student.ToLowerInvariant() is TableFile or PageFile)
-                throw new PictureFileException($"the submission '{submission.Student}' is named like a file of the marks: rename the folder");
+                throw new ProblemException($"the submission '{submission.Student}' is named like a file of the marks: rename the folder");
     }
 
     /// <summary>Copies the table of the last run if it is no longer the one that was written: it may hold points that the teacher has

@@ -16,12 +16,12 @@ internal sealed record Submission(string Folder)
     public string Student => Path.GetFileName(Folder);
 
     /// <summary>The submissions in a folder: each folder in it is one. Sorted by name.</summary>
-    /// <exception cref="PictureFileException">
+    /// <exception cref="ProblemException">
     /// The folder cannot be listed, contains no folder, or contains a name with an invisible character.
     /// </exception>
     public static IReadOnlyList<Submission> In(string folder)
     {
-        if (File.Exists(folder)) throw new PictureFileException($"{folder} is a file: name the folder that contains a folder for each student");
+        if (File.Exists(folder)) throw new ProblemException($"{folder} is a file: name the folder that contains a folder for each student");
         try
         {
             Submission[] all =
@@ -32,18 +32,18 @@ internal sealed record Submission(string Folder)
             if (all.Length == 0)
             {
                 var loose = LooseFiles(folder).Length;
-                throw new PictureFileException($"no submissions in {folder}: it contains no folders and {loose} file{(loose == 1 ? "" : "s")}, " +
+                throw new ProblemException($"no submissions in {folder}: it contains no folders and {loose} file{(loose == 1 ? "" : "s")}, " +
                     "but must contain a folder for each student, named after the student");
             }
             foreach (var submission in all)
                 if (!submission.Student.All(PrintableText.IsPrintable))
-                    throw new PictureFileException(
+                    throw new ProblemException(
                         $"the submission '{PrintableText.Of(submission.Student)}' has an invisible character in its name: rename the folder");
             return all;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new PictureFileException($"cannot read the folder of submissions {folder}: {PictureFileException.Reason(e)}", e);
+            throw new ProblemException($"cannot read the folder of submissions {folder}: {ProblemException.Reason(e)}", e);
         }
     }
 

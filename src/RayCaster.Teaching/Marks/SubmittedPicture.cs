@@ -38,13 +38,13 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
             return new(scene, picture, HasSizeOf(scene, picture) ? note
                 : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels");
         }
-        catch (PictureFileException e)
+        catch (ProblemException e)
         {
             return new(scene, null, $"the picture cannot be read: {e.Message}");
         }
-        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
-            return new(scene, null, $"the picture cannot be read: {PictureFileException.Reason(e)}");
+            return new(scene, null, $"the picture cannot be read: {ProblemException.Reason(e)}");
         }
     }
 

@@ -18,7 +18,7 @@ internal sealed class WorkFolder : IDisposable
     }
 
     /// <summary>Makes a folder for results, and the folders that contain it.</summary>
-    /// <exception cref="PictureFileException">It cannot be made.</exception>
+    /// <exception cref="ProblemException">It cannot be made.</exception>
     public static void Make(string path)
     {
         try
@@ -27,7 +27,7 @@ internal sealed class WorkFolder : IDisposable
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new PictureFileException($"cannot make the folder {path}: {PictureFileException.Reason(e)}", e);
+            throw new ProblemException($"cannot make the folder {path}: {ProblemException.Reason(e)}", e);
         }
     }
 }

@@ -2,8 +2,29 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A camera: turns a pixel into a ray (slides "Camera" and "Camera Pixel Translation").</summary>
-public sealed class Camera
+/// <summary>What zNear and zFar measure.</summary>
+public enum ClipMode
+{
+    /// <summary>The depth along the view direction: the clip planes are planes.</summary>
+    Depth,
+
+    /// <summary>The distance from the camera: the clip "planes" are spheres.</summary>
+    Distance,
+}
+
+/// <summary>Where in its pixel a ray passes.</summary>
+public enum PixelSample
+{
+    /// <summary>Through the pixel's lower left corner, as on the slide.</summary>
+    Corner,
+
+    /// <summary>Through the pixel's middle.</summary>
+    Center,
+}
+
+/// <summary>A camera: turns a pixel into a ray (slides "Camera" and "Camera Pixel Translation"). <c>camera with { FovY = 60 }</c> makes a changed
+/// copy. The defaults are those of a scene file.</summary>
+public sealed record Camera
 {
     /// <summary>The most pixels in a row, and the most rows.</summary>
     public const int MaxSide = 1_000_000;
@@ -11,76 +32,68 @@ public sealed class Camera
     /// <summary>The most pixels in all.</summary>
     public const long MaxPixels = 10_000_000_000;
 
-    /// <summary>Computes the camera's axes and the size of its picture plane. If they cannot be computed, they are NaN or infinite
-    /// (<see cref="ValidationError"/>).</summary>
-    public Camera(CameraParameters parameters)
+    /// <param name="position">P, where the rays start.</param>
+    /// <param name="target">T, different from P: the camera looks at it.</param>
+    public Camera(Vector3 position, Vector3 target)
     {
-        Parameters = parameters;
-        W = -(Target - Position).Normalized;
-        U = (parameters.Up % W).Normalized;
-        V = W % U;
-        PlaneHeight = 2 * Math.Tan(parameters.FovY * Math.PI / 180 / 2);
-        PlaneWidth = PlaneHeight * Width / Height;
-        FadeDistance = (2 * (Target - Position)).Length;
-        ClipRange = new ClipRange(parameters.Bias, parameters.ZNear, parameters.ZFar);
+        (Position, Target) = (position, target);
+        Derive();
     }
 
-    /// <summary>The numbers that define the camera. <c>new Camera(camera.Parameters with { FovY = 60 })</c> makes a changed copy.</summary>
-    public CameraParameters Parameters { get; }
+    /// <summary>P, where the rays start.</summary>
+    public Vector3 Position { get; init { field = value; Derive(); } }
 
-    /// <inheritdoc cref="CameraParameters.Position"/>
-    public Vector3 Position => Parameters.Position;
+    /// <summary>T, different from P: the camera looks at it.</summary>
+    public Vector3 Target { get; init { field = value; Derive(); } }
 
-    /// <inheritdoc cref="CameraParameters.Target"/>
-    public Vector3 Target => Parameters.Target;
+    /// <summary>The direction that is up in the picture; any length but zero, not parallel to T − P.</summary>
+    public Vector3 Up { get; init { field = value; Derive(); } } = new(0, 0, 1);
 
-    /// <inheritdoc cref="CameraParameters.Up"/>
-    public Vector3 Up => Parameters.Up;
+    /// <summary>The angle from the picture's lower to its upper edge, in degrees, 0 &lt; fovY &lt; 180.</summary>
+    public double FovY { get; init { field = value; Derive(); } } = 45;
 
-    /// <inheritdoc cref="CameraParameters.FovY"/>
-    public double FovY => Parameters.FovY;
+    /// <summary>Pixels in a row.</summary>
+    public int Width { get; init { field = value; Derive(); } } = 500;
 
-    /// <inheritdoc cref="CameraParameters.Width"/>
-    public int Width => Parameters.Width;
+    /// <summary>Rows.</summary>
+    public int Height { get; init { field = value; Derive(); } } = 500;
 
-    /// <inheritdoc cref="CameraParameters.Height"/>
-    public int Height => Parameters.Height;
+    /// <summary>A hit counts if its z is at least this.</summary>
+    public double ZNear { get; init { field = value; Derive(); } } = 0.01;
 
-    /// <inheritdoc cref="CameraParameters.ZNear"/>
-    public double ZNear => Parameters.ZNear;
+    /// <summary>A hit counts if its z is at most this.</summary>
+    public double ZFar { get; init { field = value; Derive(); } } = 100;
 
-    /// <inheritdoc cref="CameraParameters.ZFar"/>
-    public double ZFar => Parameters.ZFar;
+    /// <summary>A hit counts if t &gt; bias; with a bias of 0, if t ≥ 0.</summary>
+    public double Bias { get; init { field = value; Derive(); } } = 1e-6;
 
-    /// <inheritdoc cref="CameraParameters.Bias"/>
-    public double Bias => Parameters.Bias;
+    /// <summary>Whether z, which zNear and zFar limit, is a depth or a distance.</summary>
+    public ClipMode Clip { get; init; } = ClipMode.Depth;
 
-    /// <inheritdoc cref="CameraParameters.Clip"/>
-    public ClipMode Clip => Parameters.Clip;
+    /// <summary>Where in its pixel a ray passes.</summary>
+    public PixelSample Sample { get; init; } = PixelSample.Corner;
 
-    /// <inheritdoc cref="CameraParameters.Sample"/>
-    public PixelSample Sample => Parameters.Sample;
-
-    /// <summary>W = −(T − P) normalised: backwards.</summary>
-    public Vector3 W { get; }
+    /// <summary>W = −(T − P) normalised: backwards. W, U, V and h are NaN or infinite if they cannot be computed
+    /// (<see cref="ValidationError"/>).</summary>
+    public Vector3 W { get; private set; }
 
     /// <summary>U = (up × W) normalised: to the right.</summary>
-    public Vector3 U { get; }
+    public Vector3 U { get; private set; }
 
     /// <summary>V = W × U: upwards, across the view.</summary>
-    public Vector3 V { get; }
+    public Vector3 V { get; private set; }
 
     /// <summary>h = 2 tan(fovY / 2): the height of the picture plane at distance 1.</summary>
-    public double PlaneHeight { get; }
+    public double PlaneHeight { get; private set; }
 
     /// <summary>w = h · width / height.</summary>
-    public double PlaneWidth { get; }
+    public double PlaneWidth { get; private set; }
 
-    /// <summary>2 |T − P|: the distance from which on all is black.</summary>
-    public double FadeDistance { get; }
+    /// <summary>2 |T − P|: attenuation reaches 0 at this distance, and everything beyond it is black.</summary>
+    public double FadeDistance { get; private set; }
 
     /// <summary>Decides by bias, zNear and zFar which crossings count.</summary>
-    public ClipRange ClipRange { get; }
+    public ClipRange ClipRange { get; private set; }
 
     /// <summary>Why this camera cannot take a picture, in words; null if it can.</summary>
     public string? ValidationError
@@ -98,9 +111,6 @@ public sealed class Camera
 
     /// <summary>Whether up and the view direction are parallel: |up × W| ≤ 1e-12 · |up|. The lengths of both do not matter.</summary>
     public static bool IsParallel(Vector3 up, Vector3 view) => (up % view.Normalized).Length <= 1e-12 * up.Length;
-
-    /// <summary>The same camera with another number of pixels.</summary>
-    public Camera WithSize(int width, int height) => new(Parameters with { Width = width, Height = height });
 
     /// <summary>The ray of a pixel.</summary>
     /// <param name="column">c, from the left, from 0.</param>
@@ -149,4 +159,16 @@ public sealed class Camera
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N DepthPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
         Clip == ClipMode.Depth ? -(direction * W) : 1;
+
+    /// <summary>Computes what follows from the numbers above; also after <c>with</c> has changed one of them.</summary>
+    private void Derive()
+    {
+        W = -(Target - Position).Normalized;
+        U = (Up % W).Normalized;
+        V = W % U;
+        PlaneHeight = 2 * Math.Tan(FovY * Math.PI / 180 / 2);
+        PlaneWidth = PlaneHeight * Width / Height;
+        FadeDistance = (2 * (Target - Position)).Length;
+        ClipRange = new(Bias, ZNear, ZFar);
+    }
 }

@@ -27,9 +27,17 @@ public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<N> operator -(Vector3<N> a, Vector3<N> b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
 
+    /// <summary>The opposite direction.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<N> operator -(Vector3<N> a) => new(-a.X, -a.Y, -a.Z);
+
     /// <summary>Multiplies each coordinate by a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<N> operator *(N b, Vector3<N> a) => new(b * a.X, b * a.Y, b * a.Z);
+
+    /// <inheritdoc cref="op_Multiply(N, Vector3{N})"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<N> operator *(Vector3<N> a, N b) => b * a;
 
     /// <summary>Divides each coordinate.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -38,6 +46,11 @@ public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
     /// <summary>Dot product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N operator *(Vector3<N> a, Vector3<N> b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+
+    /// <summary>Cross product.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<N> operator %(Vector3<N> a, Vector3<N> b) =>
+        new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
 
     /// <summary>The coordinates, as in a scene file.</summary>
     public override string ToString() => $"[{X}, {Y}, {Z}]";

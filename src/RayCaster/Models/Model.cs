@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>
@@ -48,6 +50,7 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     public P Primitive { get; } = primitive;
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override double? Intersect(Ray ray)
     {
         var crossings = Primitive.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction));

@@ -16,7 +16,13 @@ public sealed class Picture
 
     /// <summary>A picture over bytes that exist already.</summary>
     /// <param name="rgb">Its width · height · 3 bytes; they are not copied.</param>
-    public Picture(int width, int height, byte[] rgb) => (Width, Height, Rgb) = (width, height, rgb);
+    /// <exception cref="ArgumentException">The number of bytes does not fit the size.</exception>
+    public Picture(int width, int height, byte[] rgb)
+    {
+        if (width < 1 || height < 1 || rgb.LongLength != 3L * width * height)
+            throw new ArgumentException($"{rgb.LongLength} bytes for a picture of {width} x {height}", nameof(rgb));
+        (Width, Height, Rgb) = (width, height, rgb);
+    }
 
     /// <summary>Pixels in a line.</summary>
     public int Width { get; }
@@ -30,17 +36,25 @@ public sealed class Picture
     /// <summary>A pixel's three bytes.</summary>
     /// <param name="x">The column, from the left.</param>
     /// <param name="y">The line, from the top.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The picture has no such pixel.</exception>
     public (byte R, byte G, byte B) this[int x, int y]
     {
         get
         {
-            var i = (y * Width + x) * 3;
+            var i = IndexOf(x, y);
             return (Rgb[i], Rgb[i + 1], Rgb[i + 2]);
         }
         set
         {
-            var i = (y * Width + x) * 3;
+            var i = IndexOf(x, y);
             (Rgb[i], Rgb[i + 1], Rgb[i + 2]) = value;
         }
+    }
+
+    private int IndexOf(int x, int y)
+    {
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)x, (uint)Width, nameof(x));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)y, (uint)Height, nameof(y));
+        return (y * Width + x) * 3;
     }
 }

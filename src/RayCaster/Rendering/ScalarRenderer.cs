@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>The definition of a picture, one ray after another. The fast renderer must give the same bytes.</summary>
@@ -42,6 +44,7 @@ public static class ScalarRenderer
     /// <summary>Casts the ray of a pixel through the scene; the result holds its nearest hit.</summary>
     /// <param name="column">c, from the left.</param>
     /// <param name="row">r, from the bottom.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static Ray Cast(Scene scene, int column, int row)
     {
         var ray = scene.Camera.RayThrough(column, row);

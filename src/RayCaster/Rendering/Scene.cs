@@ -17,5 +17,5 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     public N Attenuation<N>(N t) where N : struct, IReal<N> => N.Max(0, 1 - t / Camera.FadeDistance).As("attenuation");
 
     /// <summary>The same scene in a picture of another size.</summary>
-    public Scene WithSize(int width, int height) => this with { Camera = Camera.WithSize(width, height) };
+    public Scene WithSize(int width, int height) => this with { Camera = Camera with { Width = width, Height = height } };
 }

@@ -16,7 +16,7 @@ public class EdgeOnTriangleTests
         for (var i = 0; i < 40_000; i++)
         {
             var (d, across) = (Some.Direction(random), Some.Direction(random));
-            var camera = new Camera(new(Vector3.Zero, d)
+            var camera = new Camera(Vector3.Zero, d)
             {
                 Up = Some.Direction(random),
                 FovY = 1,
@@ -24,7 +24,7 @@ public class EdgeOnTriangleTests
                 Height = 1,
                 Sample = PixelSample.Center,
                 ZNear = 0,
-            });
+            };
             d = camera.RayThrough(0, 0).Direction;
             var triangle = new Triangle(Corner(), Corner(), Corner());
             var t = ScalarRenderer.Cast(new Scene(camera, [Model.Of(triangle)]), 0, 0).HitParameter;

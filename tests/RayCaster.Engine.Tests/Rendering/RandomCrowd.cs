@@ -47,7 +47,7 @@ internal static class RandomCrowd
         };
         var fovY = random.Next(5) == 0 ? 1 + 175 * random.NextDouble() : 45;
         return new Scene(
-            new Camera(new(unit * position, unit * target)
+            new Camera(unit * position, unit * target)
             {
                 Up = up,
                 FovY = fovY,
@@ -58,7 +58,7 @@ internal static class RandomCrowd
                 Bias = unit * random.Next(2) * 1e-6,
                 Clip = (ClipMode)random.Next(2),
                 Sample = (PixelSample)random.Next(2),
-            }),
+            },
             models, new Color(0.1, 0.2, 0.3));
 
         Model Sphere(Vector3 center, double r) => Model.Of(new Sphere(unit * center, unit * r));

@@ -152,7 +152,7 @@ public class RendererTests
         }
         models.Insert(random.Next(models.Count), Model.Of(new Plane(new(0, 0, -4), new(0, 0, 1))));
         var position = new Vector3(Next(9), Next(9), Next(9));
-        var camera = new Camera(new(position, new(0.1, 0, 0)) { Width = 100, Height = 83, Sample = (PixelSample)(seed % 2) });
+        var camera = new Camera(position, new(0.1, 0, 0)) { Width = 100, Height = 83, Sample = (PixelSample)(seed % 2) };
         AssertEqual(new Scene(camera, models), $"seed {seed}");
     }
 
@@ -163,8 +163,15 @@ public class RendererTests
     public void TheRoomComesOutToTheBit(double x, double y, double z, double fovY)
     {
         var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
-        var camera = room.Camera.WithSize(700, 333).Parameters with { Position = new(x, y, z), Target = Vector3.Zero, FovY = fovY };
-        AssertEqual(room with { Camera = new(camera), Background = new(0.2, 0.4, 2) },
+        var camera = room.Camera with
+        {
+            Width = 700,
+            Height = 333,
+            Position = new(x, y, z),
+            Target = Vector3.Zero,
+            FovY = fovY,
+        };
+        AssertEqual(room with { Camera = camera, Background = new(0.2, 0.4, 2) },
             "the room");
     }
 
@@ -186,7 +193,7 @@ public class RendererTests
                 models.Add(Model.Of(new Sphere(new(Next(0.015), Next(0.015), Next(0.015)), 0.0002 + 0.001 * random.NextDouble())));
             var (position, target) = (new Vector3(Next(2), Next(2), 9 + Next(1)), Vector3.Zero);
             var up = (position - target).Normalized + 3e-12 * new Vector3(Next(1), Next(1), Next(1));
-            var camera = new Camera(new(position, target) { Up = up, FovY = 0.2, Width = 150, Height = 150 });
+            var camera = new Camera(position, target) { Up = up, FovY = 0.2, Width = 150, Height = 150 };
             if (camera.ValidationError is null) AssertEqual(new Scene(camera, models), $"picture {i}");
         }
     }
@@ -194,7 +201,7 @@ public class RendererTests
     [Fact]
     public void OfEqualHitsTheFirstModelShows()
     {
-        Scene With(params Model[] models) => new(new Camera(new(new(5, 0, 0), Vector3.Zero) { Width = 9, Height = 9 }), models);
+        Scene With(params Model[] models) => new(new Camera(new(5, 0, 0), Vector3.Zero) { Width = 9, Height = 9 }, models);
         var plane = new Plane(Vector3.Zero, new(1, 0, 0));
         Model red = Model.Of(plane), blue = Model.Of(plane);
         (red.Color, blue.Color) = (new(1, 0, 0), new(0, 0, 1));
@@ -225,7 +232,7 @@ public class RendererTests
         var red = Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)));
         var blue = Model.Of(new Plane(new(-5, 0, 0), new(1, tilt, tilt / 3)));
         (red.Color, blue.Color) = (new(1, 0, 0), new(0, 0, 1));
-        var camera = new Camera(new(new(20, 1, 0), new(0, 0.5, 0.3)) { Width = 256, Height = 100 });
+        var camera = new Camera(new(20, 1, 0), new(0, 0.5, 0.3)) { Width = 256, Height = 100 };
         AssertEqual(new Scene(camera, [red, blue]), $"planes at an angle of {tilt}");
     }
 

@@ -35,7 +35,7 @@ public class FuzzingTests
             {
                 return read(new Mutation(new Random(seed), seeds).Next());
             }
-            catch (Exception e) when (e is MeshFileException or PictureFileException)
+            catch (ProblemException)
             {
                 return false;
             }

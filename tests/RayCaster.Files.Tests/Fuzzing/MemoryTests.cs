@@ -146,7 +146,7 @@ public class MemoryTests
     {
         var bytes = Encoding.ASCII.GetBytes("P6 20000 20000 255\n" + new string('x', 100_000));
         Promise.Within(MemoryLimit.OfPipe(bytes.Length, 0, 0), () =>
-            Assert.Contains("but there are 100,000", Assert.Throws<PictureFileException>(() => PictureFile.Read(new Pipe(bytes))).Message));
+            Assert.Contains("but there are 100,000", Assert.Throws<ProblemException>(() => PictureFile.Read(new Pipe(bytes))).Message));
     }
 
     /// <summary>The part between two bars is repeated until there is a megabyte.</summary>

@@ -38,15 +38,15 @@ internal static class Reading
     public static void OfMesh(SeedFile file)
     {
         var (mesh, refusal) = default((MeshData?, string?));
-        Promise.Within(MemoryLimit.OfMesh(file.Bytes.Length), () => (mesh, refusal) = Parsed(file, MeshSource.UsualBlockSize));
-        var (inBlocks, refusalInBlocks) = Parsed(file, blockSize: 100);
-        Assert.Equal(refusal, refusalInBlocks);
+        Promise.Within(MemoryLimit.OfMesh(file.Bytes.Length), () => (mesh, refusal) = Parsed(file, pieceSize: 1 << 20));
+        var (inPieces, refusalInPieces) = Parsed(file, pieceSize: 100);
+        Assert.Equal(refusal, refusalInPieces);
         if (mesh is null)
         {
             Promise.Wholesome(refusal!);
             return;
         }
-        Assert.Equal(mesh.Indices, inBlocks!.Indices);
+        Assert.Equal(mesh.Indices, inPieces!.Indices);
         Assert.NotEmpty(mesh.Indices);
         Assert.All(mesh.Indices, index => Assert.InRange(index, 0, mesh.Vertices.Length - 1));
         try
@@ -59,13 +59,13 @@ internal static class Reading
         }
     }
 
-    private static (MeshData?, string?) Parsed(SeedFile file, int blockSize)
+    private static (MeshData?, string?) Parsed(SeedFile file, int pieceSize)
     {
         try
         {
-            return (MeshBytes.Read(file.Name, file.Bytes, blockSize), null);
+            return (MeshBytes.Read(file.Name, file.Bytes, pieceSize), null);
         }
-        catch (MeshFileException e)
+        catch (ProblemException e)
         {
             return (null, e.Message);
         }
@@ -84,7 +84,7 @@ internal static class Reading
             Assert.InRange(taken, 0, MemoryLimit.OfPicture(file.Bytes.Length, picture!.Width, picture.Height));
             Assert.Equal(3L * picture!.Width * picture.Height, picture.Rgb.Length);
         }
-        catch (PictureFileException e)
+        catch (ProblemException e)
         {
             Promise.Wholesome(e.Message);
         }

@@ -15,6 +15,23 @@ public class PlyFileTests
     public void PolygonBecomesAFanFromItsFirstVertex(string name) => Assert.Equal([3, 1, 2, 3, 2, 0],
         Read(start + vertex + face.Replace("vertex_indices", name) + "end_header\n" + corners + "4 3 1 2 0\n").Indices);
 
+    /// <summary>The corners 0 1 2 3 are a strip, the second triangle turned; −1 begins another; 3 3 joins it with the next by triangles without an
+    /// area.</summary>
+    [Fact]
+    public void StripsOfTrianglesAreReadLikeFaces()
+    {
+        const string strips = "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+        Assert.Equal([0, 1, 2, 2, 1, 3], Read(start + vertex + strips + corners + "4 0 1 2 3\n").Indices);
+        Assert.Equal([0, 1, 2, 1, 2, 3], Read(start + vertex + strips + corners + "7 0 1 2 -1 1 2 3\n").Indices);
+        Assert.Equal([0, 1, 2, 0, 3, 1], Read(start + vertex + strips + corners + "8 0 1 2 2 3 3 0 1\n").Indices);
+        Refused(start + vertex + strips + corners + "3 0 1 4\n", "(14): face index 4 is beyond the file's 4 vertices, which count from 0");
+        Refused(start + vertex + strips + corners + "3 0 1 -2\n", "(14): a face index must be a whole number from 0 on, but is -2");
+        Assert.Equal(6, Read(start + vertex + face + strips + corners + "3 0 1 2\n3 1 2 3\n").Indices.Length);
+
+        static void Refused(string text, string message) =>
+            Assert.Equal("box.ply" + message, Assert.Throws<ProblemException>(() => Read(text)).Message);
+    }
+
     [Fact]
     public void OtherElementsAndPropertiesAreSkipped()
     {
@@ -158,11 +175,11 @@ public class PlyFileTests
     public void ListBeyondTheEndOfTheFileIsRefusedThere() =>
         Assert.EndsWith(": the file ends before all that its header promises", RefuseCube(192 + 11 * 13, 1, 4).Message);
 
-    private static MeshFileException RefuseCube(int at, int size, long value)
+    private static ProblemException RefuseCube(int at, int size, long value)
     {
         var bytes = MeshWriter.PlyBinary(MeshGenerator.Cube(1), bigEndian: false);
         BitConverter.GetBytes(value).AsSpan(0, size).CopyTo(bytes.AsSpan(bytes.Length - 348 + at));
-        return Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.ply", bytes));
+        return Assert.Throws<ProblemException>(() => MeshBytes.Read("cube.ply", bytes));
     }
 
     [Fact]
@@ -170,11 +187,11 @@ public class PlyFileTests
     {
         var bytes = MeshWriter.PlyBinary(MeshGenerator.Cube(1), bigEndian: true);
         Assert.Equal("cube.ply(7): the header promises 12 rows, more than the rest of the file can hold",
-            Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.ply", bytes[..^1])).Message);
+            Assert.Throws<ProblemException>(() => MeshBytes.Read("cube.ply", bytes[..^1])).Message);
     }
 
     private static void AssertRefused(string text, string message) =>
-        Assert.Equal("box.ply" + message, Assert.Throws<MeshFileException>(() => Read(text)).Message);
+        Assert.Equal("box.ply" + message, Assert.Throws<ProblemException>(() => Read(text)).Message);
 
     private static MeshData Read(string text) => MeshBytes.Read("box.ply", Encoding.ASCII.GetBytes(text));
 }

@@ -21,14 +21,14 @@ public class PlyRestTests
 
     [Fact]
     public void ARowTooManyIsRefused() => Assert.Equal("a.ply(15): there is more in the file than the rows that its header promises",
-        Assert.Throws<MeshFileException>(() => Read(Encoding.ASCII.GetBytes(Ascii + "\n3 0 1 2\n"))).Message);
+        Assert.Throws<ProblemException>(() => Read(Encoding.ASCII.GetBytes(Ascii + "\n3 0 1 2\n"))).Message);
 
     [Fact]
     public void BytesTooManyAreRefused()
     {
         var file = Binary();
         Assert.Equal($"a.ply(byte {file.Length}): there is more in the file than the rows that its header promises",
-            Assert.Throws<MeshFileException>(() => Read([.. file, 3, 0, 0, 0, 0])).Message);
+            Assert.Throws<ProblemException>(() => Read([.. file, 3, 0, 0, 0, 0])).Message);
     }
 
     private static byte[] Binary()

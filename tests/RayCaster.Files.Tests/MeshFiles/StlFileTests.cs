@@ -45,22 +45,47 @@ public class StlFileTests
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertices", "(5): expected 'vertex' or 'endloop', found 'vertices'")]
     [InlineData("solid a\nendsolid a\n", ": the file has no face; a mesh needs at least one")]
     public void MistakeIsNamedWithItsLine(string text, string message) =>
-        Assert.Equal("box.stl" + message, Assert.Throws<MeshFileException>(() => Read(text)).Message);
+        Assert.Equal("box.stl" + message, Assert.Throws<ProblemException>(() => Read(text)).Message);
 
     [Fact]
     public void BinaryFileWhoseSizeIsNotWhatItsHeaderPromisesIsRefused()
     {
         var bytes = MeshWriter.StlBinary(MeshGenerator.Cube(1), "solid cube");
         Assert.Equal("cube.stl(byte 80): the header promises 12 triangles, which take 684 bytes, but the file has 683",
-            Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.stl", bytes[..^1])).Message);
+            Assert.Throws<ProblemException>(() => MeshBytes.Read("cube.stl", bytes[..^1])).Message);
         BinaryPrimitives.WriteUInt32LittleEndian(bytes.AsSpan(80), uint.MaxValue);
         Assert.Equal("cube.stl(byte 80): the header promises 4294967295 triangles, which take 214748364834 bytes, but the file has 684",
-            Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.stl", bytes)).Message);
+            Assert.Throws<ProblemException>(() => MeshBytes.Read("cube.stl", bytes)).Message);
+    }
+
+    [Theory]
+    [InlineData(1, "solid cube", "1 byte after its last triangle; they are ignored")]
+    [InlineData(49, "", "49 bytes after its last triangle; they are ignored")]
+    public void BytesAfterTheLastTriangleAreWarnedOf(int more, string start, string warning)
+    {
+        var cube = MeshWriter.StlBinary(MeshGenerator.Cube(1), start);
+        var mesh = MeshBytes.Read("cube.stl", [.. cube, .. new byte[more]]);
+        FormatsTests.AssertSame(MeshBytes.Read("cube.stl", cube), mesh);
+        Assert.Equal("the file has " + warning, mesh.Warning);
+        cube.AsSpan(10, 70).Fill((byte)' '); // without a zero in its header it may be a text
+        cube[80] = 12;
+        Assert.Equal("the file has " + warning, MeshBytes.Read("cube.stl", [.. cube, .. new byte[more]]).Warning);
+    }
+
+    [Fact]
+    public void TextAfterALoopOrFacetIsWarnedOf()
+    {
+        var text = "solid\n" + facet + facet.Replace("endloop", "endloop a b").Replace("endfacet", "endfacet 12") + facet + "endsolid\n";
+        var mesh = Read(text);
+        Assert.Equal(9, mesh.Vertices.Length);
+        Assert.Equal("text after endloop or endfacet is ignored, first in line 14 of the file", mesh.Warning);
+        Assert.Equal("box.stl(8): expected 'endfacet', found 'a'",
+            Assert.Throws<ProblemException>(() => Read("solid\n" + facet.Replace("endloop", "endloop\na"))).Message);
     }
 
     [Fact]
     public void BinaryFileOfNoTriangleIsRefused() => Assert.Equal("cube.stl: the file has no face; a mesh needs at least one",
-        Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.stl", new byte[84])).Message);
+        Assert.Throws<ProblemException>(() => MeshBytes.Read("cube.stl", new byte[84])).Message);
 
     [Theory]
     [InlineData(96, float.NaN, "NaN")]
@@ -71,7 +96,7 @@ public class StlFileTests
         var bytes = MeshWriter.StlBinary(MeshGenerator.Cube(1));
         BinaryPrimitives.WriteSingleLittleEndian(bytes.AsSpan(at), value);
         Assert.Equal($"cube.stl(byte {at}): a coordinate must be a finite number, but is {text}",
-            Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.stl", bytes)).Message);
+            Assert.Throws<ProblemException>(() => MeshBytes.Read("cube.stl", bytes)).Message);
     }
 
     [Fact]

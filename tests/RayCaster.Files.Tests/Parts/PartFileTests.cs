@@ -47,7 +47,7 @@ public sealed class PartFileTests : IDisposable
         var path = Write(Facts, lines: 4);
         Assert.Equal(
             $"cannot read {path}: it says that it holds the lines 10..14, each of 7 pixels, but has 4 lines of 7: it was changed by another program",
-            Assert.Throws<PictureFileException>(() => PartFile.FactsOf(path)).Message);
+            Assert.Throws<ProblemException>(() => PartFile.FactsOf(path)).Message);
     }
 
     [Fact]
@@ -55,7 +55,7 @@ public sealed class PartFileTests : IDisposable
     {
         var path = Write(Facts with { Digest = "a\nb" });
         Assert.EndsWith("its text about its part of the picture is unknown; perhaps a newer raycaster drew it",
-            Assert.Throws<PictureFileException>(() => PartFile.FactsOf(path)).Message);
+            Assert.Throws<ProblemException>(() => PartFile.FactsOf(path)).Message);
     }
 
     [Fact]
@@ -63,7 +63,7 @@ public sealed class PartFileTests : IDisposable
     {
         var path = folder.Write("a.png", "P6 1 1 255 abc");
         Assert.Equal($"cannot read {path}: it is not a PNG",
-            Assert.Throws<PictureFileException>(() => PartFile.FactsOf(path)).Message);
+            Assert.Throws<ProblemException>(() => PartFile.FactsOf(path)).Message);
     }
 
     [Fact]
@@ -103,7 +103,7 @@ public sealed class PartFileTests : IDisposable
         Assert.Matches(@"^\d+\.\d+\.\d+\+[0-9a-f]{12}$", PartFacts.VersionOf(library, files));
         Assert.Equal(PartFacts.VersionOf(library, files), PartFacts.VersionOf(library, files));
         Assert.NotEqual(PartFacts.VersionOf(library, files), PartFacts.VersionOf(library, typeof(PartFileTests).Assembly));
-        var (scene, lines) = (new Scene(new(new(new(5, 0, 0), Vector3.Zero)), []), LineRange.Whole(500));
+        var (scene, lines) = (new Scene(new(new(5, 0, 0), Vector3.Zero), []), LineRange.Whole(500));
         var (mine, edited) = (PartFacts.Of(scene, lines, "", files), PartFacts.Of(scene, lines, "", typeof(PartFileTests).Assembly));
         Assert.False(PartFile.Holds(Write(mine, width: 500), edited, out var reason));
         Assert.Equal($"it was drawn by version {mine.Version}, and this is {edited.Version}", reason);
@@ -119,7 +119,7 @@ public sealed class PartFileTests : IDisposable
     private string Write(PartFacts facts, int? lines = null, int width = 7)
     {
         using var output = new MemoryStream();
-        using var writer = PictureWriter.Create(PictureFormat.Png, output, width, lines ?? facts.Lines.Count, facts);
+        using var writer = PictureWriter.Create(PictureFormat.Png, output, width, lines ?? facts.Lines.Count, facts.ToString());
         writer.WriteRows(Pixels(lines ?? facts.Lines.Count, width));
         writer.Finish();
         return folder.Write("part.png", output.ToArray());

@@ -73,7 +73,7 @@ public sealed class PartSetTests : IDisposable
         bytes[^20] ^= 1; // within the pixels
         folder.Write("a", bytes);
         using var writer = PictureWriter.Create(PictureFormat.Ppm, Stream.Null, 3, 10);
-        var message = Assert.Throws<PictureFileException>(() => new PartSet([path]).Write(writer)).Message;
+        var message = Assert.Throws<ProblemException>(() => new PartSet([path]).Write(writer)).Message;
         Assert.Matches("^cannot read .*: its chunk IDAT at byte [0-9]+ is damaged: the checksum is wrong$", message);
     }
 
@@ -82,7 +82,7 @@ public sealed class PartSetTests : IDisposable
     {
         var facts = new PartFacts(3, 10, new(first, last), "0123456789abcdef", "1.0.0");
         using var output = new MemoryStream();
-        using var writer = PictureWriter.Create(PictureFormat.Png, output, 3, last - first + 1, change is null ? facts : change(facts));
+        using var writer = PictureWriter.Create(PictureFormat.Png, output, 3, last - first + 1, (change is null ? facts : change(facts)).ToString());
         for (var line = first; line <= last; line++) writer.WriteRows([.. Enumerable.Repeat((byte)line, 9)]);
         writer.Finish();
         return folder.Write(name, output.ToArray());

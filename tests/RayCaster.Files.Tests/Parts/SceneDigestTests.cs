@@ -88,13 +88,13 @@ public class SceneDigestTests
     {
         Assert.NotEqual(DigestOf(new(Vector3.Zero, new(0, 0, 1), 1, 2)), DigestOf(new(Vector3.Zero, new(0, 0, 1), 1, 3)));
 
-        static string DigestOf(Ring ring) => Digest(new(new(new(new(5, 0, 0), Vector3.Zero)), [Model.Of(ring)]));
+        static string DigestOf(Ring ring) => Digest(new(new(new(5, 0, 0), Vector3.Zero), [Model.Of(ring)]));
     }
 
     [Fact]
     public void AClassThatKeepsItsNumbersToItselfIsRefused()
     {
-        var scene = new Scene(new(new(new(5, 0, 0), Vector3.Zero)), [Model.Of(new Sphere(Vector3.Zero, 1)), new Silent()]);
+        var scene = new Scene(new(new(5, 0, 0), Vector3.Zero), [Model.Of(new Sphere(Vector3.Zero, 1)), new Silent()]);
         Assert.Equal(
             "models[1] is of the class Silent, which does not say its numbers; override ToString in it (docs/adding-a-primitive.md)",
             Assert.Throws<NotSupportedException>(() => Digest(scene)).Message);
@@ -106,7 +106,7 @@ public class SceneDigestTests
         Assert.Equal(DigestOf(new(1)), DigestOf(new(1)));
         Assert.NotEqual(DigestOf(new(1)), DigestOf(new(2)));
 
-        static string DigestOf(Talkative model) => Digest(new(new(new(new(5, 0, 0), Vector3.Zero)), [model]));
+        static string DigestOf(Talkative model) => Digest(new(new(new(5, 0, 0), Vector3.Zero), [model]));
     }
 
     private static string Digest(Scene scene) => SceneDigest.Of(scene, SceneDigest.OfModels(scene.Models));

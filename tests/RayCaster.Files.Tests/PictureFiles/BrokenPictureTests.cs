@@ -141,6 +141,11 @@ public class BrokenPictureTests
         { Png(Header(1, 1, 8, 2), Data(0, 1, 2), Chunk("IEND")), "the file is cut short: its data end in line 0 of 1" },
         { Png(Header(1, 1, 8, 2), Data(0, 1, 2, 3, 4), Chunk("IEND")), "it holds more data than its pixels need" },
         { Png(Header(1, 1, 8, 2), Chunk("IDAT", 1, 2, 3), Chunk("IEND")), "its compressed data are damaged" },
+        { Png(Header(1, 1, 8, 2), Chunk("IEND")), "it has no pixels: there is no chunk IDAT" },
+        {
+            "version https://git-lfs.github.com/spec/v1\noid sha256:12\nsize 9\n"u8.ToArray(),
+            "this is only a Git LFS pointer to the file; fetch the file itself: git lfs pull"
+        },
         { Png(Header(1, 1, 8, 2)), "the file is cut short: it ends at byte 33, before its chunk IEND" },
         {
             Png(Header(int.MaxValue, int.MaxValue, 8, 2), Data(0), Chunk("IEND")),
@@ -197,8 +202,8 @@ public class BrokenPictureTests
     public void APipeOfSomethingElseIsNotReadToItsEnd()
     {
         using var pipe = new Pipe(new byte[1000]);
-        Assert.Throws<PictureFileException>(() => PictureFile.Read(pipe));
-        Assert.Equal(8, pipe.Position); // a byte, and what the pipe gives at once
+        Assert.Throws<ProblemException>(() => PictureFile.Read(pipe));
+        Assert.Equal(GitPointer.Start.Length, pipe.Position);
     }
 
     [Fact]
@@ -206,14 +211,14 @@ public class BrokenPictureTests
     {
         using var folder = new TemporaryFolder();
         var path = folder.Write("mine.png", "hello"u8);
-        var message = Assert.Throws<PictureFileException>(() => PictureFile.Read(path)).Message;
+        var message = Assert.Throws<ProblemException>(() => PictureFile.Read(path)).Message;
         Assert.StartsWith($"cannot read {path}: it begins with 'hello'", message);
     }
 
     [Fact]
     public void AFileThatIsNotThereIsReportedWithThePlaceLookedAt()
     {
-        var message = Assert.Throws<PictureFileException>(() => PictureFile.Read("no/such.png")).Message;
+        var message = Assert.Throws<ProblemException>(() => PictureFile.Read("no/such.png")).Message;
         Assert.Equal($"picture file not found: no/such.png\n  looked for {Path.GetFullPath("no/such.png")}", message);
     }
 
@@ -221,12 +226,12 @@ public class BrokenPictureTests
     public void AFolderIsNotAPicture()
     {
         using var folder = new TemporaryFolder();
-        var message = Assert.Throws<PictureFileException>(() => PictureFile.Read(folder.Path)).Message;
+        var message = Assert.Throws<ProblemException>(() => PictureFile.Read(folder.Path)).Message;
         Assert.Equal($"cannot read {folder.Path}: it is a folder, not a picture", message);
     }
 
-    private static PictureFileException Refused(byte[] file) =>
-        Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(file)));
+    private static ProblemException Refused(byte[] file) =>
+        Assert.Throws<ProblemException>(() => PictureFile.Read(new MemoryStream(file)));
 
     private static void RefusedOrRead(byte[] file)
     {
@@ -234,7 +239,7 @@ public class BrokenPictureTests
         {
             Assert.NotEmpty(PictureFile.Read(new MemoryStream(file)).Rgb);
         }
-        catch (PictureFileException e)
+        catch (ProblemException e)
         {
             Assert.NotEmpty(e.Message);
         }

@@ -60,12 +60,12 @@ public sealed class WronglyMadePngTests : IDisposable
         var (good, cut) = (folder.Write("good.png", Png(Data(Zlib))), folder.Write("cut.png", Png(Data(Zlib[..^2]))));
         using var animation = new MemoryStream();
         Assert.Equal($"cannot read {cut}: its compressed data do not end with their checksum",
-            Assert.Throws<PictureFileException>(() => AnimationFile.Write(animation, [good, cut], 25)).Message);
+            Assert.Throws<ProblemException>(() => AnimationFile.Write(animation, [good, cut], 25)).Message);
         animation.SetLength(0);
         AnimationFile.Write(animation, [good, good], 25);
         var film = folder.Write("film.png", animation.ToArray());
         Assert.Equal($"cannot read {film}: it is an animation, not a single picture",
-            Assert.Throws<PictureFileException>(() => AnimationFile.Write(new MemoryStream(), [film], 25)).Message);
+            Assert.Throws<ProblemException>(() => AnimationFile.Write(new MemoryStream(), [film], 25)).Message);
     }
 
     /// <summary>Otherwise --resume would not draw it again, and stitch could not read it.</summary>
@@ -74,7 +74,7 @@ public sealed class WronglyMadePngTests : IDisposable
     {
         var facts = new PartFacts(10, 10, LineRange.Whole(10), "digest", "1.0.0");
         var text = Chunk(
-            "tEXt", [.. System.Text.Encoding.ASCII.GetBytes(PartFacts.Keyword), 0, .. System.Text.Encoding.ASCII.GetBytes(facts.ToString())]);
+            "tEXt", [.. System.Text.Encoding.ASCII.GetBytes(PngChunk.PartKeyword), 0, .. System.Text.Encoding.ASCII.GetBytes(facts.ToString())]);
         Assert.True(PartFile.Holds(folder.Write("good.png", Png([.. text, .. Data(Zlib)])), facts, out _));
         Assert.False(PartFile.Holds(folder.Write("cut.png", Png([.. text, .. Data(Zlib[..^6])])), facts, out var reason));
         Assert.Contains("the file is cut short", reason);
@@ -111,5 +111,5 @@ public sealed class WronglyMadePngTests : IDisposable
     private static Picture Read(byte[] chunks) => PictureFile.Read(new MemoryStream(Png(chunks)));
 
     private static void Refused(string message, byte[] chunks) =>
-        Assert.Equal(message, Assert.Throws<PictureFileException>(() => Read(chunks)).Message);
+        Assert.Equal(message, Assert.Throws<ProblemException>(() => Read(chunks)).Message);
 }

@@ -5,7 +5,7 @@ namespace RayCaster.Files.Tests.SceneFiles;
 /// <summary>A camera written into a scene changes its numbers and nothing else.</summary>
 public class CameraEditTests
 {
-    private static readonly Camera camera = new(new(new(1.5, -2, 3), new(0, 0, 0.25)));
+    private static readonly Camera camera = new(new(1.5, -2, 3), new(0, 0, 0.25));
 
     [Theory]
     [InlineData("{\"camera\":{\"position\":[6,0,2],\"target\":[0,0,0]}}", "{\"camera\":{\"position\":[1.5,-2,3],\"target\":[0,0,0.25]}}")]

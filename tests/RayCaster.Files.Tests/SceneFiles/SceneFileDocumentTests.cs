@@ -46,5 +46,5 @@ public class SceneFileDocumentTests
         [.. Regex.Matches(Document, $"```{language}\n(.*?)```", RegexOptions.Singleline).Select(block => block.Groups[1].Value)];
 
     private static SceneReading Read(string text) =>
-        SceneReader.Parse(Encoding.UTF8.GetBytes(text), "room.json", Path.Combine(SceneFolders.Root, "scenes"));
+        SceneReader.Parse(Encoding.UTF8.GetBytes(text), "room.json", Path.Combine(SceneFolders.Root, "scenes/my"));
 }

@@ -8,7 +8,7 @@ public class SceneReaderTests
     public void WhatIsLeftOutIsAsTheCamerasOwnDefault()
     {
         var camera = Read("Good/smallest.json").Camera;
-        var expected = new Camera(new(new(20, 0, 0), new(0, 0, 0)));
+        var expected = new Camera(new(20, 0, 0), new(0, 0, 0));
 
         Assert.Equal(
             (expected.Position, expected.Target, expected.Up, expected.FovY, expected.Width, expected.Height),

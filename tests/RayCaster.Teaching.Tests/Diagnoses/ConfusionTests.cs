@@ -1,4 +1,3 @@
-using System.Globalization;
 using RayCaster.Teaching.Tests.Mistakes;
 using Xunit.Abstractions;
 using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
@@ -6,7 +5,7 @@ using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
 /// <summary>
-/// Keeps the diagnosis from getting worse. The whole table takes minutes; it is drawn, printed and summed up in docs/diagnosis.md by
+/// Keeps the diagnosis from getting worse. The whole table takes minutes; src/RayCaster.Teaching/Diagnoses/README.md sums it up. This prints it:
 /// <c>RAYCASTER_CONFUSION=1 dotnet test --filter ConfusionTests --logger "console;verbosity=detailed"</c>.
 /// </summary>
 public class ConfusionTests(ITestOutputHelper output)
@@ -64,16 +63,7 @@ public class ConfusionTests(ITestOutputHelper output)
             .Except(["mesh", "mesh-formats"]))
             foreach (var manner in manners.Where(manner => !manner.OtherSample)) table.Plant(SceneFolder.Small(name, 2), manner);
         Print(table);
-
-        var file = ProjectFolder.PathOf("docs/diagnosis.md");
-        var kept = File.ReadAllLines(file).TakeWhile(line => line != Mark);
-        var date = DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
-        File.WriteAllText(file, string.Join('\n', kept.Append(Mark).Append("").Append($"Measured on {date}:").Append("").Append(table.Summary())
-            .Append("").Append("Named wrongly, and as what, how often:").Append("").Append("```text")) + $"\n{table.Confusions()}```\n");
     }
-
-    /// <summary>What follows is written by the whole table.</summary>
-    private const string Mark = "## The last measurement";
 
     private void Print(ConfusionTable table) => output.WriteLine($"{table.Summary()}\n\n{table.Confusions()}");
 }

@@ -7,17 +7,17 @@ internal static class Gallery
 {
     private const int SheetColumns = 10, ThumbWidth = 64, ThumbHeight = 40, SheetGap = 2;
 
-    private static readonly (Concerns Concerns, string Title, string Lead)[] stages =
+    private static readonly (Concerns Concerns, string Title)[] stages =
     [
-        (Concerns.Camera, "From a pixel to its ray", "Camera, vectors, and where in a pixel a ray passes."),
-        (Concerns.Hit, "Which hit shows", "Which crossings count, and which of them wins."),
-        (Concerns.Spheres, "Spheres", ""),
-        (Concerns.Planes, "Planes", ""),
-        (Concerns.Boxes, "Boxes", ""),
-        (Concerns.Circles, "Circles", ""),
-        (Concerns.Triangles, "Triangles", "Those of meshes too."),
-        (Concerns.Color, "From a hit to a colour", "Attenuation, and the way from a channel to its byte."),
-        (Concerns.File, "From the pixels to the file", ""),
+        (Concerns.Camera, "From a pixel to its ray"),
+        (Concerns.Hit, "Which hit shows"),
+        (Concerns.Spheres, "Spheres"),
+        (Concerns.Planes, "Planes"),
+        (Concerns.Boxes, "Boxes"),
+        (Concerns.Circles, "Circles"),
+        (Concerns.Triangles, "Triangles, also those of meshes"),
+        (Concerns.Color, "From a hit to a colour"),
+        (Concerns.File, "From the pixels to the file"),
     ];
 
     /// <summary>The page.</summary>
@@ -35,40 +35,35 @@ internal static class Gallery
     /// <summary>The text of the page.</summary>
     public static string Page()
     {
-        var alike = Resemblance.OfAll();
+        var initials = MistakeCatalog.All.ToDictionary(mistake => mistake, Initials);
+        var hidden = string.Join(" and ", MistakeCatalog.All.Where(mistake => initials[mistake] == "–").Select(mistake => $"`{mistake.Id}`"));
         var page = new StringBuilder($"""
             # {MistakeCatalog.All.Count} mistakes, and what they look like
 
-            Everybody who writes a ray caster makes some of these. The left half of each picture is right; the right half shows the mistake.
-            Is one of them yours?
-
-            ![All mistakes, one small picture each](mistakes/all.png)
-
-            The first picture is right; the others follow row by row, in the order of the contents below. You need not search by eye:
+            Everybody who writes a ray caster makes some of these. In each picture the left half is right, and the right half shows the mistake.
+            To find yours, draw [scenes/mistakes/generic.json](../scenes/mistakes/generic.json) with your own program and run
 
                 dotnet run --project src/RayCaster.Cli -- diagnose scenes/mistakes/generic.json mine.png
 
-            says which of them your own program's picture `mine.png` shows. You choose how much of the mistake it reveals:
-            `--hint symptom`, `question` or `answer` ([how it finds out](diagnosis.md)).
-            On this page the questions and the answers are folded, so that you can look at the pictures first.
-            Draw the five scenes of [scenes/mistakes](../scenes/mistakes) with your program: if all five are right, it has none of these mistakes.
-            [How much of each scene a mistake changes](mistakes-table.md) is in a table.
-            Each title of a slide leads to [where its formula stands](slides-to-code.md).
+            `--hint question` (the default) or `--hint answer` says more than this page ([how it works](diagnosis.md)).
+            `dotnet run --project src/RayCaster.Cli -- scenes/room.json --mistake rows+bgr` draws a wrong picture.
 
-            This page is made from the [catalogue](../src/RayCaster.Teaching/Diagnoses/MistakeCatalog.cs),
-            by `RAYCASTER_ACCEPT=1 dotnet test --filter GalleryTests`.
+            The letters behind a mistake's name are the scenes of [scenes/mistakes](../scenes/mistakes) in which at least 20 pixels change by more
+            than 2 levels: **g**eneric, **p**ortrait, **i**nside, **a**xis, **b**ubble. If your program draws all five right, it has none of these
+            mistakes but perhaps {hidden}, which move a channel by one level.
 
-            ## Contents
+            ![All mistakes, one small picture each, in the order of this page; the first picture is right](mistakes/all.png)
 
+            `RAYCASTER_ACCEPT=1 dotnet test --filter GalleryTests` makes this page from the
+            [catalogue](../src/RayCaster.Teaching/Diagnoses/MistakeCatalog.cs).
 
             """);
-        foreach (var (concerns, title, _) in stages)
-            page.AppendLine($"- [{title}](#{Anchor(title)}): {string.Join(", ", Of(concerns).Select(Link))}");
-        foreach (var (concerns, title, lead) in stages)
+        foreach (var (concerns, title) in stages)
         {
-            page.AppendLine().AppendLine($"## {title}");
-            if (lead.Length > 0) page.AppendLine().AppendLine(lead);
-            foreach (var mistake in Of(concerns)) Append(page, mistake, alike[mistake]);
+            page.AppendLine($"\n## {title}\n\nright, wrong | mistake | what you see\n---|---|---");
+            foreach (var mistake in Of(concerns))
+                page.AppendLine($"![{mistake.Id}](mistakes/{mistake.Id}.png) | `{mistake.Id}` ({initials[mistake]}): {Markdown(mistake.Cause)} "
+                    + $"| {Markdown(mistake.Hint.Symptom)}");
         }
         return page.ToString().ReplaceLineEndings("\n");
     }
@@ -91,47 +86,12 @@ internal static class Gallery
     private static IEnumerable<Mistake> Of(Concerns concerns) => MistakeCatalog.All.Where(mistake => mistake.Concerns.HasFlag(concerns)
         && stages.First(stage => mistake.Concerns.HasFlag(stage.Concerns)).Concerns == concerns);
 
-    private static void Append(StringBuilder page, Mistake mistake, Resemblance resemblance)
+    /// <summary>The initials of the scenes that show a mistake.</summary>
+    private static string Initials(Mistake mistake)
     {
-        var showcase = Showcase.Of(mistake);
-        var right = showcase.Tile();
-        var isWithinRounding = Showcase.IsWithinRounding(right, showcase.Tile(mistake));
-        page.AppendLine().AppendLine($"### {mistake.Id}").AppendLine()
-            .Append($"![{(isWithinRounding ? "Right, and in which channels the wrong one differs" : "Right, and wrong")}]")
-            .Append($"(mistakes/{mistake.Id}.png)<br><sub>[{showcase.Name}](../scenes/mistakes/{showcase.Name}.json)</sub>")
-            .AppendLine().AppendLine()
-            .AppendLine($"**{Markdown(Sentence(mistake.Cause))}** {Markdown(mistake.Hint.Symptom)}");
-        if (isWithinRounding)
-            page.AppendLine().AppendLine("The right half shows where a channel is off by its one level: the eye sees nothing of it.");
-        if (resemblance.Alike.Count > 0)
-            page.AppendLine().AppendLine($"Looks just like {List(resemblance.Alike)} in this scene.");
-        if (resemblance.Near.Count > 0)
-            page.AppendLine().AppendLine($"Looks {(resemblance.Alike.Count > 0 ? "nearly" : "much")} like {List(resemblance.Near)} in this scene.");
-        page.AppendLine().AppendLine($"""
-            <details><summary>A question</summary>
-
-            {Markdown(mistake.Hint.Question)}
-
-            </details>
-            <details><summary>The answer</summary>
-
-            {Markdown(mistake.Hint.Answer)}
-
-            Slide: [{mistake.Slide}](slides-to-code.md)
-
-            </details>
-            """);
+        var shown = Showcase.ShownIn(mistake).Select(name => name[0]).ToArray();
+        return shown.Length == 0 ? "–" : new(shown);
     }
-
-    private static string List(IReadOnlyList<Mistake> mistakes) => string.Join(", ", mistakes.Select(Link));
-
-    private static string Link(Mistake mistake) => $"[{mistake.Id}](#{mistake.Id})";
-
-    private static string Anchor(string title) => title.ToLowerInvariant().Replace(' ', '-');
-
-    /// <summary>A capital letter where the cause begins with a word, not with a formula.</summary>
-    private static string Sentence(string cause) =>
-        (char.IsLetter(cause[1]) || cause.StartsWith("a ", StringComparison.Ordinal) ? char.ToUpperInvariant(cause[0]) + cause[1..] : cause) + ".";
 
     private static string Markdown(string text) => text.Replace("|", "\\|").Replace("<", "&lt;").Replace("*", "\\*");
 

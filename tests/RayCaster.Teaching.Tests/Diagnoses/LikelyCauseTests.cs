@@ -136,7 +136,7 @@ public class LikelyCauseTests
         var c = scene.Camera;
         return scene with
         {
-            Camera = new(c.Parameters with { Target = target ?? c.Target, FovY = fovY ?? c.FovY, ZFar = zFar ?? c.ZFar }),
+            Camera = c with { Target = target ?? c.Target, FovY = fovY ?? c.FovY, ZFar = zFar ?? c.ZFar },
         };
     }
 }

@@ -15,6 +15,12 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
 
     private const int Gap = 3;
 
+    /// <summary>Differences that the eye sees.</summary>
+    private const int VisibleLevels = 2;
+
+    /// <summary>A mistake that changes fewer pixels is not visible.</summary>
+    private const int VisiblePixels = 20;
+
     /// <summary>Where the whole of the generic scene does not do.</summary>
     private static readonly Dictionary<string, Showcase> chosen = new()
     {
@@ -46,6 +52,9 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
     private static readonly Dictionary<string, Scene> scenes = SceneFolder.Files("scenes/mistakes")
         .ToDictionary(file => Path.GetFileNameWithoutExtension(file), SceneFolder.Read);
 
+    private static readonly Dictionary<string, Picture> right =
+        scenes.ToDictionary(scene => scene.Key, scene => MistakeCatalog.Draw(scene.Value, []));
+
     /// <summary>All scenes that show mistakes, the one that shows most first.</summary>
     public static IReadOnlyList<Showcase> Whole { get; } =
         [new("generic", TileWidth), new("portrait", 80), new("inside", TileWidth), new("axis", TileWidth), new("bubble", TileWidth)];
@@ -53,6 +62,10 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
     /// <summary>The part that was chosen for a mistake, or the whole of the first scene that shows it.</summary>
     public static Showcase Of(Mistake mistake) =>
         chosen.GetValueOrDefault(mistake.Id) ?? Whole.FirstOrDefault(showcase => showcase.Shows(mistake)) ?? Whole[0];
+
+    /// <summary>The scenes, each in its own size, that show a mistake.</summary>
+    public static IEnumerable<string> ShownIn(Mistake mistake) => Whole.Select(showcase => showcase.Name).Where(name =>
+        ChangedPixels.Count(right[name], MistakeCatalog.Draw(scenes[name], [mistake]), VisibleLevels) >= VisiblePixels);
 
     /// <summary>The scene at the size that it is drawn with.</summary>
     public Scene Scene
@@ -117,6 +130,6 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
     {
         var (right, wrong) = (Tile(), Tile(mistake));
         return (right.Width, right.Height) != (wrong.Width, wrong.Height)
-            || ChangedPixels.Count(right, wrong, MistakeTableTests.VisibleLevels) >= 0.01 * right.Width * right.Height;
+            || ChangedPixels.Count(right, wrong, VisibleLevels) >= 0.01 * right.Width * right.Height;
     }
 }

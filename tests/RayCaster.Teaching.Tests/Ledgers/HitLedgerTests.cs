@@ -4,7 +4,7 @@ namespace RayCaster.Teaching.Tests.Ledgers;
 public class HitLedgerTests
 {
     /// <summary>Looks from (10, 0, 0) along −x.</summary>
-    private static readonly Camera Camera = new(new(new(10, 0, 0), Vector3.Zero)
+    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero)
     {
         FovY = 60,
         Width = 24,
@@ -12,7 +12,7 @@ public class HitLedgerTests
         ZNear = 2,
         ZFar = 50,
         Bias = 1,
-    });
+    };
 
     [Fact]
     public void AModelShowsInAsManyPixelsAsTheRendererFinds()
@@ -118,7 +118,8 @@ public class HitLedgerTests
         foreach (var z in new[] { 0.0, 5 }) // in the plane, and beside it
         {
             var scene = new Scene(
-                Camera.WithSize(1, 2), [Model.Of(new Plane(new(0, 0, z), new(0, 0, 1))), Model.Of(new Circle(new(0, 0, z), new(0, 0, 1), 3))]);
+                Camera with { Width = 1, Height = 2 },
+                [Model.Of(new Plane(new(0, 0, z), new(0, 0, 1))), Model.Of(new Circle(new(0, 0, z), new(0, 0, 1), 3))]);
             Assert.All(HitLedger.Take(scene).Models, entry => Assert.Equal(1, entry[Outcome.Parallel])); // row 1 of 2 looks along −x
         }
     }
@@ -133,7 +134,7 @@ public class HitLedgerTests
     [Fact]
     public void OfALargePictureAGridIsJudged()
     {
-        var scene = new Scene(Camera.WithSize(8000, 4000), [Model.Of(new Plane(Vector3.Zero, new(1, 0, 0)))]);
+        var scene = new Scene(Camera with { Width = 8000, Height = 4000 }, [Model.Of(new Plane(Vector3.Zero, new(1, 0, 0)))]);
         var ledger = HitLedger.Take(scene);
         Assert.InRange(ledger.Rays, HitLedger.MostSampled / 2, HitLedger.MostSampled);
         Assert.Contains($"judged from {ledger.Rays:N0} of 32,000,000:", ledger.Report());

@@ -1,7 +1,7 @@
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>
-/// Rays for docs/accuracy.md, ordinary and extreme. A ray and its shape are a row of doubles: P, d, then what the scene file says of the
+/// Rays for README.md beside it, ordinary and extreme. A ray and its shape are a row of doubles: P, d, then what the scene file says of the
 /// shape (plane Q n, sphere C R, aabb B0 B1, circle C n R, triangle a b c).
 /// </summary>
 internal static class AccuracyRays

@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>
-/// The worst of millions of rays (worst.txt, computed exactly by tests/Accuracy/exact.py) are no worse than docs/accuracy.md says.
+/// The worst of millions of rays (worst.txt, computed exactly by exact.py) are no worse than README.md beside it says.
 /// </summary>
 public class AccuracyTests
 {
@@ -20,7 +20,7 @@ public class AccuracyTests
         }
     }
 
-    /// <summary>A line of the table in docs/accuracy.md.</summary>
+    /// <summary>A line of the table in tests/RayCaster.Tests/Accuracy/README.md.</summary>
     private sealed record Stated(double Ulps, double FromOutline);
 
     private static readonly Case[] cases =
@@ -127,7 +127,7 @@ public class AccuracyTests
     private static Dictionary<(string, string), Stated> ReadTable()
     {
         var table = new Dictionary<(string, string), Stated>();
-        foreach (var line in File.ReadLines(ProjectFolder.PathOf("docs/accuracy.md")))
+        foreach (var line in File.ReadLines(ProjectFolder.PathOf("tests/RayCaster.Tests/Accuracy/README.md")))
         {
             var cells = line.Split('|', StringSplitOptions.TrimEntries);
             if (cells.Length == 14 && Regex.IsMatch(cells[3], @"^[\d,]+$"))

@@ -4,8 +4,8 @@ using System.Globalization;
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>
-/// Writes the rays that tests/Accuracy/exact.py judges: a file for each shape and regime, rows of little-endian doubles with our two
-/// crossings at the end. tests/Accuracy/README.md has the command.
+/// Writes the rays that tests/RayCaster.Tests/Accuracy/exact.py judges: a file for each shape and regime, rows of little-endian doubles with our two
+/// crossings at the end. tests/RayCaster.Tests/Accuracy/README.md has the command.
 /// </summary>
 public class RaysForExactArithmetic
 {

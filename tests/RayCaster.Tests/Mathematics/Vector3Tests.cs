@@ -16,4 +16,11 @@ public class Vector3Tests
         Vector3<Scalar> L = new Vector3(0.5, -2, 1);
         Assert.Equal("L = [0.5, -2, 1], L * L = 5.25", $"L = {L}, L * L = {L * L}");
     }
+
+    [Fact]
+    public void InAFormulaVectorsHaveTheOperatorsOfTheSlides()
+    {
+        Vector3<Scalar> a = new Vector3(1, 2, 3), b = new Vector3(-2, 0.5, 4);
+        Assert.Equal("[6.5, -10, 4.5], [-1, -2, -3], [2, 4, 6]", $"{a % b}, {-a}, {a * 2.0}");
+    }
 }

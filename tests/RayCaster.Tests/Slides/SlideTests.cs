@@ -48,7 +48,7 @@ public class SlideTests
     [Fact]
     public void SlideRayThroughAPixelMakesADirectionOfLengthOne()
     {
-        var camera = new Camera(new(Position, Target));
+        var camera = new Camera(Position, Target);
         var (U, V, W) = (camera.U, camera.V, camera.W);
         var (uc, ur) = (-0.25, 0.125);
         var d = (uc * U + ur * V - W).Normalized;

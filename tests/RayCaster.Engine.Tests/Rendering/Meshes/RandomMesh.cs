@@ -40,7 +40,7 @@ internal static class RandomMesh
             _ => (random.Next(2, 60), random.Next(2, 60)),
         };
         var zNear = random.Next(3) == 0 ? 4 * random.NextDouble() : random.Next(2) * 0.01;
-        var camera = new Camera(new(unit * position, unit * target)
+        var camera = new Camera(unit * position, unit * target)
         {
             Up = up,
             FovY = fovY,
@@ -51,7 +51,7 @@ internal static class RandomMesh
             Bias = random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
             Clip = (ClipMode)random.Next(2),
             Sample = (PixelSample)random.Next(2),
-        });
+        };
         return (camera, new(Array.ConvertAll(mesh.Vertices, p => unit * p), mesh.Indices));
     }
 

@@ -1,0 +1,74 @@
+using RayCaster;
+
+namespace Lab.Tests;
+
+/// <summary>Slides "Camera", "Camera Pixel Translation", "Ray Casting".</summary>
+[Trait("step", "4"), Ends]
+public class Step04Camera
+{
+    private const string Slide = "Camera", PixelSlide = "Camera Pixel Translation";
+
+    private readonly Chance chance = new();
+
+    [Fact]
+    public void TheCoursesCameraLooksAlongTheXAxis()
+    {
+        var camera = new Camera(new(20, 0, 0), Vector3.Zero, new(0, 0, 1), 45, 500, 500);
+        RayAssert.Equal("W", Slide, new(1, 0, 0), camera.W);
+        RayAssert.Equal("U", Slide, new(0, 1, 0), camera.U);
+        RayAssert.Equal("V", Slide, new(0, 0, 1), camera.V);
+        RayAssert.Equal("h for fovY = 45 (degrees)", Slide, 0.8284271247, camera.h);
+        RayAssert.Equal("w for 500 x 500 pixels", Slide, 0.8284271247, camera.w);
+        RayAssert.Equal("d through the middle of the picture", PixelSlide, new(-1, 0, 0), camera.Direction(250, 250));
+    }
+
+    [Fact]
+    public void RandomCameras()
+    {
+        for (var i = 0; i < Teacher.Rays; i++)
+        {
+            var (P, T, up) = (chance.Point(), chance.Point(), chance.Direction());
+            if ((up % (T - P).Normalized).Length < 0.1) continue; // up may not lie along the view
+            var (fovY, width, height) = (20 * chance.Length(8), (int)(100 * chance.Length()), (int)(100 * chance.Length()));
+            var right = new RayCaster.Camera(P, T) { Up = up, FovY = fovY, Width = width, Height = height };
+            var mine = new Camera(RayAssert.Mine(P), RayAssert.Mine(T), RayAssert.Mine(up), fovY, width, height);
+            var which = FormattableString.Invariant(
+                $"for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}, up = {RayAssert.Text(up)}, fovY = {fovY:0.##}, {width} x {height} pixels");
+            RayAssert.Equal($"W {which}", Slide, right.W, mine.W);
+            RayAssert.Equal($"U {which}", Slide, right.U, mine.U);
+            RayAssert.Equal($"V {which}", Slide, right.V, mine.V);
+            RayAssert.Equal($"h {which}", Slide, right.PlaneHeight, mine.h);
+            RayAssert.Equal($"w {which}", Slide, right.PlaneWidth, mine.w);
+            var (c, r) = (chance.Length() * width / 4, chance.Length() * height / 4);
+            var d = right.Direction<Scalar>(c, r);
+            RayAssert.Equal(
+                FormattableString.Invariant($"d for c = {c:0.##}, r = {r:0.##} {which}"), PixelSlide, new(d.X, d.Y, d.Z), mine.Direction(c, r));
+        }
+    }
+
+    [Fact]
+    public void ThePixelShowsTheNearestModelOrTheBackground()
+    {
+        var camera = new Camera(new(20, 0, 0), Vector3.Zero, new(0, 0, 1), 45, 10, 10);
+        var scene = new Scene(camera, new(0, 0, 1));
+        Assert.True(
+            IsBackground(),
+            $"a pixel of an empty world shows the background: a ray without a hit has no HitModel, it is null.\n  {RayAssert.Cite("Ray Casting")}");
+        scene.Models.Add(new Plane(new(-5, 0, 0), new(1, 0, 0)) { Color = new(1, 0, 0) });
+        scene.Models.Add(new Plane(new(5, 0, 0), new(1, 0, 0)) { Color = new(0, 1, 0) });
+        scene.Models.Add(new Plane(new(-9, 0, 0), new(1, 0, 0)) { Color = new(1, 0, 0) });
+        var color = scene.CastRay(5, 5);
+        Assert.True(
+            color.G > 0 && color.R == 0,
+            $"of three planes behind each other the nearest shows, not the first or the last.\n  {RayAssert.Cite("Ray Casting")}");
+
+        bool IsBackground()
+        {
+            try { return scene.CastRay(5, 5).B == 1; }
+            catch (NullReferenceException) { return false; } // the colour of a HitModel that is null
+        }
+    }
+
+    [Fact]
+    public void ThePictures() => PictureAssert.EqualAt(4, "plane", "room", "mistakes/generic");
+}

@@ -1,0 +1,92 @@
+using System.Text;
+
+namespace RayCaster.Benchmarks;
+
+/// <summary>All that was measured, as Markdown and charts.</summary>
+internal sealed class Report
+{
+    private const string Begin = "<!-- measured: begin -->", End = "<!-- measured: end -->";
+
+    public List<RayComparison> Comparisons { get; } = [];
+
+    public List<ThreadComparison> ThreadComparisons { get; } = [];
+
+    public List<ProgramComparison> Programs { get; } = [];
+
+    public List<Chart> Charts { get; } = [];
+
+    /// <summary>The tables.</summary>
+    public string Write(Options options, TimeSpan elapsed)
+    {
+        var text = new StringBuilder();
+        text.AppendLine($"Measured on: {Machine.Description}. {options.Repeats} rounds; " +
+            $"the whole run took {Math.Ceiling(elapsed.TotalMinutes):0} minutes.");
+        if (Comparisons.Count > 0) WriteRays(text);
+        if (Programs.Count > 0) WritePrograms(text);
+        if (Charts.Count > 0) text.AppendLine("\n## Growth");
+        foreach (var chart in Charts) text.AppendLine($"\n![{chart.Title}](../../docs/charts/{chart.File}.svg)");
+        return text.ToString();
+    }
+
+    private void WriteRays(StringBuilder text)
+    {
+        text.AppendLine("\n## Rays\n");
+        text.AppendLine("| scene | picture | threads | exact t | bytes | exact t, later frame | bytes, later frame | bytes of a single picture | " +
+            "scalar definition | naive, struct | naive, class | Embree agrees | its build / its trace |");
+        text.AppendLine("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+        foreach (var c in Comparisons)
+        {
+            var cells = new List<string> { c.Scene.Title, c.Size, $"{c.Threads}" };
+            cells.AddRange(new[] { c.Exact, c.Bytes, c.LaterExact, c.LaterBytes, c.SinglePicture }.Select(way => Against(c, way, Text.Spread)));
+            cells.AddRange(new[] { c.Scalar, c.NaiveStruct, c.NaiveClass }.Select(way => Against(c, way, ratio => Text.Ratio(ratio.Median))));
+            cells.Add(double.IsNaN(c.Agreement) ? "–" : $"{100 * c.Agreement:0.00} %");
+            cells.Add(Text.Ratio(c.BuildPerTrace));
+            text.AppendLine($"| {string.Join(" | ", cells)} |");
+        }
+
+        var embree = Comparisons.Where(c => c.BestEmbree(Answer.Hits) is not null).ToList();
+        if (embree.Count > 0)
+        {
+            text.AppendLine("\nEmbree's best way, of those tried:\n\n| scene | picture | threads | for t and model | for bytes |\n" +
+                "|---|---|---|---|---|");
+            foreach (var c in embree)
+                text.AppendLine($"| {c.Scene.Title} | {c.Size} | {c.Threads} | {c.BestEmbree(Answer.Hits)!.Name} | " +
+                    $"{c.BestEmbree(Answer.Bytes)!.Name} |");
+        }
+
+        if (ThreadComparisons.Count == 0) return;
+        text.AppendLine("\nTimes as fast as one thread:\n\n| scene | picture | threads | exact t | bytes | Embree, t and model | Embree, bytes |\n" +
+            "|---|---|---|---|---|---|---|");
+        foreach (var c in ThreadComparisons)
+        {
+            var gains = new[]
+            {
+                c.Gain(Answer.Hits), c.Gain(Answer.Bytes), c.Gain(Answer.Hits, isEmbree: true), c.Gain(Answer.Bytes, isEmbree: true),
+            };
+            var cells = gains.Select(gain => gain is { } ratio ? Text.Spread(ratio) : "–");
+            text.AppendLine($"| {c.Rays.Scene.Title} | {c.Rays.Size} | {c.Rays.Threads} | {string.Join(" | ", cells)} |");
+        }
+    }
+
+    private static string Against(RayComparison c, Way? way, Func<Ratio, string> write) =>
+        way is not null && c.BestEmbree(way.Answer) is { } best ? write(Ratio.Of(way, best)) : "–";
+
+    private void WritePrograms(StringBuilder text)
+    {
+        text.AppendLine("\n## Whole processes\n\n| what | quotient | median |\n|---|---|---|");
+        foreach (var p in Programs) text.AppendLine($"| {p.What} | {p.Measure} | {Text.Spread(p.Ratio)} |");
+    }
+
+    /// <summary>Puts the tables between the marks in README.md beside the benchmark, and the charts in docs/charts.</summary>
+    public void Save(string text)
+    {
+        var page = Path.Combine(Workshop.Root, "tests", "Benchmarks", "README.md");
+        var old = File.ReadAllText(page);
+        var (begin, end) = (old.IndexOf(Begin, StringComparison.Ordinal), old.IndexOf(End, StringComparison.Ordinal));
+        if (begin < 0 || end < begin) throw new InvalidOperationException($"{page} lacks the lines {Begin} and {End}");
+        File.WriteAllText(page, old[..(begin + Begin.Length)] + "\n\n" + text + "\n" + old[end..]);
+        var charts = Path.Combine(Workshop.Root, "docs", "charts");
+        Directory.CreateDirectory(charts);
+        foreach (var chart in Charts) File.WriteAllText(Path.Combine(charts, chart.File + ".svg"), chart.ToSvg());
+    }
+}

@@ -1,0 +1,92 @@
+namespace RayCaster.Engine.Tests.Rendering.Meshes;
+
+public class SpatialOrderTests
+{
+    private const int Side = 300; // 178,802 triangles
+
+    private static readonly Camera camera = new(new(0.5, -1, 2), new(0.5, 0.5, 0)) { Width = 9, Height = 5 };
+
+    private static readonly Mesh shuffled = Shuffled(Sheet());
+
+    [Fact]
+    public void AMeshWhoseTrianglesFollowOneAnotherStays()
+    {
+        var scene = new Scene(camera, [Sheet()]);
+        Assert.Same(scene, SpatialOrder.Of(scene));
+    }
+
+    [Fact]
+    public void ASmallMeshStays()
+    {
+        var scene = new Scene(camera, [new Mesh(shuffled.Vertices, shuffled.Indices[..3000])]);
+        Assert.Same(scene, SpatialOrder.Of(scene));
+    }
+
+    [Fact]
+    public void LongTrianglesInAnyOrderStay()
+    {
+        var random = new Random(1);
+        var points = Enumerable.Range(0, 3 << 17).Select(_ => new Vector3(random.NextDouble(), random.NextDouble(), random.NextDouble()));
+        var scene = new Scene(camera, [new Mesh([.. points], [.. Enumerable.Range(0, 3 << 17)])]);
+        Assert.Same(scene, SpatialOrder.Of(scene));
+    }
+
+    [Fact]
+    public void AMeshInRandomOrderKeepsItsTrianglesWithTheirCornersInOrder()
+    {
+        var sorted = Sorted(shuffled);
+        Assert.Equal(shuffled.TriangleCount, sorted.TriangleCount);
+        Assert.True(TrianglesOf(shuffled).SetEquals(TrianglesOf(sorted))); // no two of them are equal
+    }
+
+    [Fact]
+    public void NoVertexIsLost() => Assert.Equal(
+        shuffled.Vertices.OrderBy(p => p.X).ThenBy(p => p.Y), Sorted(shuffled).Vertices.OrderBy(p => p.X).ThenBy(p => p.Y));
+
+    [Fact]
+    public void ThenMostTrianglesAreNextToTheOneBefore()
+    {
+        var mesh = Sorted(shuffled);
+        var near = Enumerable.Range(1, mesh.TriangleCount - 1).Count(i => (mesh[i].A - mesh[i - 1].A).Length < 6.0 / Side);
+        Assert.InRange(near, 0.9 * mesh.TriangleCount, mesh.TriangleCount);
+    }
+
+    [Fact]
+    public void NameColourAndTheOtherModelsStay()
+    {
+        var mesh = new Mesh(shuffled.Vertices, shuffled.Indices) { Name = "scan", Color = new(0.1, 0.2, 0.3) };
+        var ball = Model.Of(new Sphere(new(0, 0, 0), 1));
+        var sorted = SpatialOrder.Of(new(camera, [ball, mesh]));
+        Assert.Same(ball, sorted.Models[0]);
+        Assert.Equal(("scan", new Color(0.1, 0.2, 0.3)), (sorted.Models[1].Name, sorted.Models[1].Color));
+    }
+
+    private static Mesh Sorted(Mesh mesh) => (Mesh)SpatialOrder.Of(new(camera, [mesh])).Models[0];
+
+    private static HashSet<Triangle> TrianglesOf(Mesh mesh) => [.. Enumerable.Range(0, mesh.TriangleCount).Select(i => mesh[i])];
+
+    /// <summary>A wavy sheet, row by row.</summary>
+    private static Mesh Sheet()
+    {
+        var vertices = new Vector3[Side * Side];
+        var indices = new List<int>();
+        for (var i = 0; i < vertices.Length; i++)
+        {
+            double x = i % Side / (double)Side, y = i / Side / (double)Side;
+            vertices[i] = new(x, y, 0.1 * Math.Sin(20 * x) * Math.Sin(20 * y));
+            if (i % Side > 0 && i >= Side) indices.AddRange([i, i - 1, i - Side, i - 1, i - Side - 1, i - Side]);
+        }
+        return new(vertices, [.. indices]);
+    }
+
+    private static Mesh Shuffled(Mesh mesh)
+    {
+        var random = new Random(20261122);
+        var (places, triangles) = (Enumerable.Range(0, mesh.Vertices.Length).ToArray(), Enumerable.Range(0, mesh.TriangleCount).ToArray());
+        random.Shuffle(places);
+        random.Shuffle(triangles);
+        var vertices = new Vector3[places.Length];
+        for (var i = 0; i < places.Length; i++) vertices[places[i]] = mesh.Vertices[i];
+        return new(vertices, [.. triangles.SelectMany(t => mesh.Indices[(3 * t)..(3 * t + 3)]).Select(index => places[index])]);
+    }
+}

@@ -1,0 +1,56 @@
+namespace RayCaster.Testing;
+
+/// <summary>A picture that another program drew, and the pixels in which it is uncertain (tests/References/README.md).</summary>
+/// <param name="Picture">The picture.</param>
+/// <param name="Outline">Not black where the colour hangs on a thousandth of a pixel; null if nowhere.</param>
+internal sealed record Reference(Picture Picture, Picture? Outline)
+{
+    /// <summary>Where references are kept.</summary>
+    public static string Folder => ProjectFolder.PathOf("tests/References");
+
+    /// <summary>Where scenes are kept.</summary>
+    public static string SceneFolder => ProjectFolder.PathOf("scenes");
+
+    /// <summary>All references by name; a name may hold a folder.</summary>
+    public static IEnumerable<string> Names => NamesIn(Folder, "*.png").Where(name => !Path.GetFileName(name).Contains('.'));
+
+    /// <summary>Those without a mesh, of which the definition would ask every triangle in every pixel.</summary>
+    public static IEnumerable<string> WithoutMeshes => Names.Where(name => !File.ReadAllText(SceneFile(name)).Contains("\"mesh\""));
+
+    /// <summary>The scenes by name.</summary>
+    public static IEnumerable<string> Scenes => NamesIn(SceneFolder, "*.json").Where(name => name != "scene.schema");
+
+    /// <summary>A reference's scene, in the reference's size.</summary>
+    public static Scene SceneOf(string name)
+    {
+        var scene = SceneReader.Read(SceneFile(name)).Scene!;
+        var picture = Read(Folder, name).Picture;
+        return scene.WithSize(picture.Width, picture.Height);
+    }
+
+    /// <summary>The same with rays half a pixel farther up and to the right, or back.</summary>
+    public static Scene HalfAPixelAway(Scene scene)
+    {
+        var other = scene.Camera.Sample == PixelSample.Corner ? PixelSample.Center : PixelSample.Corner;
+        return scene with { Camera = scene.Camera with { Sample = other } };
+    }
+
+    /// <summary>Reads a reference by its name, which is the scene's path under scenes without the extension.</summary>
+    public static Reference Read(string folder, string name)
+    {
+        var outline = Path.Combine(folder, name + ".outline.png");
+        return new(PictureFile.Read(Path.Combine(folder, name + ".png")), File.Exists(outline) ? PictureFile.Read(outline) : null);
+    }
+
+    /// <summary>Whether a pixel lies on an outline.</summary>
+    public bool IsOutline(int x, int y) => Outline is not null && Outline[x, y].R != 0;
+
+    private static string SceneFile(string name) => Path.Combine(SceneFolder, name + ".json");
+
+    /// <summary>Paths below a folder, with / and without the extension, in order.</summary>
+    private static IEnumerable<string> NamesIn(string folder, string pattern) => Directory
+        .EnumerateFiles(folder, pattern, SearchOption.AllDirectories)
+        .Where(file => !ProjectFolder.IsOwnScene(file))
+        .Select(file => Path.ChangeExtension(Path.GetRelativePath(folder, file), null).Replace('\\', '/'))
+        .Order(StringComparer.Ordinal);
+}
