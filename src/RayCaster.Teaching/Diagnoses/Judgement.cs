@@ -42,6 +42,9 @@ internal sealed class Judgement(
     /// <summary>A mistake is mentioned at all if it leaves at most this share of the wrong pixels; two mistakes may leave less.</summary>
     private const double Mentioned = 0.8, MentionedPair = 0.4;
 
+    /// <summary>The search for an edit takes a second or two; on a very slow machine it gives up.</summary>
+    private static readonly TimeSpan TimeForEdits = TimeSpan.FromSeconds(8);
+
     /// <summary>How many of the nearest mistakes are mentioned if none explains the picture.</summary>
     private const int Shown = 3;
 
@@ -67,8 +70,21 @@ internal sealed class Judgement(
 
         if (evidence.IsOnlyOutlines) return new(Finding.Matches);
         if (leftByMissingModel is not null) return new(Finding.NoneOfThese);
+        if (Edited() is { } edited) return edited with { Likely = says };
         if (says.Count == 0 && LikelyCause.OfTheWhole(evidence) is { } whole) says = [whole];
         return new(Finding.NoneOfThese) { Likely = says, Nearest = isBetter ? [] : NearestOf(ranked, best) };
+    }
+
+    /// <summary>A small edit of the slides' formulas that explains the picture; null if there is none.</summary>
+    private Answer? Edited()
+    {
+        using var time = new CancellationTokenSource(TimeForEdits);
+        if (new EditSearch(evidence, time.Token).Find() is not { } group) return null;
+        var mistake = EditNaming.Of(group);
+        return prepared.Possible?.Invoke(mistake) == false ? null : new(Finding.Mistake)
+        {
+            Suspects = [new([mistake], group.Unexplained * wrong, OtherSample: false, Twins: [], NotYet: [], SamePicture: true, HasSymptoms: true)],
+        };
     }
 
     private WrongProgram Best(List<WrongProgram> ranked)

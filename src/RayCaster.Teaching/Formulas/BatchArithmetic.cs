@@ -32,7 +32,7 @@ internal sealed class BatchArithmetic(int pixels)
             case Operator.Call:
                 var arguments = new Batch[e.Operands.Length];
                 for (var i = 0; i < arguments.Length; i++) arguments[i] = Evaluate(e.Operands[i], frame);
-                return Evaluate(Functions.Find(e.Symbol!)!.Right, arguments);
+                return Evaluate(Functions.Formulas[e.Function].Right, arguments);
             default:
                 var a = Evaluate(e.Operands[0], frame);
                 if (e.Operands.Length == 1)

@@ -53,6 +53,9 @@ internal sealed class Expression
     /// <summary>The name that is read, or the function that is called.</summary>
     public Symbol? Symbol { get; }
 
+    /// <summary>The place of the function that is called in the section of vectors.</summary>
+    public int Function => Symbol!.Text switch { "dot" => 0, "cross" => 1, "length" => 2, _ => 3 };
+
     /// <summary>The number that is written.</summary>
     public double Value { get; }
 
@@ -65,6 +68,9 @@ internal sealed class Expression
     public static Expression Number(double value) => new(Operator.Number, Quantity.Number, [], number: value);
 
     public static Expression Name(Symbol symbol, Quantity quantity) => new(Operator.Name, quantity, [], symbol);
+
+    /// <summary>A function's parameter: any vector.</summary>
+    public static Expression Parameter(Symbol symbol) => Name(symbol, Quantity.Words["displacement"]);
 
     /// <summary>An operation; null if its operands are not of the kinds that it takes.</summary>
     public static Expression? Of(Operator op, params ImmutableArray<Expression> operands) =>

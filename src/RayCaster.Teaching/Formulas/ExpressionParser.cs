@@ -5,17 +5,11 @@ namespace RayCaster.Teaching;
 /// <remarks>A Pratt parser: an operand, then infix operators as long as they bind more tightly than what stands before.</remarks>
 internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, Expression> scope)
 {
-    private static readonly Dictionary<string, Operator> infix = new()
-    {
-        ["or"] = Operator.Or, ["and"] = Operator.And, ["<"] = Operator.Less, [">"] = Operator.Greater, ["≤"] = Operator.AtMost,
-        ["≥"] = Operator.AtLeast, ["+"] = Operator.Add, ["-"] = Operator.Subtract, ["·"] = Operator.Multiply, ["/"] = Operator.Divide,
-    };
+    private static readonly Dictionary<string, Operator> infix = Enum.GetValues<Operator>().Where(op => FormulaText.Infix(op).Strength > 0)
+        .ToDictionary(op => FormulaText.Infix(op).Sign.Replace('−', '-'));
 
-    private static readonly Dictionary<string, Operator> functions = new()
-    {
-        ["sin"] = Operator.Sin, ["cos"] = Operator.Cos, ["tan"] = Operator.Tan, ["min"] = Operator.Min, ["max"] = Operator.Max,
-        ["truncate"] = Operator.Truncate, ["cast"] = Operator.Cast, ["abs"] = Operator.Abs,
-    };
+    private static readonly Dictionary<string, Operator> functions = Enum.GetValues<Operator>().Where(op => op >= Operator.Abs)
+        .ToDictionary(op => op.ToString().ToLowerInvariant());
 
     private readonly List<string> tokens = Tokens(text);
     private int next;
@@ -101,7 +95,8 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
         {
             next++;
             var operands = List(token, ")");
-            return Checked(functions.TryGetValue(token, out var op) ? Expression.Of(op, [.. operands]) : Expression.Call(token, [.. operands]), token);
+            var isOperator = functions.TryGetValue(token, out var op);
+            return Checked(isOperator ? Expression.Of(op, [.. operands]) : Expression.Call(token, [.. operands]), token);
         }
         return scope.TryGetValue(token, out var name) ? name : throw new FormatException($"unknown name '{token}'");
     }

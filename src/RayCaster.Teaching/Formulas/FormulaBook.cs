@@ -30,6 +30,9 @@ internal sealed class FormulaBook
 
     public FormulaSection this[SectionKind kind, string style] => sections[kind].First(section => section.Style == style);
 
+    /// <summary>Whether a step is given a name, such as a sphere its R.</summary>
+    public bool IsGiven(SectionKind kind, Symbol name) => givens.TryGetValue(kind, out var own) && own.ContainsKey(name.Text);
+
     private static string TextOf(string file)
     {
         using var stream = typeof(FormulaBook).Assembly.GetManifestResourceStream(file)!;
@@ -117,7 +120,8 @@ internal sealed class FormulaBook
             End();
             var end = line.IndexOf(']', StringComparison.Ordinal);
             if (end < 0 || !Enum.TryParse<SectionKind>(line[1..end], ignoreCase: true, out var found))
-                throw new FormatException($"'{line}' where a section is expected: {string.Join(", ", Enum.GetNames<SectionKind>()).ToLowerInvariant()}");
+                throw new FormatException(
+                    $"'{line}' where a section is expected: {string.Join(", ", Enum.GetNames<SectionKind>()).ToLowerInvariant()}");
             (kind, style) = (found, line[(end + 1)..].Trim());
             start = book.ScopeOf(found);
             scope = new(start);
@@ -151,7 +155,7 @@ internal sealed class FormulaBook
             if (head[0].TrimEnd(')').Split('(') is [var function, var list])
             {
                 Symbol[] parameters = [.. list.Split(", ").Select(Symbol.Parameter)];
-                var own = parameters.ToDictionary(parameter => parameter.Text, parameter => Expression.Name(parameter, Quantity.Words["displacement"]));
+                var own = parameters.ToDictionary(parameter => parameter.Text, Expression.Parameter);
                 formulas.Add(new(Symbol.Of(function), Claimed(new ExpressionParser(parts[1], own).Parse(), claimed), [.. parameters]));
             }
             else Add(Symbol.Of(head[0]), Claimed(Parse(parts[1]), claimed));

@@ -60,21 +60,22 @@ internal sealed class FormulaEvaluator
             Define(program[kind], frame, basis?.Program[kind], basis?.Frame, ref changed);
 
         var rule = program[SectionKind.Rule];
-        var ruleChanged = basis is null || !ReferenceEquals(rule, basis.Program[SectionKind.Rule]) || (rule.Reads & changed) != 0;
+        var sameRule = IsSame(SectionKind.Rule);
         var (hits, areNew) = (new double[parts.Length][], false);
         for (var i = 0; i < parts.Length; i++)
         {
-            var section = parts[i].Kind is { } kind ? program[kind] : null;
-            var isSame = basis is not null && !ruleChanged && (section is null ? (changed & ray) == 0
-                : ReferenceEquals(section, basis.Program[section.Kind]) && (section.Reads & changed) == 0);
-            hits[i] = isSame ? basis!.Hits[i] : section is null ? HitsOf(parts[i].Model, rule, frame) : HitsOf(i, section, rule, frame, changed, basis);
+            var isSame = sameRule && (parts[i].Kind is { } kind ? IsSame(kind) : (changed & ray) == 0);
             areNew |= !isSame;
+            hits[i] = isSame ? basis!.Hits[i]
+                : parts[i].Kind is { } shape ? HitsOf(i, program[shape], rule, frame, changed, basis)
+                : HitsOf(parts[i].Model, rule, frame);
         }
-        var (nearest, t) = areNew ? Nearest(hits) : (basis!.Nearest, basis.T);
-        if (!areNew && (program[SectionKind.Light].Reads & changed) == 0 && ReferenceEquals(program[SectionKind.Light], basis!.Program[SectionKind.Light])
-            && ReferenceEquals(program[SectionKind.Bytes], basis.Program[SectionKind.Bytes]))
-            return basis with { Program = program };
+        var (nearest, t) = areNew || basis is null ? Nearest(hits) : (basis.Nearest, basis.T);
+        if (!areNew && IsSame(SectionKind.Light) && IsSame(SectionKind.Bytes)) return basis!;
         return new(program, frame, hits, nearest, t, BytesOf(program, frame, nearest, t));
+
+        bool IsSame(SectionKind kind) =>
+            basis is not null && ReferenceEquals(program[kind], basis.Program[kind]) && (program[kind].Reads & changed) == 0;
     }
 
     private static readonly UInt128 ray = Symbol.Of("P").Bit | Symbol.Of("d").Bit;
@@ -123,10 +124,10 @@ internal sealed class FormulaEvaluator
 
         var hits = arithmetic.New(count);
         Array.Fill(hits, double.NaN);
-        var when = section.Find(Formula.When) is null ? Batch.Of(1) : frame[Formula.When.Place];
+        var when = !section.Has(Formula.When) ? Batch.Of(1) : frame[Formula.When.Place];
         foreach (var crossing in (ReadOnlySpan<Symbol>)[Formula.Near, Formula.Far])
         {
-            if (section.Find(crossing) is null) continue;
+            if (!section.Has(crossing)) continue;
             var (t, counts) = Counted(frame[crossing.Place], rule, camera);
             for (var i = 0; i < count; i++)
                 if (double.IsNaN(hits[i]) && counts[i] != 0 && when[i] != 0) hits[i] = t[i];
@@ -165,7 +166,7 @@ internal sealed class FormulaEvaluator
         frame[Symbol.Of("t").Place] = crossing;
         UInt128 changed = 0;
         Define(rule, frame, null, null, ref changed);
-        return (frame[Formula.Near.Place], rule.Find(Formula.When) is null ? Batch.Of(1) : frame[Formula.When.Place]);
+        return (frame[Formula.Near.Place], !rule.Has(Formula.When) ? Batch.Of(1) : frame[Formula.When.Place]);
     }
 
     /// <summary>The same for a model that has no section: a large mesh, a shape of one's own.</summary>
@@ -226,6 +227,9 @@ internal sealed class FormulaEvaluator
         Vector3 ColorOf(int part) => (part < 0 ? scene.Background : parts[part].Model.Color) is var (r, g, b) ? new(r, g, b) : default;
     }
 
+    /// <summary>The step whose formulas cross a model; null for a shape of one's own.</summary>
+    public static SectionKind? KindOf(Model model) => PartsOf(model).First().Kind;
+
     /// <summary>A model as its section knows it; a small mesh is its triangles.</summary>
     private static IEnumerable<Part> PartsOf(Model model) => model switch
     {
@@ -234,7 +238,7 @@ internal sealed class FormulaEvaluator
         Model<Circle> { Primitive: var c } => [new(model, SectionKind.Circle, [Of("C", c.Center), Of("n", c.Normal), Of("R", c.Radius)])],
         Model<Aabb> { Primitive: var b } => [new(model, SectionKind.Aabb, [Of("B0", b.Min), Of("B1", b.Max)])],
         Model<Triangle> { Primitive: var t } => [OfTriangle(model, t)],
-        Mesh { TriangleCount: <= MaxTriangles } mesh => Enumerable.Range(0, mesh.TriangleCount).Select(i => OfTriangle(mesh, mesh[i])),
+        Mesh { TriangleCount: > 0 and <= MaxTriangles } mesh => Enumerable.Range(0, mesh.TriangleCount).Select(i => OfTriangle(mesh, mesh[i])),
         _ => [new(model, null, [])],
     };
 

@@ -45,7 +45,8 @@ internal static class FormulaText
     private static bool IsSquare(Expression e) => ReferenceEquals(e.Operands[0], e.Operands[1]) || Of(e.Operands[0]) == Of(e.Operands[1]);
 
     private static string Infix(Expression e, string sign, int strength) =>
-        Within(e.Operands[0], strength) + sign + Within(e.Operands[1], strength + (e.Operator is Operator.And or Operator.Or or Operator.Add ? 0 : 1));
+        Within(e.Operands[0], strength) + sign
+        + Within(e.Operands[1], e.Operator is Operator.And or Operator.Or or Operator.Add ? strength : strength + 1);
 
     private static string List(Expression e) => string.Join(", ", e.Operands.Select(Of));
 
