@@ -2,8 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>Draws pictures the fast way: tile by tile, several pixels at once, on several threads. Every bit is that of
 /// <see cref="ScalarRenderer"/>.</summary>
-/// <param name="threads">How many threads cast rays; one per core if left out.</param>
-public sealed class Renderer(Scene scene, int? threads = null)
+public sealed class Renderer
 {
     /// <summary>With more pixels, a second thread saves time also in a plain picture.</summary>
     internal const long ManyPixels = 1 << 20;
@@ -12,8 +11,16 @@ public sealed class Renderer(Scene scene, int? threads = null)
     /// processor time as 30 million crossings; most of it is compilation.</summary>
     private const long LargeWork = 32_000_000;
 
-    private readonly Camera camera = scene.Camera;
-    private readonly int threadCount = threads ?? Environment.ProcessorCount;
+    private readonly Scene scene;
+    private readonly Camera camera;
+    private readonly int threadCount;
+
+    /// <param name="threads">How many threads cast rays, at least 1; one per core if left out.</param>
+    public Renderer(Scene scene, int? threads = null)
+    {
+        (this.scene, camera, threadCount) = (scene, scene.Camera, threads ?? Environment.ProcessorCount);
+        ArgumentOutOfRangeException.ThrowIfLessThan(threadCount, 1, nameof(threads));
+    }
 
     /// <summary>Whether a picture of little work is drawn without tiles; true unless said otherwise. Compiling the code for tiles takes longer than
     /// drawing such a picture. It affects only the time.</summary>
@@ -28,22 +35,23 @@ public sealed class Renderer(Scene scene, int? threads = null)
     public bool ManyFrames { get; init; }
 
     /// <summary>Draws a whole picture in memory, which must not have more than 2³¹ bytes.</summary>
-    public static Picture Render(Scene scene, int? threads = null)
+    public static Picture Render(Scene scene, int? threads = null, CancellationToken cancellation = default)
     {
         var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
-        new Renderer(scene, threads).DrawInto(picture);
+        new Renderer(scene, threads).DrawInto(picture, cancellation);
         return picture;
     }
 
     /// <summary>Draws into an existing picture of the right size.</summary>
-    public void DrawInto(Picture picture)
+    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    public void DrawInto(Picture picture, CancellationToken cancellation = default)
     {
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
-        using var frame = Frame.Of(scene, threadCount, ManyFrames);
+        using var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation);
         var shader = frame.Shader; // before other threads need it
-        Cast(frame, () =>
+        Cast(frame, cancellation, () =>
         {
             var consumer = new PictureConsumer(shader, picture.Width);
             consumer.Enter(picture.Rgb, picture.Height - 1);
@@ -53,13 +61,14 @@ public sealed class Renderer(Scene scene, int? threads = null)
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>
     /// <param name="map">An existing map of the picture's size, to write into; a new one if left out.</param>
-    public HitMap CastHits(HitMap? map = null)
+    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    public HitMap CastHits(HitMap? map = null, CancellationToken cancellation = default)
     {
         var hits = map ?? new(camera.Width, camera.Height);
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(map));
-        using var frame = Frame.Of(scene, threadCount, ManyFrames);
-        Cast(frame, () => frame.HitsInto(hits));
+        using var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation);
+        Cast(frame, cancellation, () => frame.HitsInto(hits));
         return hits;
     }
 
@@ -76,9 +85,9 @@ public sealed class Renderer(Scene scene, int? threads = null)
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
         var pixels = (long)camera.Width * (end - first);
-        var isPlain = MayBeSmall && IsPlain(scene, pixels);
+        var isPlain = MayBeSmall && !ManyFrames && IsPlain(scene, pixels);
         var threads = isPlain && pixels < ManyPixels ? 1 : threadCount;
-        using var frame = Frame.Of(scene, threads, ManyFrames, isPlain);
+        using var frame = Frame.Of(scene, threads, ManyFrames, cancellation, isPlain);
         new BandQueue(frame, first, end, threads, linesDone, cancellation).WriteAll(write);
     }
 
@@ -87,7 +96,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
         pixels * Math.Max(1, scene.Models.Count) < LargeWork && !scene.Models.Any(model => model is Mesh);
 
     /// <summary>Casts all rays, on this thread and others.</summary>
-    private void Cast(Frame frame, Func<IHitConsumer> newConsumer)
+    private void Cast(Frame frame, CancellationToken cancellation, Func<IHitConsumer> newConsumer)
     {
         var (across, up) = (Tile.StripsOf(camera.Width), Tile.TilesOf(camera.Height));
         var workers = Math.Min(threadCount, across * up);
@@ -97,6 +106,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
             var (caster, consumer) = (frame.NewCaster(), newConsumer());
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
+                cancellation.ThrowIfCancellationRequested();
                 var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
                 caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), consumer);
             }

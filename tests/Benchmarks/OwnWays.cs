@@ -19,14 +19,20 @@ internal static class OwnWays
     public static Way LaterExact(BenchmarkScene scene, int width, int height) =>
         Exact("exact t, later frame", Moving(scene, width, height), scene => scene, width, height);
 
-    /// <summary>The engine, only the picture's bytes: as the first of many frames, or as a program draws that draws no other picture.</summary>
-    public static Way Bytes(BenchmarkScene scene, int width, int height, bool manyFrames = true) =>
-        Bytes(manyFrames ? "bytes" : "bytes of a single picture", () => Fresh(scene, width, height), SpatialOrder.Of, width, height,
-            manyFrames);
+    /// <summary>The engine, only the picture's bytes, as the first of many frames.</summary>
+    public static Way Bytes(BenchmarkScene scene, int width, int height) =>
+        Bytes("bytes", () => Fresh(scene, width, height), SpatialOrder.Of, width, height);
 
     /// <summary>The same as a later frame.</summary>
     public static Way LaterBytes(BenchmarkScene scene, int width, int height) =>
-        Bytes("bytes, later frame", Moving(scene, width, height), scene => scene, width, height, manyFrames: true);
+        Bytes("bytes, later frame", Moving(scene, width, height), scene => scene, width, height);
+
+    /// <summary>The bytes as the program draws a single picture: in bands, which it writes one after another.</summary>
+    public static Way SinglePicture(BenchmarkScene scene, int width, int height) => new("bytes of a single picture", Answer.Bytes, threads =>
+    {
+        var fresh = Fresh(scene, width, height);
+        return Time(threads, () => new Renderer(SpatialOrder.Of(fresh), threads).Draw(.., _ => { }));
+    });
 
     /// <param name="ordered">Brings random meshes into an order; of the kept scene that is done.</param>
     private static Way Exact(string name, Func<Scene> next, Func<Scene, Scene> ordered, int width, int height)
@@ -40,13 +46,13 @@ internal static class OwnWays
     }
 
     /// <inheritdoc cref="Exact(string, Func{Scene}, Func{Scene, Scene}, int, int)"/>
-    private static Way Bytes(string name, Func<Scene> next, Func<Scene, Scene> ordered, int width, int height, bool manyFrames)
+    private static Way Bytes(string name, Func<Scene> next, Func<Scene, Scene> ordered, int width, int height)
     {
         var picture = new Lazy<Picture>(() => new(width, height));
         return new(name, Answer.Bytes, threads =>
         {
             var (scene, kept) = (next(), picture.Value);
-            return Time(threads, () => new Renderer(ordered(scene), threads) { ManyFrames = manyFrames }.DrawInto(kept));
+            return Time(threads, () => new Renderer(ordered(scene), threads) { ManyFrames = true }.DrawInto(kept));
         });
     }
 

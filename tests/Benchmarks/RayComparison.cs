@@ -25,7 +25,7 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
     public Way LaterBytes { get; } = OwnWays.LaterBytes(scene, width, height).With(threads);
 
     /// <summary>What README's command runs: without the kernels that pay only for many frames.</summary>
-    public Way SinglePicture { get; } = OwnWays.Bytes(scene, width, height, manyFrames: false).With(threads);
+    public Way SinglePicture { get; } = OwnWays.SinglePicture(scene, width, height).With(threads);
 
     /// <summary>The definition and the naive peers, which know one thread; null where they are left out.</summary>
     public Way? Scalar { get; private set; }

@@ -3,7 +3,9 @@ namespace RayCaster.Testing;
 /// <summary>Seeded scenes of mixed models: ties, cameras inside of things and on their faces, clip planes that cut, meshes near and far.</summary>
 internal static class RandomScene
 {
-    public static Scene Make(Random random)
+    public static Scene Make(Random random) => Testing.Some.SceneThatShows(random, MakeAny);
+
+    private static Scene MakeAny(Random random)
     {
         var position = Some(random, 12);
         var target = random.Next(4) == 0 ? new Vector3(position.X - 5, position.Y, position.Z) : Some(random, 4);

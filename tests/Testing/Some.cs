@@ -17,6 +17,23 @@ internal static class Some
     public static IEnumerable<Model> ShapesOf(Model model) =>
         model is Mesh mesh ? Enumerable.Range(0, mesh.TriangleCount).Select(i => Model.Of(mesh[i])) : [model];
 
+    /// <summary>One of some random scenes, if possible one in which more than one model, or a model and the background, shows.</summary>
+    public static Scene SceneThatShows(Random random, Func<Random, Scene> make)
+    {
+        var scene = make(random);
+        for (var attempt = 0; attempt < 6 && !ShowsTwo(scene); attempt++) scene = make(random);
+        return scene;
+    }
+
+    private static bool ShowsTwo(Scene scene)
+    {
+        const int Side = 8;
+        var (width, height) = (scene.Camera.Width, scene.Camera.Height);
+        var shown = Enumerable.Range(0, Side * Side)
+            .Select(i => ScalarRenderer.Cast(scene, i % Side * width / Side, i / Side * height / Side).HitModel);
+        return shown.Distinct().Skip(1).Any();
+    }
+
     /// <summary>A direction of length 1.</summary>
     public static Vector3 Direction(Random random)
     {

@@ -8,7 +8,7 @@ internal struct BatchItem
     /// <summary>No hit of it is nearer.</summary>
     public float Nearest;
 
-    public int Kind, Place;
+    public int Kind, Index;
 
     /// <summary>Whether all of its hits certainly count.</summary>
     public bool IsClear;

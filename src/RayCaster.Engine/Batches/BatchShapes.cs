@@ -46,17 +46,16 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
                 }
                 else
                 {
-                    var bounds = ((IBounded)shape).Bounds;
-                    var (center, half) = (0.5 * (bounds.Min + bounds.Max), 0.5 * (bounds.Max - bounds.Min));
-                    (outlines.X[i], outlines.Y[i], outlines.Z[i]) = (center.X, center.Y, center.Z);
-                    (outlines.HalfX[i], outlines.HalfY[i], outlines.HalfZ[i]) = (half.X, half.Y, half.Z);
+                    var (min, max) = ((IBounded)shape).Bounds;
+                    (outlines.X[i], outlines.Y[i], outlines.Z[i]) = (min.X, min.Y, min.Z);
+                    (outlines.MaxX[i], outlines.MaxY[i], outlines.MaxZ[i]) = (max.X, max.Y, max.Z);
                 }
             }
             if (typeof(P).IsAssignableTo(typeof(IRound))) outlines.OfBalls<N>();
             else outlines.OfBoxes<N>();
             for (var i = 0; i < count; i++)
             {
-                member.Place = first + i;
+                member.Index = first + i;
                 var shows = outlines.Read(i, ref member);
                 if (shows == true) members.Add(member);
                 else if (shows is null) others.Add(all[first + i].Model);
@@ -73,7 +72,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
         var to = arranged.Items;
         for (var i = first; i < end; i++)
             if (members[i].Kind == group)
-                to[i] = from[members[i].Place];
+                to[i] = from[members[i].Index];
     }
 
     public override void Prefetch(int member) => Lanes.Prefetch(ref arranged.Items[member]);
@@ -86,10 +85,10 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
         var (range, rays) = (clip, part.Rays);
         var shapes = arranged.Items;
         var packets = part.Packets;
-        var places = part.Places;
+        var members = part.Members;
         for (var i = first; i < end; i++)
         {
-            ref readonly var it = ref shapes[places[i]];
+            ref readonly var it = ref shapes[members[i]];
             var at = packets[i];
             var crossings = it.Shape.Intersect(rays.RaysAt<N>(at));
             // Testing which crossings count costs about as much as the formula of a sphere.

@@ -10,9 +10,9 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
 
     private const int BlockSide = 8, BlocksAcross = Side / BlockSide, Blocks = BlocksAcross * BlocksAcross;
 
-    private const int MostListed = Blocks * BlockSide * BlockSide / 4 * DepthOrder.Batch;
+    private const int MaxListed = Blocks * BlockSide * BlockSide / 4 * DepthOrder.Batch;
 
-    private readonly int[] packets = new int[MostListed], places = new int[MostListed];
+    private readonly int[] packets = new int[MaxListed], members = new int[MaxListed];
     private readonly double[] farthest = new double[Blocks]; // the greatest t of the nearest hits in each block
     private Tile tile;
     private Sides sides;
@@ -54,10 +54,10 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     }
 
     /// <summary>Lists the packets in a member's rectangle that do not hide it.</summary>
-    /// <param name="place">Its index among all members.</param>
+    /// <param name="index">Its index among all members.</param>
     /// <returns>The end of the list.</returns>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public int List(in BatchItem member, int place)
+    public int List(in BatchItem member, int index)
     {
         var nearest = member.Nearest;
         var shared = sides.And(member.Sides);
@@ -69,7 +69,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         var blocks = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible(nearest);
         touched |= blocks;
         var least = Lanes.Broadcast<N>(nearest);
-        var (rays, packets, places, end) = (Rays, this.packets, this.places, count);
+        var (rays, packets, members, end) = (Rays, this.packets, this.members, count);
         for (; blocks != 0; blocks &= blocks - 1)
         {
             var block = BitOperations.TrailingZeroCount(blocks);
@@ -80,7 +80,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
                 for (var x = 0; x < BlockSide; x += N.Count)
                 {
                     packets[end] = i + x;
-                    places[end] = place;
+                    members[end] = index;
                     end += (Lanes.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
                 }
             }
@@ -92,7 +92,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     public ReadOnlySpan<int> Packets => packets;
 
     /// <summary>The member that each listed packet may hit.</summary>
-    public ReadOnlySpan<int> Places => places;
+    public ReadOnlySpan<int> Members => members;
 
     /// <summary>A bit for each block in which some pixel's nearest hit is not nearer than this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -58,9 +58,9 @@ internal sealed class ScreenBins
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private static void Place(ReadOnlySpan<BatchItem> members, int[] cells, int[] places, Span<BatchItem> sorted)
+    private static void Place(ReadOnlySpan<BatchItem> members, int[] cells, int[] next, Span<BatchItem> sorted)
     {
-        for (var i = 0; i < members.Length; i++) sorted[places[cells[i]]++] = members[i];
+        for (var i = 0; i < members.Length; i++) sorted[next[cells[i]]++] = members[i];
     }
 
     /// <summary>Finds ranges that hold all members that may show in a tile, and others.</summary>

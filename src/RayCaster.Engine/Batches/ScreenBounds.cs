@@ -1,21 +1,23 @@
 namespace RayCaster.Engine;
 
 /// <summary>Finds where in the picture balls and boxes may show, and how near they are, for all lanes of a packet at once.</summary>
-/// <remarks>What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
-/// (<see cref="BoundsExtensions.PaddedFrom"/>), and what the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.</remarks>
+/// <remarks>What it says is padded as <see cref="BoundsExtensions.PaddedFrom"/> says, which is enough for the roundings of the projection, too:
+/// a few units of 2⁻⁵³ of the distance. What places in the picture round is a few units of its width, less than 1e-9 of a pixel.</remarks>
 internal sealed class ScreenBounds
 {
     /// <summary>How many are processed together.</summary>
     public const int Count = 8;
 
-    private const double Padding = 1e-12;
+    /// <summary>What is added on each side, in pixels.</summary>
+    private const double Margin = 0.01;
 
     private const double Outside = 0, Unknown = 1, Shows = 2, Clear = 3;
 
+    /// <summary>Centres of balls, or the least coordinates of boxes.</summary>
     public readonly double[] X = new double[Count], Y = new double[Count], Z = new double[Count];
 
-    /// <summary>How far they reach from there: balls in every direction, boxes along each axis.</summary>
-    public readonly double[] Radius = new double[Count], HalfX = new double[Count], HalfY = new double[Count], HalfZ = new double[Count];
+    /// <summary>Radii of balls, and the greatest coordinates of boxes.</summary>
+    public readonly double[] Radius = new double[Count], MaxX = new double[Count], MaxY = new double[Count], MaxZ = new double[Count];
 
     private readonly double[] verdict = new double[Count], nearest = new double[Count];
     private readonly double[] left = new double[Count], right = new double[Count], bottom = new double[Count], top = new double[Count];
@@ -44,7 +46,7 @@ internal sealed class ScreenBounds
     public void OfBalls<N>() where N : struct, IPacket<N>
     {
         for (var i = 0; i < Count; i += N.Count)
-            Keep(i, Ball(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), N.Load(Radius, i)));
+            Store(i, Ball(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), N.Load(Radius, i)));
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -52,8 +54,8 @@ internal sealed class ScreenBounds
     {
         for (var i = 0; i < Count; i += N.Count)
         {
-            var half = new Vector3<N>(N.Load(HalfX, i), N.Load(HalfY, i), N.Load(HalfZ, i));
-            Keep(i, Box(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), half));
+            var max = new Vector3<N>(N.Load(MaxX, i), N.Load(MaxY, i), N.Load(MaxZ, i));
+            Store(i, Box(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), max));
         }
     }
 
@@ -77,7 +79,7 @@ internal sealed class ScreenBounds
     {
         var L = center - camera.Position;
         var distance = N.Sqrt(L * L);
-        var r = radius + Padding * (distance + radius);
+        var r = radius + 1e-12 * (distance + radius) + 1e-14 * (BoundsExtensions.Largest(center, center) + radius);
         var (x, y, z) = ToCamera(L);
         var difference = z * z - r * r;
         var (rootX, rootY) = (r * N.Sqrt(x * x + difference), r * N.Sqrt(y * y + difference));
@@ -94,12 +96,11 @@ internal sealed class ScreenBounds
 
     /// <summary>Where a box is seen, by the box around it along the camera's axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Outline<N> Box<N>(Vector3<N> center, Vector3<N> half) where N : struct, IReal<N>
+    private Outline<N> Box<N>(Vector3<N> min, Vector3<N> max) where N : struct, IReal<N>
     {
-        var L = center - camera.Position;
+        (min, max) = BoundsExtensions.Padded(min, max, camera.Position);
+        var (L, half) = (0.5 * (min + max), 0.5 * (max - min));
         var size = new Vector3<N>(N.Max(L.X, -L.X), N.Max(L.Y, -L.Y), N.Max(L.Z, -L.Z));
-        var margin = Padding * (size.X + size.Y + size.Z + half.X + half.Y + half.Z);
-        half += new Vector3<N>(margin, margin, margin);
         var gap = new Vector3<N>(N.Max(size.X - half.X, 0), N.Max(size.Y - half.Y, 0), N.Max(size.Z - half.Z, 0));
         var (x, y, z) = ToCamera(L);
         var (halfX, halfY, halfZ) = (Spread(half, camera.U), Spread(half, camera.V), Spread(half, camera.W));
@@ -116,7 +117,7 @@ internal sealed class ScreenBounds
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Outline<N> Judged<N>(N isOutside, N isInFront, N isClear, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
     {
-        (left, right, bottom, top) = (Column(left), Column(right), Row(bottom), Row(top));
+        (left, right, bottom, top) = (Column(left, -Margin), Column(right, Margin), Row(bottom, -Margin), Row(top, Margin));
         var isKnown = isInFront & (left + right + bottom + top + nearest < double.PositiveInfinity); // false for NaN
         return new()
         {
@@ -131,7 +132,7 @@ internal sealed class ScreenBounds
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Keep<N>(int i, in Outline<N> outline) where N : struct, IPacket<N>
+    private void Store<N>(int i, in Outline<N> outline) where N : struct, IPacket<N>
     {
         outline.Nearest.Store(nearest, i);
         outline.Verdict.Store(verdict, i);
@@ -156,12 +157,12 @@ internal sealed class ScreenBounds
     /// <summary>The column of a slope, rounded up when it is truncated, and within the picture.</summary>
     /// <remarks>The sample of column c lies at u = planeWidth · c / width − planeWidth / 2, half a pixel further for centres.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private N Column<N>(N slope) where N : struct, IReal<N> =>
-        N.Min(N.Max((slope / camera.PlaneWidth + 0.5) * camera.Width + (1 - sample), 0), camera.Width);
+    private N Column<N>(N slope, double margin) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneWidth + 0.5) * camera.Width + (1 - sample + margin), 0), camera.Width);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private N Row<N>(N slope) where N : struct, IReal<N> =>
-        N.Min(N.Max((slope / camera.PlaneHeight + 0.5) * camera.Height + (1 - sample), 0), camera.Height);
+    private N Row<N>(N slope, double margin) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneHeight + 0.5) * camera.Height + (1 - sample + margin), 0), camera.Height);
 
     /// <summary>Half the size of a box along an axis of any direction.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

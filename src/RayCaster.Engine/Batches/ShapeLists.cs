@@ -24,7 +24,7 @@ internal sealed class ShapeLists : IModelVisitor
         ThreadTeam.Shares(shares, models.Count, (share, first, end) =>
         {
             parts[share] = new();
-            for (var place = first; place < end; place++) parts[share].Add(models[place], place);
+            for (var index = first; index < end; index++) parts[share].Add(models[index], index);
         });
         for (var share = 1; share < shares; share++) parts[0].Append(parts[share]);
         parts[0].count = models.Count;
@@ -45,14 +45,14 @@ internal sealed class ShapeLists : IModelVisitor
     {
     }
 
-    private void Add(Model model, int place)
+    private void Add(Model model, int index)
     {
         for (var i = lists.Count - 1; i >= 0; i--)
-            if (lists[i].Add(model, place))
+            if (lists[i].Add(model, index))
                 return;
         var before = lists.Count;
         model.Accept(this); // only once for each kind of shape: the new list takes the others
-        if (lists.Count == before || !lists[^1].Add(model, place)) others.Add(place);
+        if (lists.Count == before || !lists[^1].Add(model, index)) others.Add(index);
     }
 
     private void Append(ShapeLists more)
@@ -67,7 +67,7 @@ internal sealed class ShapeLists : IModelVisitor
 /// <summary>Shapes of one kind, and the indices of their models.</summary>
 internal abstract class ShapeList
 {
-    public abstract bool Add(Model model, int place);
+    public abstract bool Add(Model model, int index);
 
     /// <summary>Adds all shapes of another list if they are of this kind.</summary>
     public abstract bool Append(ShapeList list);
@@ -79,10 +79,10 @@ internal sealed class ShapeList<P> : ShapeList where P : struct, IPrimitive
 {
     public List<(P Shape, int Model)> Items { get; } = [];
 
-    public override bool Add(Model model, int place)
+    public override bool Add(Model model, int index)
     {
         if (model is not Model<P> { Primitive: var shape }) return false;
-        Items.Add((shape, place));
+        Items.Add((shape, index));
         return true;
     }
 

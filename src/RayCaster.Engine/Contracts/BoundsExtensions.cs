@@ -3,18 +3,33 @@ namespace RayCaster.Engine;
 /// <summary>Which rays may hit what is in a box.</summary>
 public static class BoundsExtensions
 {
-    /// <summary>Bounds seen from a point, with a margin of 1e-12 of their largest coordinate. The rounding of a formula moves a hit sideways by far
-    /// less, a few units in the last place; without a margin, hits at the silhouettes of far objects are lost.</summary>
+    /// <summary>Bounds seen from a point, with a margin for what is rounded.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Bounds PaddedFrom(this Bounds bounds, Vector3 origin)
     {
-        var (min, max) = (bounds.Min - origin, bounds.Max - origin);
-        var x = Math.Max(Math.Abs(min.X), Math.Abs(max.X));
-        var y = Math.Max(Math.Abs(min.Y), Math.Abs(max.Y));
-        var z = Math.Max(Math.Abs(min.Z), Math.Abs(max.Z));
-        var margin = 1e-12 * Math.Max(x, Math.Max(y, z));
-        return new(new(min.X - margin, min.Y - margin, min.Z - margin), new(max.X + margin, max.Y + margin, max.Z + margin));
+        var (min, max) = Padded<Scalar>(bounds.Min, bounds.Max, origin);
+        return new(new(min.X, min.Y, min.Z), new(max.X, max.Y, max.Z));
     }
+
+    /// <summary>The corners of boxes seen from a point, with a margin for what is rounded.</summary>
+    /// <remarks>
+    /// What a formula computes from differences to the ray's origin moves a hit sideways by a few units of 2⁻⁵³ of the distance; without a margin,
+    /// hits at the silhouettes of far objects are lost. What it computes from coordinates, as X(t) or a corner of the bounds, is rounded by as much
+    /// of these, which far from the origin of space is more. Both margins hold dozens of such roundings.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static (Vector3<N> Min, Vector3<N> Max) Padded<N>(Vector3<N> min, Vector3<N> max, Vector3<N> origin) where N : struct, IReal<N>
+    {
+        var ofCoordinates = 1e-14 * Largest(min, max);
+        (min, max) = (min - origin, max - origin);
+        var margin = 1e-12 * Largest(min, max) + ofCoordinates;
+        return (min - new Vector3<N>(margin, margin, margin), max + new Vector3<N>(margin, margin, margin));
+    }
+
+    /// <summary>The largest absolute coordinate of a box.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static N Largest<N>(Vector3<N> min, Vector3<N> max) where N : struct, IReal<N> =>
+        N.Max(N.Max(N.Max(-min.X, max.X), N.Max(-min.Y, max.Y)), N.Max(-min.Z, max.Z));
 
     /// <summary>No ray from the origin of space has a hit in a box at a lesser t; 0 where the box contains that origin.</summary>
     /// <remarks>

@@ -20,6 +20,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     private readonly double[] near = new double[capacity], far = new double[capacity]; // the crossings with one model
     private readonly double[] t = new double[capacity];
     private readonly double[] model = new double[capacity];
+    private Ray?[] single = []; // of each pixel, once a scalar shape needs it
 
     /// <summary>The first pixel's column, from the left.</summary>
     public int Column { get; private set; }
@@ -65,6 +66,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     public void Aim<N>(int row, int rows = 1) where N : struct, IPacket<N>
     {
         (Row, Rows) = (row, rows);
+        Array.Clear(single);
         for (var i = 0; i < rows; i++) AimRow<N>(row + i, i * Pitch);
     }
 
@@ -109,7 +111,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     /// <summary>The indices of the models + 1, as ints in place of floats.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public F PlacesAt<F>(int pixel) where F : struct, IFloatPacket<F> => F.LoadPlaces(model, pixel);
+    public F ColorIndicesAt<F>(int pixel) where F : struct, IFloatPacket<F> => F.LoadColorIndices(model, pixel);
 
     /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -155,11 +157,13 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         Set(pixel, N.Select(better, hit, nearest), N.Select(better, modelIndex, models));
     }
 
-    public void MeetOneByOne(Model only, int modelIndex)
+    /// <summary>Intersects a scalar shape ray by ray and keeps hits that are nearer than all before.</summary>
+    public void IntersectOneByOne(Model only, int modelIndex)
     {
+        if (single.Length == 0) single = new Ray[capacity];
         for (var i = 0; i < Length; i++)
         {
-            var ray = new Ray(Origin, DirectionAt(i)) { ClipRange = camera.ClipRange, DepthPerT = depthPerT[i] };
+            var ray = single[i] ??= new(Origin, DirectionAt(i)) { ClipRange = camera.ClipRange, DepthPerT = depthPerT[i] };
             if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i])))
                 continue;
             t[i] = hit;

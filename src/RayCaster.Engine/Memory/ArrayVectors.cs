@@ -6,45 +6,45 @@ internal static class ArrayVectors
 {
     /// <summary>The numbers from a position on, as many as fill 16 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector128<T> Load128<T>(this T[] numbers, int place) where T : struct =>
-        Vector128.LoadUnsafe(ref At(numbers, place, Vector128<T>.Count));
+    public static Vector128<T> Load128<T>(this T[] numbers, int index) where T : struct =>
+        Vector128.LoadUnsafe(ref At(numbers, index, Vector128<T>.Count));
 
     /// <summary>As many as fill 32 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<T> Load256<T>(this T[] numbers, int place) where T : struct =>
-        Vector256.LoadUnsafe(ref At(numbers, place, Vector256<T>.Count));
+    public static Vector256<T> Load256<T>(this T[] numbers, int index) where T : struct =>
+        Vector256.LoadUnsafe(ref At(numbers, index, Vector256<T>.Count));
 
     /// <summary>As many as fill 64 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector512<T> Load512<T>(this T[] numbers, int place) where T : struct =>
-        Vector512.LoadUnsafe(ref At(numbers, place, Vector512<T>.Count));
+    public static Vector512<T> Load512<T>(this T[] numbers, int index) where T : struct =>
+        Vector512.LoadUnsafe(ref At(numbers, index, Vector512<T>.Count));
 
     /// <summary>Writes numbers into an array.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void StoreTo<T>(this Vector256<T> vector, T[] numbers, int place) where T : struct =>
-        vector.StoreUnsafe(ref At(numbers, place, Vector256<T>.Count));
+    public static void StoreTo<T>(this Vector256<T> vector, T[] numbers, int index) where T : struct =>
+        vector.StoreUnsafe(ref At(numbers, index, Vector256<T>.Count));
 
     /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void StoreTo<T>(this Vector64<T> vector, T[] numbers, int place) where T : struct =>
-        vector.StoreUnsafe(ref At(numbers, place, Vector64<T>.Count));
+    public static void StoreTo<T>(this Vector64<T> vector, T[] numbers, int index) where T : struct =>
+        vector.StoreUnsafe(ref At(numbers, index, Vector64<T>.Count));
 
     /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void StoreTo<T>(this Vector128<T> vector, T[] numbers, int place) where T : struct =>
-        vector.StoreUnsafe(ref At(numbers, place, Vector128<T>.Count));
+    public static void StoreTo<T>(this Vector128<T> vector, T[] numbers, int index) where T : struct =>
+        vector.StoreUnsafe(ref At(numbers, index, Vector128<T>.Count));
 
     /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void StoreTo<T>(this Vector512<T> vector, T[] numbers, int place) where T : struct =>
-        vector.StoreUnsafe(ref At(numbers, place, Vector512<T>.Count));
+    public static void StoreTo<T>(this Vector512<T> vector, T[] numbers, int index) where T : struct =>
+        vector.StoreUnsafe(ref At(numbers, index, Vector512<T>.Count));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static ref T At<T>(T[] numbers, int place, int count) where T : struct
+    private static ref T At<T>(T[] numbers, int index, int count) where T : struct
     {
 #if CHECKED
-        _ = numbers.AsSpan(place, count);
+        _ = numbers.AsSpan(index, count);
 #endif
-        return ref numbers[place];
+        return ref numbers[index];
     }
 }

@@ -2,46 +2,46 @@ using System.Buffers;
 
 namespace RayCaster.Engine;
 
-/// <summary>Items sorted by a small number, their place; items of one place keep their order. The memory is rented from the pool: fresh pages cost
+/// <summary>Items sorted by a small number, their bin; items of one bin keep their order. The memory is rented from the pool: fresh pages cost
 /// more than writing to them.</summary>
 internal sealed class Bins<T> where T : struct
 {
     private readonly int[] starts;
-    private readonly int first; // the first place that holds anything: most meshes show in a small part of a picture
+    private readonly int first; // the first bin that holds anything: most meshes show in a small part of a picture
     private T[] sorted;
 
     /// <param name="lists">What to sort, each list on a thread; the lists are emptied.</param>
-    public Bins(PooledList<(int Place, T Thing)>[] lists)
+    public Bins(PooledList<(int Bin, T Item)>[] lists)
     {
         var ranges = new (int First, int Last)[lists.Length];
         ThreadTeam.Each(lists.Length, lists.Length, list => ranges[list] = RangeOf(lists[list].Items));
         first = ranges.Length > 0 ? ranges.Min(range => range.First) : 0;
-        var (places, total) = (ranges.Length > 0 ? Math.Max(0, ranges.Max(range => range.Last) - first + 1) : 0, lists.Sum(list => list.Count));
+        var (bins, total) = (ranges.Length > 0 ? Math.Max(0, ranges.Max(range => range.Last) - first + 1) : 0, lists.Sum(list => list.Count));
         sorted = total > 0 ? ArrayPool<T>.Shared.Rent(total) : [];
         starts = CountingSort.Sort(
-            lists.Length, places, (list, counts) => Count(lists[list].Items, counts), (list, next) => Put(lists[list].Items, next));
+            lists.Length, bins, (list, counts) => Count(lists[list].Items, counts), (list, next) => Put(lists[list].Items, next));
         foreach (var list in lists) list.Free();
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private static (int First, int Last) RangeOf(ReadOnlySpan<(int Place, T Thing)> items)
+    private static (int First, int Last) RangeOf(ReadOnlySpan<(int Bin, T Item)> items)
     {
         var (least, most) = (int.MaxValue, -1);
-        foreach (ref readonly var item in items) (least, most) = (Math.Min(least, item.Place), Math.Max(most, item.Place));
+        foreach (ref readonly var item in items) (least, most) = (Math.Min(least, item.Bin), Math.Max(most, item.Bin));
         return (least, most);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Count(ReadOnlySpan<(int Place, T Thing)> items, int[] counts)
+    private void Count(ReadOnlySpan<(int Bin, T Item)> items, int[] counts)
     {
-        foreach (ref readonly var item in items) counts[item.Place - first]++;
+        foreach (ref readonly var item in items) counts[item.Bin - first]++;
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Put(ReadOnlySpan<(int Place, T Thing)> items, int[] next)
+    private void Put(ReadOnlySpan<(int Bin, T Item)> items, int[] next)
     {
         var to = sorted;
-        foreach (ref readonly var item in items) to[next[item.Place - first]++] = item.Thing;
+        foreach (ref readonly var item in items) to[next[item.Bin - first]++] = item.Item;
     }
 
     /// <summary>Returns the memory; the object cannot be used any more.</summary>
@@ -51,11 +51,11 @@ internal sealed class Bins<T> where T : struct
         sorted = [];
     }
 
-    public ReadOnlySpan<T> this[int place]
+    public ReadOnlySpan<T> this[int bin]
     {
         get
         {
-            var p = (long)place - first;
+            var p = (long)bin - first;
             return p >= 0 && p < starts.Length - 1 ? sorted.AsSpan(starts[p], starts[p + 1] - starts[p]) : [];
         }
     }

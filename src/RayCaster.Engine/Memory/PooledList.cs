@@ -6,7 +6,7 @@ namespace RayCaster.Engine;
 /// them.</summary>
 internal sealed class PooledList<T> where T : struct
 {
-    private const int LeastLength = 1024;
+    private const int MinLength = 1024;
 
     private T[] items = [];
     private int count;
@@ -44,7 +44,7 @@ internal sealed class PooledList<T> where T : struct
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Grow() => Move(Math.Max(LeastLength, 2 * count));
+    private void Grow() => Move(Math.Max(MinLength, 2 * count));
 
     private void Move(int capacity)
     {

@@ -4,43 +4,54 @@ namespace RayCaster.Engine;
 
 /// <summary>Numbers in an array without range checks, for loops in which the checks would take most of the time. docs/limits.md says for each use
 /// why no position lies outside. With the constant CHECKED all positions are checked.</summary>
-[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
+internal readonly ref struct RawSpan<T> where T : struct
 {
-    private readonly ref T first = ref MemoryMarshal.GetReference(items);
+    private readonly ref T first;
 #if CHECKED
-    private readonly int length = items.Length;
+    private readonly nint length;
 #endif
 
-    public ref T this[int place]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public RawSpan(ReadOnlySpan<T> items) : this(ref MemoryMarshal.GetReference(items), items.Length) { }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public RawSpan(ref T first, nint length)
+    {
+        this.first = ref first;
+#if CHECKED
+        this.length = length;
+#endif
+    }
+
+    public ref T this[nint index]
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => ref From(place, 1);
+        get => ref From(index, 1);
     }
 
     /// <summary>The numbers from a position on, as many as fill 16 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector128<T> Load128(int place) => Vector128.LoadUnsafe(ref From(place, Vector128<T>.Count));
+    public Vector128<T> Load128(nint index) => Vector128.LoadUnsafe(ref From(index, Vector128<T>.Count));
 
-    /// <summary>The eight numbers from a place on, or as many as fill 32 bytes.</summary>
+    /// <summary>The eight numbers from an index on, or as many as fill 32 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<T> Load256(int place) => Vector256.LoadUnsafe(ref From(place, Vector256<T>.Count));
+    public Vector256<T> Load256(nint index) => Vector256.LoadUnsafe(ref From(index, Vector256<T>.Count));
 
     /// <summary>Writes numbers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(Vector256<T> numbers, int place) => numbers.StoreUnsafe(ref From(place, Vector256<T>.Count));
+    public void Store(Vector256<T> numbers, nint index) => numbers.StoreUnsafe(ref From(index, Vector256<T>.Count));
 
-    /// <inheritdoc cref="Store(Vector256{T}, int)"/>
+    /// <inheritdoc cref="Store(Vector256{T}, nint)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(Vector512<T> numbers, int place) => numbers.StoreUnsafe(ref From(place, Vector512<T>.Count));
+    public void Store(Vector512<T> numbers, nint index) => numbers.StoreUnsafe(ref From(index, Vector512<T>.Count));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private ref T From(int place, int count)
+    private ref T From(nint index, int count)
     {
 #if CHECKED
-        if (place < 0 || place > length - count) throw new IndexOutOfRangeException($"{count} numbers from {place} on, of {length}");
+        if (index < 0 || index > length - count) throw new IndexOutOfRangeException($"{count} numbers from {index} on, of {length}");
 #endif
-        return ref Unsafe.Add(ref first, place);
+        return ref Unsafe.Add(ref first, index);
     }
 }
 
@@ -50,5 +61,5 @@ internal static class RawSpan
     /// <summary>The coordinates of points, three for each.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static RawSpan<double> NumbersOf(Vector3[] points) =>
-        new(MemoryMarshal.CreateReadOnlySpan(ref Unsafe.As<Vector3, double>(ref MemoryMarshal.GetArrayDataReference(points)), 3 * points.Length));
+        new(ref Unsafe.As<Vector3, double>(ref MemoryMarshal.GetArrayDataReference(points)), (nint)3 * points.Length);
 }

@@ -1,6 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>A coarse depth buffer: for each cell of 8 × 8 pixels the least w that their hits certainly have. What lies behind is hidden.</summary>
+/// <summary>A coarse depth buffer: for each cell of 8 × 8 pixels the least inverse depth that their hits certainly have. What lies behind is
+/// hidden.</summary>
 internal sealed class CoarseDepth
 {
     /// <summary>The side of a cell in pixels.</summary>
@@ -12,66 +13,45 @@ internal sealed class CoarseDepth
 
     public void Clear() => least.AsSpan().Clear();
 
-    /// <summary>Finds the least w of each cell. Rows are <see cref="Tile.MaxSide"/> numbers long.</summary>
+    /// <summary>Finds the least inverse depth of each cell. Rows are <see cref="Tile.MaxSide"/> numbers long.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void Update(float[] covered)
+    public void Update(float[] occluderDepth)
     {
         for (var cell = 0; cell < least.Length; cell++)
         {
             var first = cell / Across * CellSide * Tile.MaxSide + cell % Across * CellSide;
-            var w = covered.Load256(first);
-            for (var row = 1; row < CellSide; row++) w = Vector256.MinNative(w, covered.Load256(first + row * Tile.MaxSide));
-            var half = Vector128.MinNative(w.GetLower(), w.GetUpper());
+            var inverseDepth = occluderDepth.Load256(first);
+            for (var row = 1; row < CellSide; row++)
+                inverseDepth = Vector256.MinNative(inverseDepth, occluderDepth.Load256(first + row * Tile.MaxSide));
+            var half = Vector128.MinNative(inverseDepth.GetLower(), inverseDepth.GetUpper());
             half = Vector128.MinNative(half, Vector128.Shuffle(half, Vector128.Create(2, 3, 0, 1)));
             least[cell] = Math.Min(half[0], half[1]);
         }
     }
 
-    /// <summary>Whether each pixel of some cells certainly has a hit with a greater w.</summary>
+    /// <summary>Whether each pixel of some cells certainly has a hit with a greater inverse depth.</summary>
     /// <param name="cells">Cells of a whole tile.</param>
     /// <param name="firstRow">The first row of that tile whose pixels are known.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Hides(Cells cells, int firstRow, float w)
+    public bool Hides(Cells cells, int firstRow, float inverseDepth)
     {
         var row = Vector256.Create(float.PositiveInfinity);
         var top = Math.Min(Across - 1, (cells.Top * CellSide + CellSide - 1 - firstRow) >> 3);
         for (var y = Math.Max(0, cells.Bottom * CellSide - firstRow) >> 3; y <= top; y++)
             row = Vector256.MinNative(row, least.Load256(y * Across));
-        var hidden = Vector256.GreaterThan(row, Vector256.Create(w)).ExtractMostSignificantBits();
+        var hidden = Vector256.GreaterThan(row, Vector256.Create(inverseDepth)).ExtractMostSignificantBits();
         var columns = (2u << cells.Right) - (1u << cells.Left);
         return (hidden & columns) == columns;
     }
 
-    /// <summary>Whether each pixel of a triangle's box certainly has a hit with a greater w than the triangle's plane.</summary>
-    /// <param name="setup">The <see cref="TriangleSetUp"/> of eight triangles.</param>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public bool Hides(RawSpan<float> setup, int lane)
-    {
-        const float Middle = (CellSide - 1) / 2f;
-        var (bottom, left) = Math.DivRem(TriangleSetUp.Whole(setup, lane, TriangleSetUp.Pixel), TilePixels.Stride);
-        var (right, up) = (setup[8 * (TriangleSetUp.Depth + 1) + lane], setup[8 * (TriangleSetUp.Depth + 2) + lane]);
-        // Of a cell the plane's w in the middle, and how much more it is at the nearest corner. These steps round by less than the slack, which has
-        // 64 units of 2⁻²⁴ of w and 2000 of the slope; so it counts twice. A w that is NaN hides nothing, or counts as the greatest.
-        var nearest = setup[8 * TriangleSetUp.Depth + lane] + 2 * setup[8 * TriangleSetUp.Slack + lane] + Middle * (Math.Abs(right) + Math.Abs(up));
-        var row = Vector256.Create(nearest) + (CellSide * Vector256<float>.Indices + Vector256.Create(Middle - left)) * Vector256.Create(right);
-        var most = Vector256.Create(setup[8 * TriangleSetUp.MostW + lane]);
-        var columns = (2u << ((left + TriangleSetUp.Whole(setup, lane, TriangleSetUp.Across)) / CellSide)) - (1u << (left / CellSide));
-        for (var y = bottom / CellSide; y <= (bottom + TriangleSetUp.Whole(setup, lane, TriangleSetUp.Upwards)) / CellSide; y++)
-        {
-            var w = Vector256.MinNative(row + Vector256.Create((y * CellSide + Middle - bottom) * up), most);
-            if ((~Vector256.GreaterThan(least.Load256(y * Across), w).ExtractMostSignificantBits() & columns) != 0) return false;
-        }
-        return true;
-    }
-
-    /// <summary>Each pixel certainly has a hit of at least this w; 0 if that is not certain.</summary>
+    /// <summary>Each pixel certainly has a hit of at least this inverse depth; 0 if that is not certain.</summary>
     public float Least
     {
         get
         {
-            var w = float.PositiveInfinity;
-            foreach (var cell in least) w = Math.Min(w, cell);
-            return w;
+            var inverseDepth = float.PositiveInfinity;
+            foreach (var cell in least) inverseDepth = Math.Min(inverseDepth, cell);
+            return inverseDepth;
         }
     }
 }

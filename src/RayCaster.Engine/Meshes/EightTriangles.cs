@@ -4,10 +4,22 @@ namespace RayCaster.Engine;
 internal struct EightTriangles
 {
     public EightPoints A, B, C;
+
+    public readonly Vector256<float> MaxInverseDepth
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Lanes.Most(A.InverseDepth, B.InverseDepth, C.InverseDepth);
+    }
+
+    public readonly Vector256<float> MinInverseDepth
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Lanes.Least(A.InverseDepth, B.InverseDepth, C.InverseDepth);
+    }
 }
 
-/// <summary>Eight points on the screen: columns, rows and w.</summary>
-internal readonly struct EightPoints(Vector256<float> x, Vector256<float> y, Vector256<float> w)
+/// <summary>Eight points on the screen: columns, rows and inverse depths.</summary>
+internal readonly struct EightPoints(Vector256<float> x, Vector256<float> y, Vector256<float> inverseDepth)
 {
-    public readonly Vector256<float> X = x, Y = y, W = w;
+    public readonly Vector256<float> X = x, Y = y, InverseDepth = inverseDepth;
 }

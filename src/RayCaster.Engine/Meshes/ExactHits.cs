@@ -3,8 +3,9 @@ namespace RayCaster.Engine;
 /// <summary>Computes where each ray of a packet hits its own triangle, by the triangle's formula.</summary>
 internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket<N>
 {
-    private readonly double[] columns = new double[N.Count], rows = new double[N.Count], hits = new double[N.Count], nearness = new double[N.Count];
-    private readonly int[] triangles = new int[N.Count], places = new int[N.Count];
+    private readonly double[] columns = new double[N.Count], rows = new double[N.Count];
+    private readonly double[] hits = new double[N.Count], inverseDepth = new double[N.Count];
+    private readonly int[] triangles = new int[N.Count], pixels = new int[N.Count];
     private Vector3[] vertices = [];
     private int[] indices = [];
     private int count;
@@ -21,26 +22,26 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
         N.Gather(vertices, indices, triangles, first, 2));
 
     /// <summary>Adds a pixel and a triangle to the next packet. Its t is kept if it is less than the one so far.</summary>
-    /// <param name="place">The pixel's position in both arrays.</param>
+    /// <param name="pixel">The pixel's position in both arrays.</param>
     /// <param name="least">The least t of each pixel so far.</param>
-    /// <param name="covered">The greatest w of each pixel so far, less its rounding error.</param>
+    /// <param name="occluderDepth">The greatest inverse depth of each pixel so far, less its rounding error.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Add(int column, int row, int triangle, int place, double[] least, float[] covered)
+    public void Add(int column, int row, int triangle, int pixel, double[] least, float[] occluderDepth)
     {
-        (columns[count], rows[count], triangles[count], places[count]) = (column, row, triangle, place);
-        if (++count == N.Count) Flush(least, covered);
+        (columns[count], rows[count], triangles[count], pixels[count]) = (column, row, triangle, pixel);
+        if (++count == N.Count) Flush(least, occluderDepth);
     }
 
-    public void Flush(double[] least, float[] covered)
+    public void Flush(double[] least, float[] occluderDepth)
     {
         if (count == 0) return;
         for (var i = count; i < N.Count; i++) (columns[i], rows[i], triangles[i]) = (columns[0], rows[0], triangles[0]);
         Compute();
         for (var i = 0; i < count; i++)
         {
-            if (!(hits[i] < least[places[i]])) continue;
-            least[places[i]] = hits[i];
-            covered[places[i]] = Math.Max(covered[places[i]], (float)nearness[i]);
+            if (!(hits[i] < least[pixels[i]])) continue;
+            least[pixels[i]] = hits[i];
+            occluderDepth[pixels[i]] = Math.Max(occluderDepth[pixels[i]], (float)inverseDepth[i]);
         }
         count = 0;
     }
@@ -52,6 +53,6 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
         var crossings = Intersect(new Ray<N>(screen.Camera.Position, direction), new(triangles), 0);
         var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.DepthPerT(direction));
         hit.Store(hits, 0);
-        (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(nearness, 0);
+        (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(inverseDepth, 0);
     }
 }

@@ -26,9 +26,9 @@ internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int
     {
         if (first + count > Count) return;
         var points = new RawSpan<Vector3>(vertices);
-        var places = new RawSpan<int>(indices);
+        var vertexIndices = new RawSpan<int>(indices);
         var step = count > 1 ? 4 : 1; // most vertices are next to others
-        for (var i = 3 * first; i < 3 * (first + count); i += step) Lanes.Prefetch(ref points[places[i]]);
+        for (var i = 3 * first; i < 3 * (first + count); i += step) Lanes.Prefetch(ref points[vertexIndices[i]]);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -37,6 +37,6 @@ internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int
         var names = new RawSpan<int>(triangles);
         var lower = screen.Project(N.Gather(vertices, indices, names, 0, corner));
         var upper = N.Count == 8 ? lower : screen.Project(N.Gather(vertices, indices, names, N.Count, corner));
-        seen = new(N.Narrow(lower.X, upper.X), N.Narrow(lower.Y, upper.Y), N.Narrow(lower.W, upper.W));
+        seen = new(N.Narrow(lower.X, upper.X), N.Narrow(lower.Y, upper.Y), N.Narrow(lower.InverseDepth, upper.InverseDepth));
     }
 }

@@ -1,14 +1,14 @@
 namespace RayCaster.Engine;
 
-/// <summary>Paints the tiles of a mesh in floats; each thread has its own. The filter knows a range for each hit's w; so t and each channel's level
-/// have a range, too. Where both ends have the same whole part, that is the byte; the few other pixels are in doubt.</summary>
+/// <summary>Paints the tiles of a mesh in floats; each thread has its own. The filter knows a range for each hit's inverse depth; so t and each
+/// channel's level have a range, too. Where both ends have the same whole part, that is the byte; the few other pixels are in doubt.</summary>
 internal sealed class MeshPainter
 {
     /// <summary>With a greater error, too many bytes would be uncertain.</summary>
-    private const double MostError = 0.002;
+    private const double MaxError = 0.002;
 
-    /// <summary>How far a t may be from that of its w, in parts of itself: the squares of a slope across and of one upwards, their sum, the root of
-    /// it, unit, product and quotient each round by 2⁻²⁴, and the root halves what came before it.</summary>
+    /// <summary>How far a t may be from that of its inverse depth, in parts of itself: the squares of a slope across and of one upwards, their sum,
+    /// the root of it, unit, product and quotient each round by 2⁻²⁴, and the root halves what came before it.</summary>
     private const double Roundings = 6.0 / (1 << 24);
 
     private readonly Scene scene;
@@ -33,30 +33,30 @@ internal sealed class MeshPainter
         Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + FloatBytes.RoundingOfTheEnds;
         // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the
         // view.
-        IsSupported = FloatBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30
+        IsSupported = FloatBytes.IsSupported && Error < MaxError && screen.Unit is > 1e-30 and < 1e30
             && screen.LongestT < 1e4 && screen.Camera.Skew * screen.LongestT < 1e-9;
     }
 
     /// <summary>Whether the machine and the scene allow it.</summary>
     public bool IsSupported { get; }
 
-    /// <summary>The largest difference between a level and the one in doubles for the same w.</summary>
+    /// <summary>The largest difference between a level and the one in doubles for the same inverse depth.</summary>
     public double Error { get; init; }
 
     /// <summary>The positions of pixels whose bytes the last painting could not decide.</summary>
     public PooledList<int> Doubts { get; } = new();
 
-    /// <param name="covered">The least w that a pixel's hit may have, row by row of <see cref="TilePixels.Stride"/>.</param>
-    /// <param name="front">The greatest; 0 where there is no hit.</param>
-    /// <param name="decided">Less than +∞ where the formula decided about a pixel; null if there is none.</param>
+    /// <param name="occluderDepth">The least inverse depth that a pixel's hit may have, row by row of <see cref="TilePixels.Stride"/>.</param>
+    /// <param name="candidateDepth">The greatest; 0 where there is no hit.</param>
+    /// <param name="exactT">Less than +∞ where the formula exactT about a pixel; null if there is none.</param>
     /// <param name="first">The position of the lowest row's first pixel.</param>
     /// <param name="step">The distance from a pixel to the one above it.</param>
-    public void Paint(in Tile tile, float[] covered, float[] front, double[]? decided, byte[] rgb, int first, int step)
+    public void Paint(in Tile tile, float[] occluderDepth, float[] candidateDepth, double[]? exactT, byte[] rgb, int first, int step)
     {
         (this.tile, this.rgb, this.first, this.step) = (tile, rgb, first, step);
         for (var i = 0; i < tile.Width; i++) squares[i] = (float)Square((tile.Column + i - screen.CenterX) / screen.Scale);
-        if (FloatBytes.IsWide) Paint<WideFloatPacket>(covered, front, decided);
-        else Paint<FloatPacket>(covered, front, decided);
+        if (FloatBytes.IsWide) Paint<WideFloatPacket>(occluderDepth, candidateDepth, exactT);
+        else Paint<FloatPacket>(occluderDepth, candidateDepth, exactT);
 
         if (tile.Width % FloatBytes.Count is > 0 and var left)
             for (var row = 0; row < tile.Height; row++)
@@ -80,9 +80,10 @@ internal sealed class MeshPainter
     }
 
     /// <summary>Paints it all and notes which pixels are in doubt.</summary>
-    /// <remarks>A ray is √(1 + u² + v²) long where it is 1 deep and moves u across and v upwards: t = unit · √(1 + u² + v²) / w.</remarks>
+    /// <remarks>A ray is √(1 + u² + v²) long where it is 1 deep and moves u across and v upwards: t = unit · √(1 + u² + v²) / inverse
+    /// depth.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private void Paint<F>(float[] covered, float[] front, double[]? decided) where F : struct, IFloatPacket<F>
+    private void Paint<F>(float[] occluderDepth, float[] candidateDepth, double[]? exactT) where F : struct, IFloatPacket<F>
     {
         var (red, green, blue) = (Lanes.Broadcast<F>(model.Color.R), Lanes.Broadcast<F>(model.Color.G), Lanes.Broadcast<F>(model.Color.B));
         var unit = Lanes.Broadcast<F>(screen.Unit);
@@ -94,17 +95,17 @@ internal sealed class MeshPainter
             for (var i = 0; i < tile.Width; i += F.Count, packet++)
             {
                 var at = row * TilePixels.Stride + i;
-                var inFront = F.Load(front, at);
+                var inFront = F.Load(candidateDepth, at);
                 var tTimesW = unit * F.Sqrt(upwards + F.Load(squares, i));
-                var (brightest, darkest) = (scene.Attenuation(tTimesW / inFront), scene.Attenuation(tTimesW / F.Load(covered, at)));
+                var (brightest, darkest) = (scene.Attenuation(tTimesW / inFront), scene.Attenuation(tTimesW / F.Load(occluderDepth, at)));
                 var most = F.Pixels(
                     Color.Level(brightest * red) + slack, Color.Level(brightest * green) + slack, Color.Level(brightest * blue) + slack);
                 var least = F.Pixels(
                     Color.Level(darkest * red) - slack, Color.Level(darkest * green) - slack, Color.Level(darkest * blue) - slack);
-                var (to, place) = i + F.Count <= tile.Width ? (rgb, first + row * step + 3 * i) : (rowEnds, row * 3 * F.Count);
-                var doubt = F.WriteRange(least, most, inFront, background, to, place);
-                for (var k = 0; decided is not null && k < F.Count; k += Packet.Count)
-                    doubt |= Packet.Bits(Packet.Load(decided, at + k) < double.PositiveInfinity) << k;
+                var (to, offset) = i + F.Count <= tile.Width ? (rgb, first + row * step + 3 * i) : (rowEnds, row * 3 * F.Count);
+                var doubt = F.WriteRange(least, most, inFront, background, to, offset);
+                for (var k = 0; exactT is not null && k < F.Count; k += Packet.Count)
+                    doubt |= Packet.Bits(Packet.Load(exactT, at + k) < double.PositiveInfinity) << k;
                 doubts[packet] = doubt;
             }
         }

@@ -17,26 +17,27 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
     private bool shows;                              // whether a triangle may show in that tile
 
     /// <param name="isKept">Whether what depends only on the mesh stays in memory for the next picture.</param>
-    public MeshView(Mesh mesh, ScreenSpace screen, bool isKept = false, int threads = 1)
+    public MeshView(Mesh mesh, ScreenSpace screen, CancellationToken cancellation, bool isKept = false, int threads = 1)
     {
         (vertices, indices, this.screen) = (mesh.Vertices, mesh.Indices, screen);
         if (!screen.IsFine)
         {
-            formulaOnly = new(vertices, indices);
+            formulaOnly = new(vertices, indices, cancellation);
             Extent = Tile.Everywhere;
             return;
         }
 
-        var boxes = TriangleBoxes.Of(mesh, screen.Camera, isKept, threads);
+        var boxes = TriangleBoxes.Of(mesh, cancellation, isKept, threads);
         var whole = new ScreenTriangles<N>(
             screen, new MeshCorners<N>(screen, vertices, indices), null, boxes, () => new Duplicates(vertices, indices), threads);
+        cancellation.ThrowIfCancellationRequested();
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
         var clipped = new ScreenTriangles<N>(screen, new PieceCorners(clipper.Points), clipper.Owners, null, null, threads);
         sets = [whole, clipped];
 
-        if (clipper.FormulaOnly.Count > 0) formulaOnly = new(vertices, [.. clipper.FormulaOnly]);
+        if (clipper.FormulaOnly.Count > 0) formulaOnly = new(vertices, [.. clipper.FormulaOnly], cancellation);
         Extent = formulaOnly is null ? Tile.Of(boxes.Bounds.PaddedFrom(screen.Camera.Position), screen.Camera) : Tile.Everywhere;
     }
 
@@ -56,7 +57,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         if (sets.Length == 0) return known;
         entered = tile;
         var range = Enter();
-        return formulaOnly is null ? range : range with { Least = 0 };
+        return formulaOnly is null ? range : range with { NearestT = 0 };
     }
 
     public override void Intersect(RayStream rays, int index)

@@ -70,7 +70,7 @@ internal sealed class ScreenClipper
         polygon.Clear();
         polygon.AddRange([a, b, c]);
         foreach (var plane in planes) ClipBy(plane, 0);
-        ClipBy(new(0, 0, 1), screen.LeastDepth);
+        ClipBy(new(0, 0, 1), screen.MinDepth);
         if (polygon.Count < 3) return true;
 
         // A cut is exact to some units of 2⁻⁵³ of the whole triangle, which near the eye may be many pixels.

@@ -27,16 +27,16 @@ internal sealed class ScreenSpace
         Margin = (float)(DoubleMargin + Math.ScaleB(Math.Max(camera.Width, camera.Height) + Guard + 2, -23));
         // Corners off by δ turn the formula's t by δ · side / area of the span of its corners' depths; an area of 4e6 δ · side keeps that below
         // 1e-6.
-        LeastWidth = (float)(4e6 * DoubleMargin + 16 * Margin);
+        MinWidth = (float)(4e6 * DoubleMargin + 16 * Margin);
         IsFine = DoubleMargin < 1e-2 && camera.Skew * longest < 1e-7 && Unit is > 1e-250 and < 1e250;
 
         var byDistance = camera.Clip == ClipMode.Distance;
         var nearest = Math.Max(camera.ZNear, camera.Bias);
-        LeastDepth = (byDistance ? nearest : Math.Max(camera.ZNear, camera.Bias / longest)) / (byDistance ? longest : 1) * (1 - 1e-6);
-        MostSureW = (float)(Unit / nearest * (1 - 1e-5));
-        LeastSureW = (float)(Unit / camera.ZFar * (byDistance ? longest : 1) * (1 + 1e-5));
-        MostW = (float)(Unit / LeastDepth * (1 + 1e-5));
-        LeastW = (float)(Unit / camera.ZFar * (1 - 1e-5));
+        MinDepth = (byDistance ? nearest : Math.Max(camera.ZNear, camera.Bias / longest)) / (byDistance ? longest : 1) * (1 - 1e-6);
+        MaxSureInverseDepth = (float)(Unit / nearest * (1 - 1e-5));
+        MinSureInverseDepth = (float)(Unit / camera.ZFar * (byDistance ? longest : 1) * (1 + 1e-5));
+        MaxInverseDepth = (float)(Unit / MinDepth * (1 + 1e-5));
+        MinInverseDepth = (float)(Unit / camera.ZFar * (1 - 1e-5));
     }
 
     public Camera Camera { get; }
@@ -44,7 +44,7 @@ internal sealed class ScreenSpace
     /// <summary>Pixels for a slope of 1 against the view direction.</summary>
     public double Scale { get; }
 
-    /// <summary>The depth at which w is 1.</summary>
+    /// <summary>The depth at which inverse depth is 1.</summary>
     public double Unit { get; }
 
     /// <summary>The column and row of the view direction.</summary>
@@ -70,25 +70,25 @@ internal sealed class ScreenSpace
     public float Roundings { get; init; } = 1f / (1 << 20);
 
     /// <summary>Twice a triangle's area divided by its width and height, in pixels; from this value on, its t certainly lies on its plane.</summary>
-    public float LeastWidth { get; init; }
+    public float MinWidth { get; init; }
 
     /// <summary>Whether doubles can tell this camera's pixels apart; with a view of 1e-9 degrees they cannot.</summary>
     public bool IsFine { get; }
 
     /// <summary>No hit at a lesser depth counts.</summary>
-    public double LeastDepth { get; }
+    public double MinDepth { get; }
 
-    /// <summary>Hits with a w between these certainly count.</summary>
-    public float LeastSureW { get; init; }
+    /// <summary>Hits with an inverse depth between these certainly count.</summary>
+    public float MinSureInverseDepth { get; init; }
 
-    /// <inheritdoc cref="LeastSureW"/>
-    public float MostSureW { get; init; }
+    /// <inheritdoc cref="MinSureInverseDepth"/>
+    public float MaxSureInverseDepth { get; init; }
 
-    /// <summary>Hits with a w outside of these certainly do not count.</summary>
-    public float LeastW { get; }
+    /// <summary>Hits with an inverse depth outside of these certainly do not count.</summary>
+    public float MinInverseDepth { get; }
 
-    /// <inheritdoc cref="LeastW"/>
-    public float MostW { get; }
+    /// <inheritdoc cref="MinInverseDepth"/>
+    public float MaxInverseDepth { get; }
 
     /// <summary>A point in the camera's axes: X to the right, Y up, Z into the picture.</summary>
     public Vector3 ToCamera(Vector3 point)
@@ -97,25 +97,26 @@ internal sealed class ScreenSpace
         return new(p * u, p * v, -(p * w));
     }
 
-    /// <summary>Column, row and w of a point in the camera's axes.</summary>
+    /// <summary>Column, row and inverse depth of a point in the camera's axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public (N X, N Y, N W) Project<N>(N x, N y, N z) where N : struct, IReal<N>
+    public (N X, N Y, N InverseDepth) Project<N>(N x, N y, N z) where N : struct, IReal<N>
     {
         var inverse = (N)1 / z;
         return (x * inverse * Scale + CenterX, y * inverse * Scale + CenterY, (N)Unit * inverse);
     }
 
-    /// <summary>Column, row and w of points.</summary>
+    /// <summary>Column, row and inverse depth of points.</summary>
     /// <remarks>
     /// The axes in pixels are rounded once more than those of the camera, and products and sums less often; what that changes is a few parts in 2⁵³
     /// of a coordinate, as <see cref="DoubleMargin"/> counts for any order of these steps. What overflows is not fit for floats.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public (N X, N Y, N W) Project<N>(Vector3<N> point) where N : struct, IPacket<N>, IReal<N>
+    public (N X, N Y, N InverseDepth) Project<N>(Vector3<N> point) where N : struct, IPacket<N>, IReal<N>
     {
         var p = point - (Vector3<N>)origin;
-        var nearness = (N)Unit / Along(p, ahead);
-        return (N.MultiplyAddEstimate(Along(p, right), nearness, CenterX), N.MultiplyAddEstimate(Along(p, up), nearness, CenterY), nearness);
+        var inverseDepth = (N)Unit / Along(p, ahead);
+        var (column, row) = (Along(p, right), Along(p, up));
+        return (N.MultiplyAddEstimate(column, inverseDepth, CenterX), N.MultiplyAddEstimate(row, inverseDepth, CenterY), inverseDepth);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -124,16 +125,16 @@ internal sealed class ScreenSpace
 
     /// <summary>Where corners are fit for floats.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<float> IsFit(Vector256<float> column, Vector256<float> row, Vector256<float> nearness)
+    public Vector256<float> IsFit(in EightPoints p)
     {
         var beyond = Vector256.Create((float)(-Guard - 1));
-        return Vector256.GreaterThan(nearness, Vector256.Create(1e-30f)) & Vector256.LessThan(nearness, Vector256.Create(1e30f))
-            & Vector256.GreaterThanOrEqual(column, beyond) & Vector256.LessThanOrEqual(column, Vector256.Create((float)(Camera.Width + Guard + 1)))
-            & Vector256.GreaterThanOrEqual(row, beyond) & Vector256.LessThanOrEqual(row, Vector256.Create((float)(Camera.Height + Guard + 1)));
+        return Vector256.GreaterThan(p.InverseDepth, Vector256.Create(1e-30f)) & Vector256.LessThan(p.InverseDepth, Vector256.Create(1e30f))
+            & Vector256.GreaterThanOrEqual(p.X, beyond) & Vector256.LessThanOrEqual(p.X, Vector256.Create((float)(Camera.Width + Guard + 1)))
+            & Vector256.GreaterThanOrEqual(p.Y, beyond) & Vector256.LessThanOrEqual(p.Y, Vector256.Create((float)(Camera.Height + Guard + 1)));
     }
 
-    /// <inheritdoc cref="IsFit(Vector256{float}, Vector256{float}, Vector256{float})"/>
-    public bool IsFit(double column, double row, double nearness) =>
-        nearness is > 1e-30 and < 1e30 && column >= -Guard - 1 && column <= Camera.Width + Guard + 1
+    /// <inheritdoc cref="IsFit(in EightPoints)"/>
+    public bool IsFit(double column, double row, double inverseDepth) =>
+        inverseDepth is > 1e-30 and < 1e30 && column >= -Guard - 1 && column <= Camera.Width + Guard + 1
         && row >= -Guard - 1 && row <= Camera.Height + Guard + 1;
 }

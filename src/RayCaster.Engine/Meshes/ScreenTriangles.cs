@@ -3,7 +3,7 @@ namespace RayCaster.Engine;
 /// <summary>Triangles on the screen, sorted into the tiles of the picture in which they may cover a sample.</summary>
 internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 {
-    private const int LeastForAThread = 1 << 15;
+    private const int MinForAThread = 1 << 15;
 
     private readonly int tilesAcross;
     private readonly Bins<TriangleCluster> triangles;
@@ -16,20 +16,20 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     {
         (Corners, Owners) = (corners, owners);
         tilesAcross = Tile.TilesOf(screen.Camera.Width);
-        var sorters = new TriangleSorter[Math.Clamp(corners.Count / LeastForAThread, 1, threads)];
-        for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, duplicates?.Invoke());
-        var clusterSorters = boxes is null ? [] : Array.ConvertAll(sorters, each => new ClusterSorter<N>(screen, boxes, each));
-        ThreadTeam.Shares(sorters.Length, boxes?.Count ?? corners.Count, (i, first, end) =>
+        var binners = new TriangleBinner[Math.Clamp(corners.Count / MinForAThread, 1, threads)];
+        for (var i = 0; i < binners.Length; i++) binners[i] = new(screen, corners, duplicates?.Invoke());
+        var clusterBinners = boxes is null ? [] : Array.ConvertAll(binners, each => new ClusterBinner<N>(screen, boxes, each));
+        ThreadTeam.Shares(binners.Length, boxes?.Count ?? corners.Count, (i, first, end) =>
         {
-            if (boxes is null) sorters[i].Add(first, end);
-            else clusterSorters[i].Add(first, end);
+            if (boxes is null) binners[i].Add(first, end);
+            else clusterBinners[i].Add(first, end);
         });
 
-        triangles = new(Array.ConvertAll(sorters, sorter => sorter.Lists.Items));
-        foreach (var sorter in sorters)
+        triangles = new(Array.ConvertAll(binners, binner => binner.Lists.Items));
+        foreach (var binner in binners)
         {
-            Large.AddRange(sorter.Large);
-            Unfit.AddRange(sorter.Unfit);
+            Large.AddRange(binner.Large);
+            Unfit.AddRange(binner.Unfit);
         }
     }
 

@@ -15,7 +15,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private readonly ScreenSpace screen;
     private readonly TilePixels pixels = new();
     private readonly TileHits<N> hits;
-    private readonly TriangleRasterizer cover;
+    private readonly TriangleRasterizer rasterizer;
     private readonly CoarseDepth coarse = new();
     private readonly TriangleQueue waiting = new(), waitingLarge = new();
     private EightTriangles eight;
@@ -26,7 +26,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     {
         this.screen = screen;
         hits = new(screen, pixels);
-        cover = new(screen, pixels, coarse, hits.Decide);
+        rasterizer = new(screen, pixels, hits.Decide);
     }
 
     /// <summary>The view whose pixels are stored; null if none are.</summary>
@@ -56,7 +56,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
                 Refresh();
             }
             // Near triangles first: most of the others are then found to be hidden.
-            var middle = MiddleW(set.Of(tile));
+            var middle = MiddleInverseDepth(set.Of(tile));
             Add(set, middle, areNear: true);
             if (!isEmpty) Refresh();
             Add(set, middle, areNear: false);
@@ -67,10 +67,10 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             return HitRange.None;
         }
         hits.Decide();
-        coarse.Update(pixels.Covered);
+        coarse.Update(pixels.OccluderDepth);
         var least = coarse.Least;
         return new(
-            screen.Unit / cover.GreatestW * (1 - 1e-6),
+            screen.Unit / rasterizer.MaxInverseDepth * (1 - 1e-6),
             least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
@@ -80,13 +80,13 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <inheritdoc cref="TileHits{N}.Paint"/>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => hits.Paint(painter, rgb, first, step);
 
-    /// <summary>A w between those of near and of far triangles.</summary>
-    private static float MiddleW(ReadOnlySpan<TriangleCluster> all)
+    /// <summary>An inverse depth between those of near and of far triangles.</summary>
+    private static float MiddleInverseDepth(ReadOnlySpan<TriangleCluster> all)
     {
         const int Samples = 16;
         var (least, most) = (float.PositiveInfinity, 0f);
         for (var i = 0; i < all.Length; i += all.Length / Samples + 1)
-            (least, most) = (Math.Min(least, all[i].MostW), Math.Max(most, all[i].MostW));
+            (least, most) = (Math.Min(least, all[i].MaxInverseDepth), Math.Max(most, all[i].MaxInverseDepth));
         return 0.3f * least + 0.7f * most;
     }
 
@@ -96,7 +96,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         isEmpty = false;
         coarse.Clear();
         pixels.Enter(tile);
-        cover.Enter(tile);
+        rasterizer.Enter(tile);
     }
 
     /// <summary>Adds what is not hidden of near triangles, or of the others.</summary>
@@ -113,7 +113,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             var (count, triangles) = (0, 0);
             for (; next < all.Length && count < seen.Length && triangles < TrianglesAtOnce; next++)
             {
-                if (all[next].MostW >= middle != areNear || coarse.Hides(all[next].Cells, firstRow, all[next].MostW)) continue;
+                if (all[next].MaxInverseDepth >= middle != areNear || coarse.Hides(all[next].Cells, firstRow, all[next].MaxInverseDepth)) continue;
                 seen[count++] = all[next].Run;
                 triangles += all[next].Run.Count;
             }
@@ -182,13 +182,13 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         if ((shows & small) != 0)
         {
             waiting.Add(t, ids, shows & small);
-            if (waiting.IsFull) cover.AddSmall(waiting);
+            if (waiting.IsFull) rasterizer.AddSmall(waiting);
         }
         var large = shows & ~small;
         if (large != 0)
         {
             waitingLarge.Add(t, ids, large);
-            if (waitingLarge.IsFull) cover.AddLarge(waitingLarge);
+            if (waitingLarge.IsFull) rasterizer.AddLarge(waitingLarge);
         }
     }
 
@@ -197,12 +197,12 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     {
         AddWaiting();
         hits.Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
-        coarse.Update(pixels.Covered);
+        coarse.Update(pixels.OccluderDepth);
     }
 
     private void AddWaiting()
     {
-        cover.AddSmall(waiting);
-        cover.AddLarge(waitingLarge);
+        rasterizer.AddSmall(waiting);
+        rasterizer.AddLarge(waitingLarge);
     }
 }

@@ -12,11 +12,11 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
     public void Decide()
     {
         if (pixels.Queue.Count == 0) return;
-        pixels.BeginDecided();
-        foreach (var (pixel, triangle, mostW) in pixels.Queue.Items)
-            if (!(mostW < pixels.Covered[pixel]))
+        pixels.BeginExactT();
+        foreach (var (pixel, triangle, maxInverseDepth) in pixels.Queue.Items)
+            if (!(maxInverseDepth < pixels.OccluderDepth[pixel]))
                 Add(pixel, triangle);
-        exact.Flush(pixels.Decided, pixels.Covered);
+        exact.Flush(pixels.ExactT, pixels.OccluderDepth);
         pixels.Queue.Clear();
     }
 
@@ -24,16 +24,16 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Intersect(RayStream rays, int index)
     {
-        var (decided, hasDecided, proposed) = (pixels.Decided, pixels.HasDecided, pixels.Proposed);
+        var (exactT, hasExactT, proposed) = (pixels.ExactT, pixels.HasExactT, pixels.Proposed);
         var first = (rays.Row - pixels.Tile.Row) * TilePixels.Stride + rays.Column - pixels.Tile.Column;
         for (var i = 0; i < rays.Length; i += N.Count)
         {
             var at = first + i;
             var hit = Lanes.Broadcast<N>(double.NaN);
             if (HasAny(at)) hit = rays.First(i, exact.Intersect(rays.RaysAt<N>(i), new(proposed), at));
-            if (hasDecided)
+            if (hasExactT)
             {
-                var other = N.Load(decided, at);
+                var other = N.Load(exactT, at);
                 hit = N.Select(hit <= other, hit, other);
             }
             rays.MergeNearest(i, hit, Lanes.Broadcast<N>(index));
@@ -43,23 +43,23 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
     /// <summary>Writes the bytes of a tile in which only the mesh may show.</summary>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step)
     {
-        painter.Paint(pixels.Tile, pixels.Covered, pixels.Front, pixels.HasDecided ? pixels.Decided : null, rgb, first, step);
+        painter.Paint(pixels.Tile, pixels.OccluderDepth, pixels.CandidateDepth, pixels.HasExactT ? pixels.ExactT : null, rgb, first, step);
         foreach (var pixel in painter.Doubts.Items)
         {
-            if (!pixels.HasDecided) pixels.Decided[pixel] = double.PositiveInfinity;
-            if (pixels.Front[pixel] > 0) Add(pixel, pixels.Proposed[pixel]);
+            if (!pixels.HasExactT) pixels.ExactT[pixel] = double.PositiveInfinity;
+            if (pixels.CandidateDepth[pixel] > 0) Add(pixel, pixels.Proposed[pixel]);
         }
-        exact.Flush(pixels.Decided, pixels.Covered);
-        foreach (var pixel in painter.Doubts.Items) painter.Write(pixel, pixels.Decided[pixel]);
+        exact.Flush(pixels.ExactT, pixels.OccluderDepth);
+        foreach (var pixel in painter.Doubts.Items) painter.Write(pixel, pixels.ExactT[pixel]);
     }
 
     private void Add(int pixel, int triangle) => exact.Add(
         pixels.Tile.Column + pixel % TilePixels.Stride, pixels.Tile.Row + pixel / TilePixels.Stride,
-        triangle, pixel, pixels.Decided, pixels.Covered);
+        triangle, pixel, pixels.ExactT, pixels.OccluderDepth);
 
     /// <summary>Whether any pixel of a packet has a proposed triangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool HasAny(int pixel) => N.Count == 8
-        ? pixels.Front.Load256(pixel) != Vector256<float>.Zero
-        : pixels.Front.Load128(pixel) != Vector128<float>.Zero;
+        ? pixels.CandidateDepth.Load256(pixel) != Vector256<float>.Zero
+        : pixels.CandidateDepth.Load128(pixel) != Vector128<float>.Zero;
 }

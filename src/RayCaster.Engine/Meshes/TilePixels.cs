@@ -18,23 +18,23 @@ internal sealed class TilePixels
 
     private readonly Duplicates duplicates = new([], []);
 
-    /// <summary>Each pixel certainly has a hit with at least this w; 0 for none.</summary>
-    public float[] Covered { get; } = new float[Size];
+    /// <summary>Each pixel certainly has a hit with at least this inverse depth; 0 for none.</summary>
+    public float[] OccluderDepth { get; } = new float[Size];
 
-    /// <summary>The greatest w of the proposed triangle; 0 if there is none.</summary>
-    public float[] Front { get; } = new float[Size];
+    /// <summary>The greatest inverse depth of the proposed triangle; 0 if there is none.</summary>
+    public float[] CandidateDepth { get; } = new float[Size];
 
     /// <summary>The proposed triangle; any number if there is none.</summary>
     public int[] Proposed { get; } = new int[Size];
 
-    /// <summary>The least t of the hits that the formula computed; +∞ if there are none. Valid only if <see cref="HasDecided"/>.</summary>
-    public double[] Decided { get; } = new double[Size];
+    /// <summary>The least t of the hits that the formula computed; +∞ if there are none. Valid only if <see cref="HasExactT"/>.</summary>
+    public double[] ExactT { get; } = new double[Size];
 
     /// <summary>Whether the formula has computed any hit.</summary>
-    public bool HasDecided { get; private set; }
+    public bool HasExactT { get; private set; }
 
     /// <summary>Pixels and triangles for the formula to decide.</summary>
-    public PooledList<(int Pixel, int Triangle, float MostW)> Queue { get; } = new();
+    public PooledList<(int Pixel, int Triangle, float MaxInverseDepth)> Queue { get; } = new();
 
     /// <summary>Whether the queue is so long that the formula should decide now.</summary>
     public bool IsFull => Queue.Count > QueueLength;
@@ -47,26 +47,26 @@ internal sealed class TilePixels
     public void Enter(in Tile tile)
     {
         Tile = tile;
-        HasDecided = false;
+        HasExactT = false;
         duplicates.Clear();
-        Covered.AsSpan().Clear();
-        Front.AsSpan().Clear();
+        OccluderDepth.AsSpan().Clear();
+        CandidateDepth.AsSpan().Clear();
         Proposed.AsSpan().Clear();
         for (var row = 0; row < Tile.MaxSide; row++)
-            Covered.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
+            OccluderDepth.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Enqueue(int pixel, int triangle, float mostW)
+    public void Enqueue(int pixel, int triangle, float maxInverseDepth)
     {
-        if (!duplicates.HasEarlier(triangle)) Queue.Add((pixel, triangle, mostW));
+        if (!duplicates.HasEarlier(triangle)) Queue.Add((pixel, triangle, maxInverseDepth));
     }
 
     /// <summary>Queues some pixels of a triangle.</summary>
     /// <param name="pixels">The first pixel of each packet.</param>
     /// <param name="lanes">A bit for each pixel of a packet that is queued.</param>
-    /// <param name="mostW">The greatest w of each pixel.</param>
-    public void Enqueue(int triangle, int count, int[] pixels, uint[] lanes, float[] mostW)
+    /// <param name="maxInverseDepth">The greatest inverse depth of each pixel.</param>
+    public void Enqueue(int triangle, int count, int[] pixels, uint[] lanes, float[] maxInverseDepth)
     {
         if (duplicates.HasEarlier(triangle)) return;
         for (var k = 0; k < count; k++)
@@ -74,15 +74,15 @@ internal sealed class TilePixels
             for (var left = lanes[k]; left != 0; left &= left - 1)
             {
                 var i = BitOperations.TrailingZeroCount(left);
-                Queue.Add((pixels[k] + i, triangle, mostW[8 * k + i]));
+                Queue.Add((pixels[k] + i, triangle, maxInverseDepth[8 * k + i]));
             }
         }
     }
 
     /// <summary>Prepares for the first hits that the formula computes.</summary>
-    public void BeginDecided()
+    public void BeginExactT()
     {
-        if (!HasDecided) Decided.AsSpan().Fill(double.PositiveInfinity);
-        HasDecided = true;
+        if (!HasExactT) ExactT.AsSpan().Fill(double.PositiveInfinity);
+        HasExactT = true;
     }
 }

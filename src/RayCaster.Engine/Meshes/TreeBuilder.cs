@@ -4,14 +4,16 @@ namespace RayCaster.Engine;
 internal sealed class TreeBuilder
 {
     private const int MaxLeaf = 4;
-    private const int MostUnevenLevels = 64;
+    private const int MaxUnevenLevels = 64;
 
+    private readonly CancellationToken cancellation;
     private readonly int[] order; // triangles by leaf
     private readonly Bounds[] bounds;
     private readonly List<TreeNode> nodes = [];
 
-    public TreeBuilder(Vector3[] vertices, int[] indices)
+    public TreeBuilder(Vector3[] vertices, int[] indices, CancellationToken cancellation)
     {
+        this.cancellation = cancellation;
         order = new int[indices.Length / 3];
         bounds = new Bounds[order.Length];
         for (var i = 0; i < order.Length; i++)
@@ -31,6 +33,7 @@ internal sealed class TreeBuilder
     /// <summary>Adds the node of a part of the order and returns its depth.</summary>
     private int Add(int first, int end, int level)
     {
+        cancellation.ThrowIfCancellationRequested();
         Bounds all = Bounds.Empty, centers = Bounds.Empty;
         for (var i = first; i < end; i++)
         {
@@ -38,7 +41,7 @@ internal sealed class TreeBuilder
             centers = centers.With(Center(bounds[order[i]]));
         }
 
-        var place = nodes.Count;
+        var index = nodes.Count;
         var (axis, middle) = end - first <= MaxLeaf ? (0, first) : Split(centers, first, end, level);
         if (middle == first)
         {
@@ -47,7 +50,7 @@ internal sealed class TreeBuilder
         }
         nodes.Add(default); // the second child is not known yet
         var deepest = Add(first, middle, level + 1);
-        nodes[place] = new TreeNode(all, nodes.Count, 0, 0, axis);
+        nodes[index] = new TreeNode(all, nodes.Count, 0, 0, axis);
         return Math.Max(deepest, Add(middle, end, level + 1));
     }
 
@@ -57,7 +60,7 @@ internal sealed class TreeBuilder
         var size = centers.Max - centers.Min;
         var axis = size.X >= size.Y && size.X >= size.Z ? 0 : size.Y >= size.Z ? 1 : 2;
         var (plane, middle) = (Coordinate(Center(centers), axis), first);
-        for (var i = first; i < end && level < MostUnevenLevels; i++)
+        for (var i = first; i < end && level < MaxUnevenLevels; i++)
         {
             if (!(Coordinate(Center(bounds[order[i]]), axis) < plane)) continue;
             (order[i], order[middle]) = (order[middle], order[i]);

@@ -2,7 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>What depends only on a mesh: a box around each cluster of consecutive triangles.</summary>
 /// <remarks>The numbers are floats relative to a point and a length of the mesh, so they suit a scene of any size. They take 1.5 bytes for each
-/// triangle, or 3 with short clusters; a mesh whose triangles share their corners takes 24.</remarks>
+/// triangle; a mesh whose triangles share their corners takes 24.</remarks>
 internal sealed class TriangleBoxes
 {
     /// <summary>The number of clusters that a thread takes at once.</summary>
@@ -11,9 +11,6 @@ internal sealed class TriangleBoxes
     /// <summary>How many triangles ahead memory is fetched: waiting for it would take longer than finding the boxes. Vertices are fetched later than
     /// indices, which must be there first.</summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
-
-    /// <summary>By how many clusters the size of all on the screen is estimated, and in how many pixels they are large.</summary>
-    private const int Samples = 32, LargeArea = Tile.MaxSide * Tile.MaxSide;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
 
@@ -24,10 +21,10 @@ internal sealed class TriangleBoxes
     private Vector256<double> least = Vector256.Create(double.PositiveInfinity), most = Vector256.Create(double.NegativeInfinity); // of all
 
     /// <param name="indices">Three for each triangle. Each of them is checked here, once for all.</param>
-    public TriangleBoxes(Vector3[] vertices, int[] indices, int threads, int length = TriangleCluster.Length)
+    public TriangleBoxes(Vector3[] vertices, int[] indices, int threads, CancellationToken cancellation = default)
     {
-        (this.vertices, this.indices, Length) = (vertices, indices, length);
-        Count = (indices.Length / 3 + Length - 1) / Length;
+        (this.vertices, this.indices) = (vertices, indices);
+        Count = (indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length;
         var bounds = Bounds.Empty;
         for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1)
             if (double.IsFinite(vertices[i].X + vertices[i].Y + vertices[i].Z))
@@ -39,7 +36,10 @@ internal sealed class TriangleBoxes
         (middle, perUnit) = (Vector256.Create(Middle.X, Middle.Y, Middle.Z, 0), Vector256.Create(1 / Unit));
         for (var i = 0; i < numbers.Length; i++) numbers[i] = GC.AllocateUninitializedArray<float>(Count + 7); // room for a packet at the end
         ThreadTeam.Each((Count + ClustersAtOnce - 1) / ClustersAtOnce, threads, piece =>
-            Find(piece * ClustersAtOnce, Math.Min((piece + 1) * ClustersAtOnce, Count)));
+        {
+            cancellation.ThrowIfCancellationRequested();
+            Find(piece * ClustersAtOnce, Math.Min((piece + 1) * ClustersAtOnce, Count));
+        });
     }
 
     /// <summary>The point that is 0 in the boxes.</summary>
@@ -53,40 +53,20 @@ internal sealed class TriangleBoxes
 
     public int Count { get; }
 
-    /// <summary>The number of triangles in a box; less at the mesh's end.</summary>
-    public int Length { get; }
-
     /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
-    /// <param name="camera">What sees it: the boxes suit any camera, but short clusters pay only where triangles are large on the screen.</param>
     /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>
-    public static TriangleBoxes Of(Mesh mesh, Camera camera, bool isKept, int threads)
+    public static TriangleBoxes Of(Mesh mesh, CancellationToken cancellation, bool isKept, int threads)
     {
-        var length = LengthFor(mesh, camera);
-        if (isKept && kept.TryGetValue(mesh, out var boxes) && boxes.Length <= length) return boxes;
-        boxes = new(mesh.Vertices, mesh.Indices, threads, length);
+        if (isKept && kept.TryGetValue(mesh, out var boxes)) return boxes;
+        boxes = new(mesh.Vertices, mesh.Indices, threads, cancellation);
         if (isKept) kept.AddOrUpdate(mesh, boxes);
         return boxes;
     }
 
-    /// <summary>How many triangles a cluster should hold: a large box says little about where each of its triangles shows.</summary>
-    private static int LengthFor(Mesh mesh, Camera camera)
-    {
-        var (small, large, step) = (0, 0, mesh.TriangleCount / Samples + 1);
-        for (var first = 0; first < mesh.TriangleCount; first += step)
-        {
-            var (a, b) = (mesh[first], mesh[Math.Min(first + TriangleCluster.Length, mesh.TriangleCount) - 1]);
-            var bounds = Bounds.Empty.With(a.A).With(a.B).With(a.C).With(b.A).With(b.B).With(b.C);
-            var area = Tile.Of(bounds.PaddedFrom(camera.Position), camera).Area;
-            if (area > LargeArea) large++;
-            else if (area > 0) small++;
-        }
-        return large > small ? TriangleCluster.ShortLength : TriangleCluster.Length;
-    }
-
     public (int First, int End) TrianglesOf(int cluster)
     {
-        var first = cluster * Length;
-        return (first, Math.Min(first + Length, indices.Length / 3));
+        var first = cluster * TriangleCluster.Length;
+        return (first, Math.Min(first + TriangleCluster.Length, indices.Length / 3));
     }
 
     /// <summary>The least coordinates of several clusters, one in each lane. A corner that is NaN does not count, since it is part of no
@@ -128,9 +108,9 @@ internal sealed class TriangleBoxes
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector256<double> CornerAt(int place)
+    private Vector256<double> CornerAt(int index)
     {
-        ref readonly var point = ref vertices[indices[place]];
+        ref readonly var point = ref vertices[indices[index]];
         return Vector256.Create(point.X, point.Y, point.Z, 0);
     }
 
@@ -138,8 +118,8 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {
-        if (end - first != Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
-        var places = new RawSpan<int>(indices);
+        if (end - first != TriangleCluster.Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
+        var vertexIndices = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
         if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Prefetch(first);
 
@@ -150,7 +130,8 @@ internal sealed class TriangleBoxes
         for (var i = 3 * first; i < 3 * end; i += 3)
         {
             // A vertex's three numbers and the next vertex's first.
-            var (a, b, c) = (numbers.Load256(3 * places[i]), numbers.Load256(3 * places[i + 1]), numbers.Load256(3 * places[i + 2]));
+            var (a, b) = (numbers.Load256((nint)3 * vertexIndices[i]), numbers.Load256((nint)3 * vertexIndices[i + 1]));
+            var c = numbers.Load256((nint)3 * vertexIndices[i + 2]);
             (lowA, lowB, lowC) = (Vector256.MinNative(a, lowA), Vector256.MinNative(b, lowB), Vector256.MinNative(c, lowC));
             (highA, highB, highC) = (Vector256.MaxNative(a, highA), Vector256.MaxNative(b, highB), Vector256.MaxNative(c, highC));
         }
@@ -176,23 +157,23 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool AreBeforeTheLast(int first, int end)
     {
-        var places = new RawSpan<int>(indices);
+        var vertexIndices = new RawSpan<int>(indices);
         var most = Vector256<uint>.Zero; // as unsigned numbers, negative indices are the largest
         for (var i = first; i < end; i += Vector256<int>.Count)
-            most = Vector256.Max(most, places.Load256(i).AsUInt32());
-        return Vector256.LessThanAll(most, Vector256.Create((uint)vertices.Length - 1));
+            most = Vector256.Max(most, vertexIndices.Load256(i).AsUInt32());
+        return Vector256.LessThanAll(most, Vector256.Create((uint)Math.Max(vertices.Length - 1, 0)));
     }
 
     /// <summary>Prefetches indices and vertices. Most vertices lie next to others, so some of a cluster's are enough.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Prefetch(int first)
     {
-        var places = new RawSpan<int>(indices);
-        for (var i = 3 * first; i < 3 * (first + Length); i += TriangleCluster.Length)
+        var vertexIndices = new RawSpan<int>(indices);
+        for (var i = 3 * first; i < 3 * (first + TriangleCluster.Length); i += TriangleCluster.Length)
         {
-            Lanes.Prefetch(ref places[i + 3 * IndicesAhead]);
-            PrefetchVertex(places[i + 3 * VerticesAhead]);
-            PrefetchVertex(places[i + 3 * VerticesAhead + 1]);
+            Lanes.Prefetch(ref vertexIndices[i + 3 * IndicesAhead]);
+            PrefetchVertex(vertexIndices[i + 3 * VerticesAhead]);
+            PrefetchVertex(vertexIndices[i + 3 * VerticesAhead + 1]);
         }
     }
 

@@ -28,13 +28,13 @@ internal sealed class TriangleQueue
         var order = orders.Load256((int)(8 * lanes));
         Vector256.ShuffleNative(t.A.X, order).StoreTo(corners, Count);
         Vector256.ShuffleNative(t.A.Y, order).StoreTo(corners, Count + Room);
-        Vector256.ShuffleNative(t.A.W, order).StoreTo(corners, Count + 2 * Room);
+        Vector256.ShuffleNative(t.A.InverseDepth, order).StoreTo(corners, Count + 2 * Room);
         Vector256.ShuffleNative(t.B.X, order).StoreTo(corners, Count + 3 * Room);
         Vector256.ShuffleNative(t.B.Y, order).StoreTo(corners, Count + 4 * Room);
-        Vector256.ShuffleNative(t.B.W, order).StoreTo(corners, Count + 5 * Room);
+        Vector256.ShuffleNative(t.B.InverseDepth, order).StoreTo(corners, Count + 5 * Room);
         Vector256.ShuffleNative(t.C.X, order).StoreTo(corners, Count + 6 * Room);
         Vector256.ShuffleNative(t.C.Y, order).StoreTo(corners, Count + 7 * Room);
-        Vector256.ShuffleNative(t.C.W, order).StoreTo(corners, Count + 8 * Room);
+        Vector256.ShuffleNative(t.C.InverseDepth, order).StoreTo(corners, Count + 8 * Room);
         Vector256.ShuffleNative(ids, order).StoreTo(triangles, Count);
         Count += BitOperations.PopCount(lanes);
     }

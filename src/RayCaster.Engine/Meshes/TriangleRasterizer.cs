@@ -6,7 +6,7 @@ namespace RayCaster.Engine;
 /// changes; only uncertain ones, which are rare, take a branch. In a large box samples outside are predictable, so a branch skips them.
 /// </remarks>
 /// <param name="decide">Decides about all queued pixels.</param>
-internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, CoarseDepth coarse, Action decide)
+internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, Action decide)
 {
     /// <summary>A triangle is small if its box has at most this many samples on each side.</summary>
     public const int SmallSide = 2;
@@ -20,20 +20,20 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     private readonly uint[] unsureLanes = new uint[TilePixels.Size / 8];
     private readonly float[] setup = new float[TriangleSetUp.Length];
     private Tile tile;
-    private Vector256<float> greatestW;
+    private Vector256<float> maxInverseDepth;
 
-    /// <summary>The greatest w of the tile's triangles.</summary>
-    public float GreatestW
+    /// <summary>The greatest inverse depth of the tile's triangles.</summary>
+    public float MaxInverseDepth
     {
         get
         {
             var greatest = 0f;
-            for (var i = 0; i < 8; i++) greatest = Math.Max(greatest, greatestW[i]);
+            for (var i = 0; i < 8; i++) greatest = Math.Max(greatest, maxInverseDepth[i]);
             return greatest;
         }
     }
 
-    public void Enter(in Tile tile) => (this.tile, greatestW) = (tile, Vector256<float>.Zero);
+    public void Enter(in Tile tile) => (this.tile, maxInverseDepth) = (tile, Vector256<float>.Zero);
 
     public void AddSmall(TriangleQueue triangles)
     {
@@ -49,7 +49,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     {
         for (var first = 0; first < triangles.Count; first += 8)
         {
-            Cover(triangles.Triangles, first, Visible(SetUp(triangles, first)));
+            Cover(triangles.Triangles, first, SetUp(triangles, first));
             if (pixels.IsFull) decide();
         }
         triangles.Clear();
@@ -58,24 +58,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     private uint SetUp(TriangleQueue triangles, int first)
     {
         var shows = TriangleSetUp.Of(triangles, first, screen, tile, setup);
-        greatestW = Vector256.MaxNative(greatestW, Field(new(setup), TriangleSetUp.MostW));
+        maxInverseDepth = Vector256.MaxNative(maxInverseDepth, Field(new(setup), TriangleSetUp.MaxInverseDepth));
         return triangles.Count - first < 8 ? shows & ((1u << (triangles.Count - first)) - 1) : shows;
-    }
-
-    /// <summary>Those triangles that are not hidden. Small ones are not tested: to cover their samples takes no longer.</summary>
-    /// <param name="shows">A bit for each triangle.</param>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private uint Visible(uint shows)
-    {
-        var s = new RawSpan<float>(setup);
-        var side = Vector256.Max(Field(s, TriangleSetUp.Across).AsInt32(), Field(s, TriangleSetUp.Upwards).AsInt32());
-        var tested = shows & Vector256.GreaterThanOrEqual(side, Vector256.Create(CoarseDepth.CellSide / 2)).ExtractMostSignificantBits();
-        for (; tested != 0; tested &= tested - 1)
-        {
-            var lane = BitOperations.TrailingZeroCount(tested);
-            if (coarse.Hides(s, lane)) shows &= ~(1u << lane);
-        }
-        return shows;
     }
 
     /// <summary>Covers samples of eight small triangles, one sample of each at a time.</summary>
@@ -83,8 +67,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     private void CoverSmall(RawSpan<int> ids, int firstId, uint shows)
     {
         var s = new RawSpan<float>(setup);
-        var coveredAt = new RawSpan<float>(pixels.Covered);
-        var frontAt = new RawSpan<float>(pixels.Front);
+        var occluderDepthAt = new RawSpan<float>(pixels.OccluderDepth);
+        var candidateDepthAt = new RawSpan<float>(pixels.CandidateDepth);
         var proposedAt = new RawSpan<int>(pixels.Proposed);
         var uppers = new RawSpan<float>(upperOfLane);
         var lowers = new RawSpan<float>(lowerOfLane);
@@ -99,27 +83,27 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                 var right = Vector256.Create((float)x);
                 var bits = inRow & Vector256.GreaterThanOrEqual(width, Vector256.Create(x)).ExtractMostSignificantBits();
                 if (bits == 0) break;
-                var inner = Vector256.MinNative(At(s, TriangleSetUp.U, right, up),
-                    Vector256.MinNative(At(s, TriangleSetUp.V, right, up), At(s, TriangleSetUp.W, right, up)));
+                var inner = Vector256.MinNative(At(s, TriangleSetUp.E0, right, up),
+                    Vector256.MinNative(At(s, TriangleSetUp.E1, right, up), At(s, TriangleSetUp.E2, right, up)));
                 bits &= Vector256.GreaterThanOrEqual(inner, Field(s, TriangleSetUp.Outside)).ExtractMostSignificantBits();
 
-                var (nearness, slack) = (At(s, TriangleSetUp.Depth, right, up), Field(s, TriangleSetUp.Slack));
+                var (inverseDepth, slack) = (At(s, TriangleSetUp.InverseDepth, right, up), Field(s, TriangleSetUp.Slack));
                 var covers = Vector256.GreaterThan(inner, Field(s, TriangleSetUp.Inside));
-                uppers.Store(Vector256.MinNative(nearness + slack, Field(s, TriangleSetUp.MostW)), 0);
-                lowers.Store((covers & Vector256.MaxNative(nearness - slack, Field(s, TriangleSetUp.LeastW))), 0);
+                uppers.Store(Vector256.MinNative(inverseDepth + slack, Field(s, TriangleSetUp.MaxInverseDepth)), 0);
+                lowers.Store((covers & Vector256.MaxNative(inverseDepth - slack, Field(s, TriangleSetUp.MinInverseDepth))), 0);
                 for (; bits != 0; bits &= bits - 1)
                 {
                     var i = BitOperations.TrailingZeroCount(bits);
                     var (pixel, id) = (TriangleSetUp.Whole(s, i, TriangleSetUp.Pixel) + y * TilePixels.Stride + x, ids[firstId + i]);
-                    ref var coveredHere = ref coveredAt[pixel];
-                    ref var frontHere = ref frontAt[pixel];
+                    ref var occluderHere = ref occluderDepthAt[pixel];
+                    ref var candidateHere = ref candidateDepthAt[pixel];
                     ref var proposedHere = ref proposedAt[pixel];
                     var (upper, lower) = (Vector128.CreateScalarUnsafe(uppers[i]), Vector128.CreateScalarUnsafe(lowers[i]));
-                    var (sure, before) = (Vector128.CreateScalarUnsafe(coveredHere), Vector128.CreateScalarUnsafe(frontHere));
+                    var (sure, before) = (Vector128.CreateScalarUnsafe(occluderHere), Vector128.CreateScalarUnsafe(candidateHere));
                     var possible = Vector128.GreaterThanOrEqual(upper, sure);
                     var wins = possible & Vector128.GreaterThan(lower, before);
-                    coveredHere = Vector128.MaxNative(sure, lower).ToScalar();
-                    frontHere = Vector128.ConditionalSelect(wins, upper, before).ToScalar();
+                    occluderHere = Vector128.MaxNative(sure, lower).ToScalar();
+                    candidateHere = Vector128.ConditionalSelect(wins, upper, before).ToScalar();
                     proposedHere = Vector128.ConditionalSelect(
                         wins.AsInt32(), Vector128.CreateScalarUnsafe(id), Vector128.CreateScalarUnsafe(proposedHere)).ToScalar();
                     if (Vector128.AndNot(possible, wins).AsInt32().ToScalar() != 0) pixels.Enqueue(pixel, id, upper.ToScalar());
@@ -142,8 +126,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         var uppers = new RawSpan<float>(unsureUppers);
         var pixelAt = new RawSpan<int>(unsurePixels);
         var unsureAt = new RawSpan<uint>(unsureLanes);
-        var coveredAt = new RawSpan<float>(pixels.Covered);
-        var frontAt = new RawSpan<float>(pixels.Front);
+        var occluderDepthAt = new RawSpan<float>(pixels.OccluderDepth);
+        var candidateDepthAt = new RawSpan<float>(pixels.CandidateDepth);
         var proposedAt = new RawSpan<int>(pixels.Proposed);
         for (; shows != 0; shows &= shows - 1)
         {
@@ -157,14 +141,15 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
             {
                 var across = Vector512.Create(0f, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7) + Vector512.Create((float)x);
                 var inBox = Vector512.LessThanOrEqual(across, Vector512.Create((float)width));
-                var u = OfTriangle(s, lane, TriangleSetUp.U) + across * OfTriangle(s, lane, TriangleSetUp.U + 1);
-                var v = OfTriangle(s, lane, TriangleSetUp.V) + across * OfTriangle(s, lane, TriangleSetUp.V + 1);
-                var w = OfTriangle(s, lane, TriangleSetUp.W) + across * OfTriangle(s, lane, TriangleSetUp.W + 1);
-                var depth = OfTriangle(s, lane, TriangleSetUp.Depth) + across * OfTriangle(s, lane, TriangleSetUp.Depth + 1);
-                var (upU, upV) = (OfTriangle(s, lane, TriangleSetUp.U + 2), OfTriangle(s, lane, TriangleSetUp.V + 2));
-                var upW = OfTriangle(s, lane, TriangleSetUp.W + 2);
-                var (upDepth, slack) = (OfTriangle(s, lane, TriangleSetUp.Depth + 2), OfTriangle(s, lane, TriangleSetUp.Slack));
-                var (most, least) = (OfTriangle(s, lane, TriangleSetUp.MostW), OfTriangle(s, lane, TriangleSetUp.LeastW));
+                var e0 = OfTriangle(s, lane, TriangleSetUp.E0) + across * OfTriangle(s, lane, TriangleSetUp.E0 + 1);
+                var e1 = OfTriangle(s, lane, TriangleSetUp.E1) + across * OfTriangle(s, lane, TriangleSetUp.E1 + 1);
+                var e2 = OfTriangle(s, lane, TriangleSetUp.E2) + across * OfTriangle(s, lane, TriangleSetUp.E2 + 1);
+                var startInverseDepth =
+                    OfTriangle(s, lane, TriangleSetUp.InverseDepth) + across * OfTriangle(s, lane, TriangleSetUp.InverseDepth + 1);
+                var (upE0, upE1) = (OfTriangle(s, lane, TriangleSetUp.E0 + 2), OfTriangle(s, lane, TriangleSetUp.E1 + 2));
+                var upE2 = OfTriangle(s, lane, TriangleSetUp.E2 + 2);
+                var (upInverseDepth, slack) = (OfTriangle(s, lane, TriangleSetUp.InverseDepth + 2), OfTriangle(s, lane, TriangleSetUp.Slack));
+                var (most, least) = (OfTriangle(s, lane, TriangleSetUp.MaxInverseDepth), OfTriangle(s, lane, TriangleSetUp.MinInverseDepth));
                 var (outside, inside) = (OfTriangle(s, lane, TriangleSetUp.Outside), OfTriangle(s, lane, TriangleSetUp.Inside));
                 var up = Vector512.Create(0f, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
                 var last = Vector512.Create((float)height); // the second of two rows may lie beyond it
@@ -172,19 +157,19 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                 // At least four rows: branch prediction cannot tell whether a small triangle has more than two.
                 for (var y = 0; y <= (height | 2); y += 2, pixel += 2 * TilePixels.Stride, up += Vector512.Create(2f))
                 {
-                    var inner = Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upU, u),
-                        Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upV, v), Vector512.MultiplyAddEstimate(up, upW, w)));
-                    var nearness = Vector512.MultiplyAddEstimate(up, upDepth, depth);
-                    var upper = Vector512.MinNative(nearness + slack, most);
-                    var lower = Vector512.MaxNative(nearness - slack, least);
-                    var (sure, before) = (TwoRows(coveredAt, pixel), TwoRows(frontAt, pixel));
+                    var inner = Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upE0, e0),
+                        Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upE1, e1), Vector512.MultiplyAddEstimate(up, upE2, e2)));
+                    var inverseDepth = Vector512.MultiplyAddEstimate(up, upInverseDepth, startInverseDepth);
+                    var upper = Vector512.MinNative(inverseDepth + slack, most);
+                    var lower = Vector512.MaxNative(inverseDepth - slack, least);
+                    var (sure, before) = (TwoRows(occluderDepthAt, pixel), TwoRows(candidateDepthAt, pixel));
                     var possible = inBox & Vector512.LessThanOrEqual(up, last)
                         & Vector512.GreaterThanOrEqual(inner, outside) & Vector512.GreaterThanOrEqual(upper, sure);
                     if (isLarge && possible == Vector512<float>.Zero) continue;
                     var covers = possible & Vector512.GreaterThan(inner, inside);
                     var wins = covers & Vector512.GreaterThan(lower, before);
-                    Store(Vector512.ConditionalSelect(covers, Vector512.MaxNative(sure, lower), sure), coveredAt, pixel);
-                    Store(Vector512.ConditionalSelect(wins, upper, before), frontAt, pixel);
+                    Store(Vector512.ConditionalSelect(covers, Vector512.MaxNative(sure, lower), sure), occluderDepthAt, pixel);
+                    Store(Vector512.ConditionalSelect(wins, upper, before), candidateDepthAt, pixel);
                     Store(Vector512.ConditionalSelect(wins.AsInt32(), id, TwoRows(proposedAt, pixel)), proposedAt, pixel);
 
                     var unsure = (uint)Vector512.AndNot(possible, wins).ExtractMostSignificantBits();

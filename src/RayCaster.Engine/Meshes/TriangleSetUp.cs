@@ -1,20 +1,21 @@
 namespace RayCaster.Engine;
 
-/// <summary>What the filter needs of eight triangles in a tile: the box of samples, an edge function for each side that is positive inside, and w as
-/// a function of the place, all with margins. Each field has eight lanes.</summary>
+/// <summary>What the filter needs of eight triangles in a tile: the box of samples, an edge function for each side that is positive inside, and
+/// inverse depth as a function of the place, all with margins. Each field has eight lanes.</summary>
 internal static class TriangleSetUp
 {
     /// <summary>The functions: the value at the box's lower left sample, the step to the right, and the step upwards.</summary>
-    public const int U = 0, V = 3, W = 6, Depth = 9;
+    public const int E0 = 0, E1 = 3, E2 = 6, InverseDepth = 9;
 
     /// <summary>Integers: the position of that sample's pixel (<see cref="TilePixels.Stride"/>), and the number of further samples to the right and
     /// upwards.</summary>
     public const int Pixel = 12, Across = 13, Upwards = 14;
 
-    /// <summary>The error of w, and its range; the greatest w is 0 where the triangle does not show.</summary>
-    public const int Slack = 15, LeastW = 16, MostW = 17;
+    /// <summary>The error of inverse depth, and its range; the greatest inverse depth is 0 where the triangle does not show.</summary>
+    public const int Slack = 15, MinInverseDepth = 16, MaxInverseDepth = 17;
 
-    /// <summary>A sample with an edge function below the first is certainly outside; with all above the second it is certainly covered.</summary>
+    /// <summary>A sample with an edge function below the first is certainly outside; with all above the second it is certainly
+    /// occluderDepth.</summary>
     public const int Outside = 18, Inside = 19;
 
     /// <summary>Numbers in all.</summary>
@@ -47,45 +48,46 @@ internal static class TriangleSetUp
         var area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
         var sign = Vector256.ConditionalSelect(Vector256.LessThan(area, zero), -one, one);
         area *= sign;
-        var (uRight, uUp) = ((by - cy) * sign, (cx - bx) * sign);
-        var (vRight, vUp) = ((cy - ay) * sign, (ax - cx) * sign);
-        var (wRight, wUp) = ((ay - by) * sign, (bx - ax) * sign);
-        var u = (left - bx) * uRight + (bottom - by) * uUp;
-        var v = (left - cx) * vRight + (bottom - cy) * vUp;
-        var w = (left - ax) * wRight + (bottom - ay) * wUp;
+        var (e0Right, e0Up) = ((by - cy) * sign, (cx - bx) * sign);
+        var (e1Right, e1Up) = ((cy - ay) * sign, (ax - cx) * sign);
+        var (e2Right, e2Up) = ((ay - by) * sign, (bx - ax) * sign);
+        var e0 = (left - bx) * e0Right + (bottom - by) * e0Up;
+        var e1 = (left - cx) * e1Right + (bottom - cy) * e1Up;
+        var e2 = (left - ax) * e2Right + (bottom - ay) * e2Up;
         var slack = Vector256.Create(6f) * margin * size;
 
         // The whole box, cut by the tile, may lie outside of one edge.
         var (across, upwards) = (right - left, top - bottom);
-        shows &= Reaches(u, uRight, uUp, across, upwards, slack) & Reaches(v, vRight, vUp, across, upwards, slack)
-            & Reaches(w, wRight, wUp, across, upwards, slack);
+        shows &= Reaches(e0, e0Right, e0Up, across, upwards, slack) & Reaches(e1, e1Right, e1Up, across, upwards, slack)
+            & Reaches(e2, e2Right, e2Up, across, upwards, slack);
 
-        // A triangle with next to no area (LeastWidth) has no side functions to speak of, and the formula may put its t anywhere that its corners
+        // A triangle with next to no area (MinWidth) has no side functions to speak of, and the formula may put its t anywhere that its corners
         // span along the axis that the ray follows most. Of a corner s pixels beside the ray that is its depth stretched by at most √3 s / scale.
-        var (mostW, leastW) = (Lanes.Most(t.A.W, t.B.W, t.C.W), Lanes.Least(t.A.W, t.B.W, t.C.W));
-        var ratio = mostW / leastW;
-        var isSliver = ~Vector256.GreaterThan(area, size * Vector256.Create(screen.LeastWidth) * ratio * ratio);
-        var stretchedW = StretchedW(mostW, size, screen);
+        var (maxInverseDepth, minInverseDepth) = (t.MaxInverseDepth, t.MinInverseDepth);
+        var ratio = maxInverseDepth / minInverseDepth;
+        var isSliver = ~Vector256.GreaterThan(area, size * Vector256.Create(screen.MinWidth) * ratio * ratio);
+        var stretchedInverseDepth = StretchedInverseDepth(maxInverseDepth, size, screen);
 
-        var depthRight = ((t.B.W - t.A.W) * vRight + (t.C.W - t.A.W) * wRight) / area;
-        var depthUp = ((t.B.W - t.A.W) * vUp + (t.C.W - t.A.W) * wUp) / area;
-        var depth = t.A.W + (left - ax) * depthRight + (bottom - ay) * depthUp;
-        // Corners off by δ move the plane of w by its slope · δ; the slope itself is rounded by the area's 2⁻²⁴ size² / area; w by 2⁻²⁴ of itself.
-        var slope = Vector256.Abs(depthRight) + Vector256.Abs(depthUp);
-        var depthSlack = Vector256.Create(4f) * slope * (margin + rounding * size * (one + size * size / area)) +
-            Vector256.Create(4f) * rounding * mostW;
+        var slopeRight = ((t.B.InverseDepth - t.A.InverseDepth) * e1Right + (t.C.InverseDepth - t.A.InverseDepth) * e2Right) / area;
+        var slopeUp = ((t.B.InverseDepth - t.A.InverseDepth) * e1Up + (t.C.InverseDepth - t.A.InverseDepth) * e2Up) / area;
+        var inverseDepth = t.A.InverseDepth + (left - ax) * slopeRight + (bottom - ay) * slopeUp;
+        // Corners off by δ move the plane of inverse depth by its slope · δ; the slope itself is rounded by the area's 2⁻²⁴ size² / area; inverse
+        // depth by 2⁻²⁴ of itself.
+        var slope = Vector256.Abs(slopeRight) + Vector256.Abs(slopeUp);
+        var inverseDepthSlack = Vector256.Create(4f) * slope * (margin + rounding * size * (one + size * size / area)) +
+            Vector256.Create(4f) * rounding * maxInverseDepth;
 
-        var counts = Vector256.LessThanOrEqual(mostW, Vector256.Create(screen.MostSureW))
-            & Vector256.GreaterThanOrEqual(leastW, Vector256.Create(screen.LeastSureW)) & ~isSliver;
+        var counts = Vector256.LessThanOrEqual(maxInverseDepth, Vector256.Create(screen.MaxSureInverseDepth))
+            & Vector256.GreaterThanOrEqual(minInverseDepth, Vector256.Create(screen.MinSureInverseDepth)) & ~isSliver;
 
-        Keep(fields, U, u, uRight, uUp);
-        Keep(fields, V, v, vRight, vUp);
-        Keep(fields, W, w, wRight, wUp);
-        Keep(fields, Depth, Vector256.ConditionalSelect(isSliver, stretchedW, depth),
-            Vector256.AndNot(depthRight, isSliver), Vector256.AndNot(depthUp, isSliver));
-        Keep(fields, Pixel, Whole(bottom * Vector256.Create((float)TilePixels.Stride) + left), Whole(across), Whole(upwards));
-        Keep(fields, Slack, Vector256.AndNot(depthSlack, isSliver), leastW * Vector256.Create(1 - 4e-6f),
-            shows & (Vector256.ConditionalSelect(isSliver, stretchedW, mostW) * Vector256.Create(1 + 4e-6f)));
+        Store(fields, E0, e0, e0Right, e0Up);
+        Store(fields, E1, e1, e1Right, e1Up);
+        Store(fields, E2, e2, e2Right, e2Up);
+        Store(fields, InverseDepth, Vector256.ConditionalSelect(isSliver, stretchedInverseDepth, inverseDepth),
+            Vector256.AndNot(slopeRight, isSliver), Vector256.AndNot(slopeUp, isSliver));
+        Store(fields, Pixel, Whole(bottom * Vector256.Create((float)TilePixels.Stride) + left), Whole(across), Whole(upwards));
+        Store(fields, Slack, Vector256.AndNot(inverseDepthSlack, isSliver), minInverseDepth * Vector256.Create(1 - 4e-6f),
+            shows & (Vector256.ConditionalSelect(isSliver, stretchedInverseDepth, maxInverseDepth) * Vector256.Create(1 + 4e-6f)));
         // The orientation of a sliver is not known; if it is the other one, its functions are at most the slack of its area and of the others.
         Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack).StoreTo(fields, 8 * Outside);
         Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)).StoreTo(fields, 8 * Inside);
@@ -103,19 +105,19 @@ internal static class TriangleSetUp
     {
         var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
         var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
-        var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
+        var (e0, e1, e2) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
         var slack = Vector256.Create(6f) * margin * size;
-        return Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
+        return Vector256.LessThan(Lanes.Least(e0, e1, e2), -slack) & Vector256.GreaterThan(Lanes.Most(e0, e1, e2), slack);
     }
 
-    /// <summary>The greatest w that the formula may find for triangles with next to no area; float.MaxValue if it may be any.</summary>
-    /// <param name="mostW">The greatest w of the corners.</param>
+    /// <summary>The greatest inverse depth that the formula may find for triangles with next to no area; float.MaxValue if it may be any.</summary>
+    /// <param name="maxInverseDepth">The greatest inverse depth of the corners.</param>
     /// <param name="size">The boxes' widths and heights together; <see cref="Of"/> derives the stretch.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<float> StretchedW(Vector256<float> mostW, Vector256<float> size, ScreenSpace screen)
+    public static Vector256<float> StretchedInverseDepth(Vector256<float> maxInverseDepth, Vector256<float> size, ScreenSpace screen)
     {
         var (one, stretch) = (Vector256<float>.One, size * Vector256.Create((float)(4 / screen.Scale)));
-        return Vector256.ConditionalSelect(Vector256.LessThan(stretch, one), mostW * (one + stretch), Vector256.Create(float.MaxValue));
+        return Vector256.ConditionalSelect(Vector256.LessThan(stretch, one), maxInverseDepth * (one + stretch), Vector256.Create(float.MaxValue));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -134,7 +136,7 @@ internal static class TriangleSetUp
     private static Vector256<float> Whole(Vector256<float> numbers) => Vector256.ConvertToInt32Native(numbers).AsSingle();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Keep(float[] fields, int first, Vector256<float> a, Vector256<float> b, Vector256<float> c)
+    private static void Store(float[] fields, int first, Vector256<float> a, Vector256<float> b, Vector256<float> c)
     {
         a.StoreTo(fields, 8 * first);
         b.StoreTo(fields, 8 * first + 8);

@@ -11,10 +11,10 @@ public sealed class TriangleTree
     private readonly int depth;
 
     /// <param name="indices">Three for each triangle.</param>
-    public TriangleTree(Vector3[] vertices, int[] indices)
+    public TriangleTree(Vector3[] vertices, int[] indices, CancellationToken cancellation = default)
     {
         (this.vertices, this.indices) = (vertices, indices);
-        (nodes, order, depth) = new TreeBuilder(vertices, indices).Build();
+        (nodes, order, depth) = new TreeBuilder(vertices, indices, cancellation).Build();
     }
 
     /// <summary>The least t that a function returns for the triangles that a line may cross, in front of its origin or behind it; null for

@@ -6,7 +6,7 @@ internal sealed partial class FloatColors
     private const int ChannelBits = 21;
 
     /// <summary>The most steps of a channel.</summary>
-    public const int MostSteps = (1 << ChannelBits) - 1;
+    public const int MaxSteps = (1 << ChannelBits) - 1;
 
     private readonly long[] packed; // three channels in each
 
@@ -15,7 +15,7 @@ internal sealed partial class FloatColors
     public FloatColors(double[] light, double most, int threads = 1)
     {
         var count = light.Length / 3;
-        Step = Math.Max(most, double.Epsilon * MostSteps) / MostSteps;
+        Step = Math.Max(most, double.Epsilon * MaxSteps) / MaxSteps;
         packed = new long[count];
         ThreadTeam.Shares(ThreadTeam.SharesOf(count, threads), count, (_, first, end) =>
         {
@@ -26,7 +26,7 @@ internal sealed partial class FloatColors
             }
         });
 
-        long Steps(double channel) => Math.Min((long)(channel / Step + 0.5), MostSteps);
+        long Steps(double channel) => Math.Min((long)(channel / Step + 0.5), MaxSteps);
     }
 
     /// <summary>The light of one step.</summary>
@@ -34,13 +34,13 @@ internal sealed partial class FloatColors
 
     public RawSpan<long> Packed => new(packed);
 
-    /// <summary>The colours at some places. (The processor's own instruction for it takes twice as long.)</summary>
+    /// <summary>The colours at some colorIndices. (The processor's own instruction for it takes twice as long.)</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<long> Gather(RawSpan<long> packed, Vector128<int> places) =>
-        Vector256.Create(packed[places[0]], packed[places[1]], packed[places[2]], packed[places[3]]);
+    private static Vector256<long> Gather(RawSpan<long> packed, Vector128<int> colorIndices) =>
+        Vector256.Create(packed[colorIndices[0]], packed[colorIndices[1]], packed[colorIndices[2]], packed[colorIndices[3]]);
 
     /// <inheritdoc cref="Gather(RawSpan{long}, Vector128{int})"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<long> Gather(RawSpan<long> packed, Vector256<int> places) =>
-        Vector512.Create(Gather(packed, places.GetLower()), Gather(packed, places.GetUpper()));
+    private static Vector512<long> Gather(RawSpan<long> packed, Vector256<int> colorIndices) =>
+        Vector512.Create(Gather(packed, colorIndices.GetLower()), Gather(packed, colorIndices.GetUpper()));
 }

@@ -68,16 +68,16 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IFloatPacket<Floa
         new(Vector256.Narrow(Packet.Load(numbers, first).Lanes, Packet.Load(numbers, first + Packet.Count).Lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket LoadPlaces(double[] indices, int first)
+    public static FloatPacket LoadColorIndices(double[] indices, int first)
     {
         var (lower, upper) = (Packet.Load(indices, first).ToInts(), Packet.Load(indices, first + Packet.Count).ToInts());
         return new((Vector256.Create(lower, upper) + Vector256<int>.One).AsSingle());
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static (FloatPacket R, FloatPacket G, FloatPacket B) ColorsAt(RawSpan<long> colors, FloatPacket places)
+    public static (FloatPacket R, FloatPacket G, FloatPacket B) ColorsAt(RawSpan<long> colors, FloatPacket colorIndices)
     {
-        var (r, g, b) = FloatColors.At(colors, places.Lanes.AsInt32());
+        var (r, g, b) = FloatColors.At(colors, colorIndices.Lanes.AsInt32());
         return (new(r), new(g), new(b));
     }
 
@@ -89,20 +89,20 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IFloatPacket<Floa
     public static FloatPacket Pixels(FloatPacket r, FloatPacket g, FloatPacket b) => new(FloatBytes.Packed(r.Lanes, g.Lanes, b.Lanes).AsSingle());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static uint WriteRange(FloatPacket least, FloatPacket most, FloatPacket front, int background, byte[] rgb, int place)
+    public static uint WriteRange(FloatPacket least, FloatPacket most, FloatPacket candidateDepth, int background, byte[] rgb, int offset)
     {
-        var (isMiss, pixels) = (Vector256.Equals(front.Lanes, Vector256<float>.Zero).AsInt32(), least.Lanes.AsInt32());
-        FloatBytes.Store(Vector256.ConditionalSelect(isMiss, Vector256.Create(background), pixels), rgb, place);
+        var (isMiss, pixels) = (Vector256.Equals(candidateDepth.Lanes, Vector256<float>.Zero).AsInt32(), least.Lanes.AsInt32());
+        FloatBytes.Store(Vector256.ConditionalSelect(isMiss, Vector256.Create(background), pixels), rgb, offset);
         return (uint)(Vector256.Equals(pixels, most.Lanes.AsInt32()) | isMiss).ExtractMostSignificantBits() ^ 0xFF;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public uint Write(in FloatLevels levels, byte[] rgb, int place)
+    public uint Write(in FloatLevels levels, byte[] rgb, int offset)
     {
         var (red, green, blue) = (levels.Red.Least(Lanes), levels.Green.Least(Lanes), levels.Blue.Least(Lanes));
         var least = FloatBytes.Packed(red, green, blue);
         var most = FloatBytes.Packed(levels.Red.Most(red), levels.Green.Most(green), levels.Blue.Most(blue));
-        FloatBytes.Store(least, rgb, place);
+        FloatBytes.Store(least, rgb, offset);
         return (uint)Vector256.Equals(least, most).ExtractMostSignificantBits() ^ 0xFF;
     }
 }

@@ -11,11 +11,11 @@ internal static partial class FloatBytes
 
     /// <summary>Writes three bytes of each pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Store(Vector256<int> pixels, byte[] rgb, int place)
+    public static void Store(Vector256<int> pixels, byte[] rgb, int offset)
     {
         var bytes = InARow(pixels);
-        bytes.GetLower().StoreTo(rgb, place);
-        bytes.GetUpper().GetLower().StoreTo(rgb, place + Vector256<byte>.Count / 2);
+        bytes.GetLower().StoreTo(rgb, offset);
+        bytes.GetUpper().GetLower().StoreTo(rgb, offset + Vector256<byte>.Count / 2);
     }
 }
 
@@ -34,13 +34,13 @@ internal sealed partial class FloatColors
 {
     /// <summary>The channels of several pixels, in steps.</summary>
     /// <param name="packed">The <see cref="Packed"/> colours.</param>
-    /// <param name="places">The place of each pixel's colour.</param>
+    /// <param name="colorIndices">The index of each pixel's colour.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static (Vector256<float> R, Vector256<float> G, Vector256<float> B) At(RawSpan<long> packed, Vector256<int> places)
+    public static (Vector256<float> R, Vector256<float> G, Vector256<float> B) At(RawSpan<long> packed, Vector256<int> colorIndices)
     {
-        var (first, second) = (Gather(packed, places.GetLower()), Gather(packed, places.GetUpper()));
+        var (first, second) = (Gather(packed, colorIndices.GetLower()), Gather(packed, colorIndices.GetUpper()));
         var (low, high) = (Vector256.Narrow(first, second), Vector256.Narrow(first >>> 32, second >>> 32));
-        var mask = Vector256.Create(MostSteps);
+        var mask = Vector256.Create(MaxSteps);
         return (
             Vector256.ConvertToSingle(low & mask),
             Vector256.ConvertToSingle(((low >>> ChannelBits) | (high << (32 - ChannelBits))) & mask),

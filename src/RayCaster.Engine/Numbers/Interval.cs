@@ -10,33 +10,35 @@ namespace RayCaster.Engine;
 /// is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything". Of a quotient whose divisor may be 0,
 /// <c>Gap</c> is then a lower bound of the absolute value: rays nearly parallel to a plane cross it far away, in front of the eye or behind it.
 /// </remarks>
-/// <param name="missing">0: every ray has a number. 1: some may have NaN. 2: all have NaN; the ends mean nothing.</param>
+/// <param name="nan">Whether rays have NaN: <see cref="Never"/>, <see cref="Maybe"/>, or <see cref="Always"/>, where the ends mean nothing.</param>
 /// <param name="gap">No number is nearer to 0 than this.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly struct Interval(N lo, N hi, N missing, N gap) : IReal<Interval>
+internal readonly struct Interval(N lo, N hi, N nan, N gap) : IReal<Interval>
 {
-    public readonly N Lo = lo, Hi = hi, Missing = missing, Gap = gap;
+    private const double Never = 0, Maybe = 1, Always = 2;
+
+    public readonly N Lo = lo, Hi = hi, NaN = nan, Gap = gap;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Interval(N lo, N hi) : this(lo, hi, 0, 0) { }
+    public Interval(N lo, N hi) : this(lo, hi, Never, 0) { }
 
     /// <summary>A mask: no ray has a number.</summary>
-    public N IsNothing
+    public N IsAlwaysNaN
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Missing > 1;
+        get => NaN > Maybe;
     }
 
     /// <summary>A mask: some rays may have no number.</summary>
     public N MayBeNaN
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Missing > 0;
+        get => NaN > Never;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator Interval(double value) =>
-        double.IsNaN(value) ? new(double.PositiveInfinity, double.NegativeInfinity, 2, double.PositiveInfinity) : new(value, value);
+        double.IsNaN(value) ? new(double.PositiveInfinity, double.NegativeInfinity, Always, double.PositiveInfinity) : new(value, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval operator +(Interval a, Interval b) => Sum(a, b, a.Lo + b.Lo, a.Hi + b.Hi);
@@ -45,7 +47,7 @@ internal readonly struct Interval(N lo, N hi, N missing, N gap) : IReal<Interval
     public static Interval operator -(Interval a, Interval b) => Sum(a, b, a.Lo - b.Hi, a.Hi - b.Lo);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Interval operator -(Interval a) => new(-a.Hi, -a.Lo, a.Missing, a.Gap);
+    public static Interval operator -(Interval a) => new(-a.Hi, -a.Lo, a.NaN, a.Gap);
 
     public static Interval operator *(Interval a, Interval b) => Hull(a, b, a.Lo * b.Lo, a.Lo * b.Hi, a.Hi * b.Lo, a.Hi * b.Hi, 0);
 
@@ -79,28 +81,28 @@ internal readonly struct Interval(N lo, N hi, N missing, N gap) : IReal<Interval
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval Sqrt(Interval x)
     {
-        var missing = N.Select(x.Hi < 0, 2, N.Select(x.Lo < 0, 1, 0));
-        return new(N.Sqrt(N.Greater(0, x.Lo)), N.Sqrt(x.Hi), N.Greater(x.Missing, missing), 0);
+        var nan = N.Select(x.Hi < 0, Always, N.Select(x.Lo < 0, Maybe, Never));
+        return new(N.Sqrt(N.Greater(0, x.Lo)), N.Sqrt(x.Hi), N.Greater(x.NaN, nan), 0);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval Min(Interval a, Interval b) =>
-        new(N.Lesser(a.Lo, b.Lo), N.Lesser(a.Hi, b.Hi), N.Greater(a.Missing, b.Missing), N.Lesser(a.Gap, b.Gap));
+        new(N.Lesser(a.Lo, b.Lo), N.Lesser(a.Hi, b.Hi), N.Greater(a.NaN, b.NaN), N.Lesser(a.Gap, b.Gap));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval Max(Interval a, Interval b) =>
-        new(N.Greater(a.Lo, b.Lo), N.Greater(a.Hi, b.Hi), N.Greater(a.Missing, b.Missing), N.Lesser(a.Gap, b.Gap));
+        new(N.Greater(a.Lo, b.Lo), N.Greater(a.Hi, b.Hi), N.Greater(a.NaN, b.NaN), N.Lesser(a.Gap, b.Gap));
 
     public static Interval Select(Interval mask, Interval a, Interval b)
     {
         // Either: the hull of what there is.
         N least = double.PositiveInfinity, most = double.NegativeInfinity;
-        var (aIsNothing, bIsNothing) = (a.IsNothing, b.IsNothing);
-        var lo = N.Lesser(N.Select(aIsNothing, least, a.Lo), N.Select(bIsNothing, least, b.Lo));
-        var hi = N.Greater(N.Select(aIsNothing, most, a.Hi), N.Select(bIsNothing, most, b.Hi));
-        var gap = N.Lesser(N.Select(aIsNothing, least, a.Gap), N.Select(bIsNothing, least, b.Gap));
-        var missing = N.Select(aIsNothing & bIsNothing, 2, N.Lesser(N.Greater(a.Missing, b.Missing), 1));
-        return new(Choose(a.Lo, lo, b.Lo), Choose(a.Hi, hi, b.Hi), Choose(a.Missing, missing, b.Missing), Choose(a.Gap, gap, b.Gap));
+        var (aIsAlwaysNaN, bIsAlwaysNaN) = (a.IsAlwaysNaN, b.IsAlwaysNaN);
+        var lo = N.Lesser(N.Select(aIsAlwaysNaN, least, a.Lo), N.Select(bIsAlwaysNaN, least, b.Lo));
+        var hi = N.Greater(N.Select(aIsAlwaysNaN, most, a.Hi), N.Select(bIsAlwaysNaN, most, b.Hi));
+        var gap = N.Lesser(N.Select(aIsAlwaysNaN, least, a.Gap), N.Select(bIsAlwaysNaN, least, b.Gap));
+        var nan = N.Select(aIsAlwaysNaN & bIsAlwaysNaN, Always, N.Lesser(N.Greater(a.NaN, b.NaN), Maybe));
+        return new(Choose(a.Lo, lo, b.Lo), Choose(a.Hi, hi, b.Hi), Choose(a.NaN, nan, b.NaN), Choose(a.Gap, gap, b.Gap));
 
         N Choose(N surely, N either, N surelyNot) => N.Select(mask.Lo, surely, N.Select(mask.Hi, either, surelyNot));
     }
@@ -108,8 +110,8 @@ internal readonly struct Interval(N lo, N hi, N missing, N gap) : IReal<Interval
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Interval Mask(Interval a, Interval b, N surely, N maybe)
     {
-        var missing = N.Greater(a.Missing, b.Missing);
-        return new(N.Select(missing > 0, 0, surely), N.Select(missing > 1, 0, maybe));
+        var nan = N.Greater(a.NaN, b.NaN);
+        return new(N.Select(nan > Never, 0, surely), N.Select(nan > Maybe, 0, maybe));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -127,9 +129,9 @@ internal readonly struct Interval(N lo, N hi, N missing, N gap) : IReal<Interval
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Interval OrAnything(Interval a, Interval b, N lo, N hi, N isFinite, N gap)
     {
-        var missing = N.Greater(a.Missing, b.Missing);
+        var nan = N.Greater(a.NaN, b.NaN);
         return new(
             N.Select(isFinite, lo, double.NegativeInfinity), N.Select(isFinite, hi, double.PositiveInfinity),
-            N.Select(isFinite, missing, N.Greater(missing, 1)), gap);
+            N.Select(isFinite, nan, N.Greater(nan, Maybe)), gap);
     }
 }

@@ -18,10 +18,11 @@ internal partial struct Packet
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner)
     {
-        var places = new RawSpan<int>(indices);
+        var vertexIndices = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
-        var (a, b) = (3 * places[3 * triangles[first] + corner], 3 * places[3 * triangles[first + 1] + corner]);
-        var (c, d) = (3 * places[3 * triangles[first + 2] + corner], 3 * places[3 * triangles[first + 3] + corner]);
+        const nint Three = 3; // three times a vertex's index may be more than an int holds
+        var (a, b) = (Three * vertexIndices[3 * triangles[first] + corner], Three * vertexIndices[3 * triangles[first + 1] + corner]);
+        var (c, d) = (Three * vertexIndices[3 * triangles[first + 2] + corner], Three * vertexIndices[3 * triangles[first + 3] + corner]);
         var z = new Packet(Vector256.Create(numbers[a + 2], numbers[b + 2], numbers[c + 2], numbers[d + 2]));
         var (xyac, xybd) = (Vector256.Create(numbers.Load128(a), numbers.Load128(c)), Vector256.Create(numbers.Load128(b), numbers.Load128(d)));
         if (Avx.IsSupported) return new(new(Avx.UnpackLow(xyac, xybd)), new(Avx.UnpackHigh(xyac, xybd)), z);

@@ -1,3 +1,5 @@
+using System.Runtime.ExceptionServices;
+
 namespace RayCaster.Engine;
 
 /// <summary>Draws some lines of a picture in bands, from top to bottom: threads cast the strips of the next bands while finished bands are written
@@ -23,7 +25,7 @@ internal sealed class BandQueue
     private readonly object gate = new();   // guards all that follows
     private readonly int[] stripsMissing;   // of the band in each buffer
     private long nextStrip, bandsWritten;
-    private Exception? failure;
+    private ExceptionDispatchInfo? failure;
 
     /// <param name="linesDone">Called from any thread with the number of further lines that are done.</param>
     public BandQueue(Frame frame, int firstLine, int endLine, int threads, Action<int>? linesDone, CancellationToken cancellation)
@@ -128,7 +130,7 @@ internal sealed class BandQueue
             while (true)
             {
                 cancellation.ThrowIfCancellationRequested();
-                if (failure is not null) throw failure;
+                failure?.Throw();
                 if (stripsMissing[band % buffers.Length] == 0) return -1;
                 if (nextStrip < bandCount * stripsAcross && HasRoom) return nextStrip++;
                 Monitor.Wait(gate, TimeSpan.FromMilliseconds(50)); // then tests for cancellation
@@ -150,7 +152,7 @@ internal sealed class BandQueue
     {
         lock (gate)
         {
-            failure ??= e;
+            failure ??= ExceptionDispatchInfo.Capture(e);
             Monitor.PulseAll(gate);
         }
     }

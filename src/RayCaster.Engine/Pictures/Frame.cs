@@ -8,7 +8,7 @@ internal abstract class Frame(Scene scene, int threads, bool manyFrames, bool is
     private const long PixelsOfLongWork = 1 << 24;
 
     /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>
-    public bool IsLong { get; } =
+    public bool UsesShapeKernels { get; } =
         manyFrames || !RuntimeFeature.IsDynamicCodeCompiled || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
 
     /// <summary>Whether each ray is simply intersected with each model near its pixel, if the models are few and the work is short.</summary>
@@ -21,12 +21,14 @@ internal abstract class Frame(Scene scene, int threads, bool manyFrames, bool is
     public Scene Scene => scene;
 
     /// <summary>Turns hits into bytes; made on first use.</summary>
-    public HitShader Shader => field ??= new(scene, IsLong, threads);
+    public HitShader Shader => field ??= new(scene, UsesShapeKernels, threads);
 
     /// <summary>A frame for the widest packets of the machine; everything else is generic over this choice.</summary>
-    public static Frame Of(Scene scene, int threads, bool manyFrames, bool isPlain = false) => Vector512.IsHardwareAccelerated
-        ? new Frame<WidePacket>(scene, threads, manyFrames, isPlain)
-        : new Frame<Packet>(scene, threads, manyFrames, isPlain);
+    /// <param name="cancellation">Stops the preparation of the models with an <see cref="OperationCanceledException"/>.</param>
+    public static Frame Of(Scene scene, int threads, bool manyFrames, CancellationToken cancellation, bool isPlain = false) =>
+        Vector512.IsHardwareAccelerated
+            ? new Frame<WidePacket>(scene, threads, manyFrames, cancellation, isPlain)
+            : new Frame<Packet>(scene, threads, manyFrames, cancellation, isPlain);
 
     /// <summary>A thread's caster.</summary>
     public abstract IStripCaster NewCaster();

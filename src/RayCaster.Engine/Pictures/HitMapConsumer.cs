@@ -9,7 +9,7 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
     {
         for (var i = 0; i < rays.Rows; i++)
         {
-            var first = PlaceOf(rays.Column, rays.Row + i);
+            var first = IndexOf(rays.Column, rays.Row + i);
             rays.T.Slice(i * rays.Pitch, rays.Width).CopyTo(map.T.AsSpan(first));
             rays.CopyModels(i * rays.Pitch, map.Model.AsSpan(first, rays.Width));
         }
@@ -17,13 +17,13 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
 
     public void TakeMiss(in Tile part)
     {
-        for (var row = part.Row; row < part.EndRow; row++) map.T.AsSpan(PlaceOf(part.Column, row), part.Width).Fill(double.PositiveInfinity);
+        for (var row = part.Row; row < part.EndRow; row++) map.T.AsSpan(IndexOf(part.Column, row), part.Width).Fill(double.PositiveInfinity);
         FillModels(part, -1);
     }
 
     public bool TryTake(in CoveredTile covered)
     {
-        if (!coveredHits.Write(covered, map.T, PlaceOf(covered.Part.Column, covered.Part.Row), -map.Width)) return false;
+        if (!coveredHits.Write(covered, map.T, IndexOf(covered.Part.Column, covered.Part.Row), -map.Width)) return false;
         FillModels(covered.Part, covered.Index);
         return true;
     }
@@ -32,8 +32,8 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
 
     private void FillModels(in Tile part, int index)
     {
-        for (var row = part.Row; row < part.EndRow; row++) map.Model.AsSpan(PlaceOf(part.Column, row), part.Width).Fill(index);
+        for (var row = part.Row; row < part.EndRow; row++) map.Model.AsSpan(IndexOf(part.Column, row), part.Width).Fill(index);
     }
 
-    private int PlaceOf(int column, int row) => (map.Height - 1 - row) * map.Width + column;
+    private int IndexOf(int column, int row) => (map.Height - 1 - row) * map.Width + column;
 }

@@ -14,17 +14,18 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
     /// <param name="topRow">The row, from the bottom, that is the first of the lines.</param>
     public void Enter(byte[] rgb, int topRow) => (this.rgb, this.topRow) = (rgb, topRow);
 
-    public void Take(RayStream rays) => shader.Shade(rays, rgb, PlaceOf(rays.Column, rays.Row), -3 * width);
+    public void Take(RayStream rays) => shader.Shade(rays, rgb, OffsetOf(rays.Column, rays.Row), -3 * width);
 
     public void TakeMiss(in Tile part)
     {
-        for (var row = part.Row; row < part.EndRow; row++) shader.ShadeMiss(rgb.AsSpan(PlaceOf(part.Column, row), 3 * part.Width));
+        for (var row = part.Row; row < part.EndRow; row++) shader.ShadeMiss(rgb.AsSpan(OffsetOf(part.Column, row), 3 * part.Width));
     }
 
     public bool TryTake(in CoveredTile covered) =>
-        FloatBytes.IsSupported && Painter.Paint(covered, rgb, PlaceOf(covered.Part.Column, covered.Part.Row), -3 * width);
+        FloatBytes.IsSupported && Painter.Paint(covered, rgb, OffsetOf(covered.Part.Column, covered.Part.Row), -3 * width);
 
-    public bool TryTake(in Tile tile, ModelView view, int index) => view.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
+    public bool TryTake(in Tile tile, ModelView view, int index) =>
+        view.Paint(shader.Scene, index, rgb, OffsetOf(tile.Column, tile.Row), -3 * width);
 
-    private int PlaceOf(int column, int row) => 3 * ((topRow - row) * width + column);
+    private int OffsetOf(int column, int row) => 3 * ((topRow - row) * width + column);
 }

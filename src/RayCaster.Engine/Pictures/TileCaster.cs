@@ -12,7 +12,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private readonly Frame<N> frame;
     private readonly ModelView[] views;
     private readonly Tile[] extents;
-    private readonly int[] places; // of the views' models in the scene
+    private readonly int[] modelIndices; // of the views' models in the scene
     private readonly BatchCaster<N>? batch;
     private readonly RayStream rays;
     private readonly Predicate<Candidate> isShape;
@@ -26,7 +26,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         this.frame = frame;
         object? shared = null;
         views = Array.ConvertAll(frame.Views, view => view.ForThread(ref shared));
-        (extents, places) = (frame.Extents, frame.Places);
+        (extents, modelIndices) = (frame.Extents, frame.ModelIndices);
         if (frame.PrimitiveBatch is not null) batch = new(frame.PrimitiveBatch, frame.Scene.Camera);
         rays = new(frame.Scene.Camera, RayStream.MaxArea);
         (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
@@ -53,14 +53,14 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 
     private void Cast(in Tile tile, List<Candidate> list)
     {
-        var cover = double.PositiveInfinity;
+        var farthestT = double.PositiveInfinity;
         for (var i = 0; i < list.Count; i++)
         {
             var range = views[list[i].Index].Enter(tile, list[i].Range);
-            cover = Math.Min(cover, range.Cover);
+            farthestT = Math.Min(farthestT, range.FarthestT);
             list[i] = list[i] with { Range = range };
         }
-        DropHidden(list, cover);
+        DropHidden(list, farthestT);
         if (batch?.IsFor(tile) == true) CastBatch(batch, tile, list);
         else if (list.Count == 1 && !isShape(list[0])) CastAlone(tile, list);
         else Cut(tile, list);
@@ -72,7 +72,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 
         void Intersect(RayStream rays)
         {
-            foreach (var candidate in list) views[candidate.Index].Intersect(rays, places[candidate.Index]);
+            foreach (var candidate in list) views[candidate.Index].Intersect(rays, modelIndices[candidate.Index]);
         }
     }
 
@@ -80,7 +80,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private void CastAlone(in Tile tile, List<Candidate> list)
     {
         var only = list[0].Index;
-        if (!(frame.IsLong && consumer.TryTake(tile, views[only], places[only]))) CastRows(tile, list);
+        if (!(frame.UsesShapeKernels && consumer.TryTake(tile, views[only], modelIndices[only]))) CastRows(tile, list);
     }
 
     private void Cut(in Tile tile, List<Candidate> list)
@@ -110,8 +110,8 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     /// <summary>Finds out which models may show in which part.</summary>
     private void Narrow(EightParts parts, List<Candidate> whole, List<Candidate>[] lists)
     {
-        Span<double> covers = stackalloc double[EightParts.Count];
-        covers.Fill(double.PositiveInfinity);
+        Span<double> farthestTs = stackalloc double[EightParts.Count];
+        farthestTs.Fill(double.PositiveInfinity);
         foreach (var list in lists) list.Clear();
         foreach (var candidate in whole)
         {
@@ -121,16 +121,16 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
             {
                 if (!extent.Overlaps(parts[i])) continue;
                 var range = ranges[i];
-                covers[i] = Math.Min(covers[i], range.Cover);
+                farthestTs[i] = Math.Min(farthestTs[i], range.FarthestT);
                 lists[i].Add(candidate with { Range = range });
             }
         }
-        for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], covers[i]);
+        for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], farthestTs[i]);
     }
 
-    /// <summary>Whether one model certainly covers the part.</summary>
+    /// <summary>Whether one model certainly farthestTs the part.</summary>
     private bool IsCovered(List<Candidate> list) =>
-        list.Count == 1 && frame.IsLong && list[0].Range.Cover < double.PositiveInfinity && isShape(list[0]);
+        list.Count == 1 && frame.UsesShapeKernels && list[0].Range.FarthestT < double.PositiveInfinity && isShape(list[0]);
 
     /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
     /// ones.</summary>
@@ -154,14 +154,14 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     }
 
     private bool TryCover(in Tile part, Candidate only) =>
-        consumer.TryTake(new CoveredTile(part, views[only.Index], places[only.Index], only.Range.IsNear));
+        consumer.TryTake(new CoveredTile(part, views[only.Index], modelIndices[only.Index], only.Range.IsNear));
 
-    /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
-    private static void DropHidden(List<Candidate> list, double cover)
+    /// <summary>Drops models that do not show or lie behind one that farthestTs the part.</summary>
+    private static void DropHidden(List<Candidate> list, double farthestT)
     {
         var kept = 0;
         for (var i = 0; i < list.Count; i++)
-            if (list[i].Range.Least <= cover && list[i].Range.Least < double.PositiveInfinity)
+            if (list[i].Range.NearestT <= farthestT && list[i].Range.NearestT < double.PositiveInfinity)
                 list[kept++] = list[i];
         list.RemoveRange(kept, list.Count - kept);
     }
@@ -175,7 +175,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         for (var row = part.Row; row < part.EndRow; row += rows)
         {
             rays.Aim<N>(row, rows);
-            foreach (var candidate in list) views[candidate.Index].Intersect(rays, places[candidate.Index]);
+            foreach (var candidate in list) views[candidate.Index].Intersect(rays, modelIndices[candidate.Index]);
             consumer.Take(rays);
         }
     }

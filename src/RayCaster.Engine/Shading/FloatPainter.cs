@@ -8,7 +8,7 @@ namespace RayCaster.Engine;
 internal sealed class FloatPainter : IShapeVisitor
 {
     /// <summary>With a greater error, too many bytes would be uncertain.</summary>
-    private const double MostError = 0.02;
+    private const double MaxError = 0.02;
 
     /// <summary>With a smaller error, so few bytes are uncertain that a tighter bound does not pay.</summary>
     private const double GoodError = 0.002;
@@ -68,7 +68,7 @@ internal sealed class FloatPainter : IShapeVisitor
         if (brightest > 1) return false;
         var steepest = -FloatLevel.SlopeOf(brightest, camera.FadeDistance);
         var error = Error(shape, index, GoodError / steepest);
-        if (!(error * steepest < MostError)) return false;
+        if (!(error * steepest < MaxError)) return false;
         var levels = new FloatLevels(color, camera.FadeDistance, error);
         if (FloatBytes.IsWide) Paint<P, WideFloatPacket>(shape, levels);
         else Paint<P, FloatPacket>(shape, levels);

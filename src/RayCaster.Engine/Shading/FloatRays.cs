@@ -46,8 +46,8 @@ internal sealed class FloatRays(Camera camera)
 
         /// <summary>That of a row, in each lane.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector3<F> At<F>(int place) where F : struct, IFloatPacket<F> =>
-            new(Lanes.Broadcast<F>(x[place]), Lanes.Broadcast<F>(y[place]), Lanes.Broadcast<F>(z[place]));
+        public Vector3<F> At<F>(int row) where F : struct, IFloatPacket<F> =>
+            new(Lanes.Broadcast<F>(x[row]), Lanes.Broadcast<F>(y[row]), Lanes.Broadcast<F>(z[row]));
 
         public void Set(int first, in Vector3<Packet> lower, in Vector3<Packet> upper)
         {

@@ -4,7 +4,7 @@ namespace RayCaster.Engine;
 internal sealed class FloatShader
 {
     /// <summary>With a greater error, too many bytes would be uncertain.</summary>
-    private const double MostError = 0.001;
+    private const double MaxError = 0.001;
 
     private readonly Scene scene;
     private readonly FloatColors colors;
@@ -19,7 +19,7 @@ internal sealed class FloatShader
         background = r | g << 8 | b << 16;
         // Beyond this t there is no light, even after rounding.
         var t = ErrorBound.From(0, 2 * scene.Camera.FadeDistance);
-        var steps = new ErrorBound(0, FloatColors.MostSteps, 0); // floats represent integers exactly
+        var steps = new ErrorBound(0, FloatColors.MaxSteps, 0); // floats represent integers exactly
         var level = Color.Level(scene.Attenuation(t) * colors.Step * steps);
         error = level.Error + 255 * colors.Step / 2 + FloatBytes.RoundingOfTheEnds; // a colour's error is half a step
     }
@@ -28,7 +28,7 @@ internal sealed class FloatShader
     /// <param name="light">Red, green and blue of its background, then of its models.</param>
     /// <param name="most">The greatest of them.</param>
     public static FloatShader? For(Scene scene, double[] light, double most, int threads) =>
-        FloatBytes.IsSupported && new FloatShader(scene, light, most, threads) is { error: < MostError } shader ? shader : null;
+        FloatBytes.IsSupported && new FloatShader(scene, light, most, threads) is { error: < MaxError } shader ? shader : null;
 
     /// <summary>Whether it can shade a stream of this form.</summary>
     public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % FloatBytes.Count == 0;
@@ -47,14 +47,14 @@ internal sealed class FloatShader
         var slack = Lanes.Broadcast<F>(error);
         for (var i = 0; i < rays.Length; i += F.Count)
         {
-            var places = rays.PlacesAt<F>(i);
+            var colorIndices = rays.ColorIndicesAt<F>(i);
             var light = scene.Attenuation(rays.NearestInFloatsAt<F>(i)) * Lanes.Broadcast<F>(colors.Step);
-            var color = F.ColorsAt(packed, places);
+            var color = F.ColorsAt(packed, colorIndices);
             var (r, g, b) = (Color.Level(light * color.R), Color.Level(light * color.G), Color.Level(light * color.B));
-            var place = first + i / rays.Width * step + 3 * (i % rays.Width);
+            var offset = first + i / rays.Width * step + 3 * (i % rays.Width);
             var (least, most) = (F.Pixels(r - slack, g - slack, b - slack), F.Pixels(r + slack, g + slack, b + slack));
-            var isUnsure = F.WriteRange(least, most, places, background, rgb, place) != 0; // never the background, which is not attenuated
-            if (isUnsure) exact.Shade(rays, i, rgb.AsSpan(place, 3 * F.Count));
+            var isUnsure = F.WriteRange(least, most, colorIndices, background, rgb, offset) != 0; // never the background, which is not attenuated
+            if (isUnsure) exact.Shade(rays, i, rgb.AsSpan(offset, 3 * F.Count));
         }
     }
 }

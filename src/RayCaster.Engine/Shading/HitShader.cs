@@ -8,14 +8,14 @@ internal sealed class HitShader
     private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
     private readonly FloatShader? floats;
 
-    /// <param name="isLong">Whether there are enough pixels for the float path to pay.</param>
-    public HitShader(Scene scene, bool isLong, int threads)
+    /// <param name="usesFloats">Whether there are enough pixels for the float path to pay.</param>
+    public HitShader(Scene scene, bool usesFloats, int threads)
     {
         Scene = scene;
         var (r, g, b) = scene.Background.ToBytes();
         for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
         (colors, var most) = ColorsOf(scene, threads);
-        floats = isLong ? FloatShader.For(scene, colors, most.Max(), threads) : null;
+        floats = usesFloats ? FloatShader.For(scene, colors, most.Max(), threads) : null;
     }
 
     public Scene Scene { get; }
@@ -40,7 +40,7 @@ internal sealed class HitShader
         {
             var models = rays.ModelsAt<Packet>(first);
             var attenuation = Packet.Select(models < 0, 1, Scene.Attenuation(rays.NearestAt<Packet>(first))); // 1 leaves the background as it is
-            var (a, b, c, d) = (PlaceOf(models.Lanes[0]), PlaceOf(models.Lanes[1]), PlaceOf(models.Lanes[2]), PlaceOf(models.Lanes[3]));
+            var (a, b, c, d) = (ColorOf(models.Lanes[0]), ColorOf(models.Lanes[1]), ColorOf(models.Lanes[2]), ColorOf(models.Lanes[3]));
             var pixels = Vector128<int>.Zero;
             for (var channel = 2; channel >= 0; channel--)
             {
@@ -65,7 +65,7 @@ internal sealed class HitShader
 
     /// <summary>The position of a model's colour; the background's for −1.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int PlaceOf(double model) => 3 * (int)model + 3;
+    private static int ColorOf(double model) => 3 * (int)model + 3;
 
     /// <summary>The colours, and the greatest channels of their shares.</summary>
     private static (double[] Colors, double[] Most) ColorsOf(Scene scene, int threads)

@@ -17,7 +17,7 @@ internal abstract class ShapeView<N>(Bounds? bounds, Camera camera) : ModelView 
         var hit = clip.First(crossings, parts.DepthPerT, nearCounts);
         return new(
             // a hit that counts is not behind the camera
-            WidePacket.Select(hit.IsNothing, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)),
+            WidePacket.Select(hit.IsAlwaysNaN, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)),
             WidePacket.Select(hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
             nearCounts.Lo);
     }

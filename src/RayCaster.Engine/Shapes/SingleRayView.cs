@@ -1,7 +1,10 @@
 namespace RayCaster.Engine;
 
 /// <summary>A scalar shape, which is intersected ray by ray.</summary>
-internal sealed class SingleRayView(Model model) : ModelView
+internal sealed class SingleRayView(Model model, Camera camera) : ModelView
 {
-    public override void Intersect(RayStream rays, int index) => rays.MeetOneByOne(model, index);
+    public override Tile Extent { get; } =
+        model.Bounds is { } bounds ? Tile.Of(bounds.PaddedFrom(camera.Position), camera) : Tile.Everywhere;
+
+    public override void Intersect(RayStream rays, int index) => rays.IntersectOneByOne(model, index);
 }

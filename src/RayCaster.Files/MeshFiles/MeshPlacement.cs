@@ -5,15 +5,20 @@ namespace RayCaster.Files;
 /// <param name="Rotate">Right-handed turns about the x, y and z axis, in degrees, in this order.</param>
 public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vector3 Translate)
 {
+    /// <summary>The largest coordinate or radius in a scene, in absolute value: products of a few larger ones are beyond the largest
+    /// double.</summary>
+    internal const double MaxCoordinate = 1e100;
+
     /// <summary>The mesh as a model, without the triangles that have no area where they are placed.</summary>
     /// <param name="data">
     /// The file's vertices and triangles. The model shares the array of vertices if none is moved, and the array of indices if no triangle is
     /// dropped.
     /// </param>
-    /// <exception cref="OverflowException">A placed vertex is not finite.</exception>
+    /// <exception cref="OverflowException">A placed vertex is farther than 1e100 from the origin.</exception>
     public Mesh Place(MeshData data, out int dropped)
     {
         var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices);
+        ThrowIfTooFar(vertices);
         var indices = WithoutFlat(data.Indices, vertices);
         dropped = (data.Indices.Length - indices.Length) / 3;
         return new Mesh(vertices, indices);
@@ -36,11 +41,20 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
             p = new(p.X, cx * p.Y - sx * p.Z, sx * p.Y + cx * p.Z);
             p = new(cy * p.X + sy * p.Z, p.Y, cy * p.Z - sy * p.X);
             p = new(cz * p.X - sz * p.Y, sz * p.X + cz * p.Y, p.Z);
-            placed[i] = p += translate;
-            if (!(double.IsFinite(p.X) && double.IsFinite(p.Y) && double.IsFinite(p.Z)))
-                throw new OverflowException($"vertex {i + 1} is placed at {p}, beyond the largest number");
+            placed[i] = p + translate;
         }
         return placed;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private static void ThrowIfTooFar(Vector3[] vertices)
+    {
+        for (var i = 0; i < vertices.Length; i++)
+        {
+            ref readonly var p = ref vertices[i];
+            if (!(Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))) <= MaxCoordinate)) // also NaN
+                throw new OverflowException($"vertex {i + 1} is placed at {p}, but coordinates may be from -1e100 to 1e100");
+        }
     }
 
     /// <summary>The triangles that have an area: the same array where all have.</summary>

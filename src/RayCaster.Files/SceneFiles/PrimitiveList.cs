@@ -18,7 +18,7 @@ internal static class PrimitiveList
         new("sphere", "A sphere, seen from outside or from inside.", o =>
             Model.Of(new Sphere(
                 o.Vector("center", "C, the centre."),
-                o.Positive("radius", "R, greater than 0.")))),
+                o.Radius("radius", "R, greater than 0.")))),
 
         new("aabb", "A box with its sides along the axes; it may be flat.", Box),
 
@@ -26,7 +26,7 @@ internal static class PrimitiveList
             Model.Of(new Circle(
                 o.Vector("center", "C, the centre."),
                 o.Direction("normal", "n, across the disc; any length but zero."),
-                o.Positive("radius", "R, greater than 0.")))),
+                o.Radius("radius", "R, greater than 0.")))),
 
         new("triangle", "A triangle, visible from both sides.", Triangle),
 

@@ -35,6 +35,7 @@ internal sealed record Limits(double Least, double Most, bool IsOpen, bool IsZer
     public static readonly Limits Positive = new(0, double.PositiveInfinity, true);
     public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false);
     public static readonly Limits NotZero = None with { IsZeroRefused = true };
+    public static readonly Limits Coordinate = From(-MeshPlacement.MaxCoordinate, MeshPlacement.MaxCoordinate);
 
     /// <summary>Numbers between two limits, which are excluded.</summary>
     public static Limits Between(double least, double most) => new(least, most, true);
@@ -48,6 +49,7 @@ internal sealed record Limits(double Least, double Most, bool IsOpen, bool IsZer
         : this == Positive ? "greater than 0"
         : this == NotNegative ? "at least 0"
         : this == NotZero ? "other than 0"
+        : this == Coordinate ? "from -1e100 to 1e100"
         : FormattableString.Invariant(IsOpen ? $"greater than {Least} and less than {Most}" : (FormattableString)$"from {Least} to {Most}");
 
     public bool Allow(double number) =>

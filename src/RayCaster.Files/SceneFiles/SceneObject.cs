@@ -57,7 +57,12 @@ internal sealed class SceneObject
 
     private string Path => index is { } i ? $"{path}[{i}]" : path;
 
-    public double Positive(string key, string meaning) => Number(key, meaning, Limits.Positive);
+    public double Radius(string key, string meaning)
+    {
+        var radius = Number(key, meaning, Limits.Positive);
+        if (radius > Limits.Coordinate.Most) Refuse(key, $" must be at most 1e100, but is {Place(key, null)?.AsWritten}");
+        return radius;
+    }
 
     public double Number(string key, string meaning, Limits limits, double? orElse = null)
     {
@@ -80,12 +85,12 @@ internal sealed class SceneObject
         return double.IsNaN(number) ? orElse : (int)number;
     }
 
-    public Vector3 Vector(string key, string meaning, Vector3? orElse = null) => Vector(key, KeyKind.Vector, meaning, orElse);
+    public Vector3 Vector(string key, string meaning, Vector3? orElse = null) => Vector(key, KeyKind.Vector, meaning, Limits.Coordinate, orElse);
 
     /// <summary>A vector of any length but zero.</summary>
     public Vector3 Direction(string key, string meaning, Vector3? orElse = null)
     {
-        var direction = Vector(key, KeyKind.Direction, meaning, orElse);
+        var direction = Vector(key, KeyKind.Direction, meaning, Limits.None, orElse);
         if (direction.Length != 0) return direction;
         Refuse(key, $" must not be {Place(key, null)?.AsWritten}, which has no direction");
         return NoVector;
@@ -220,10 +225,10 @@ internal sealed class SceneObject
         return value;
     }
 
-    private Vector3 Vector(string key, KeyKind kind, string meaning, Vector3? orElse)
+    private Vector3 Vector(string key, KeyKind kind, string meaning, Limits limits, Vector3? orElse)
     {
         described?.Add(new(key, kind, meaning, orElse is null, orElse));
-        return Take(key, meaning, orElse is null) is { } value ? VectorAt(value, key, Limits.None, VectorForm) : orElse ?? NoVector;
+        return Take(key, meaning, orElse is null) is { } value ? VectorAt(value, key, limits, VectorForm) : orElse ?? NoVector;
     }
 
     private bool IsText(JsonValue value, string key, int? element = null)

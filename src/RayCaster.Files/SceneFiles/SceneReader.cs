@@ -102,7 +102,7 @@ public static class SceneReader
         o.Close();
 
         var view = camera.Target - camera.Position;
-        if (view.Length == 0 || double.IsInfinity(view.Length) || Camera.IsParallel(camera.Up, view)) RefuseView(o, camera);
+        if (view.Length == 0 || Camera.IsParallel(camera.Up, view)) RefuseView(o, camera);
         if (camera.ZFar <= camera.ZNear) RefuseDepths(o, camera.ZNear, camera.ZFar);
         if ((long)camera.Width * camera.Height > Camera.MaxPixels) RefuseSize(o, camera.Width, camera.Height);
         if (camera.FovY is >= 0.2 and < 3) WarnOfRadians(o, camera.FovY);
@@ -111,10 +111,9 @@ public static class SceneReader
 
     private static void RefuseView(SceneObject o, Camera camera)
     {
-        var (distance, position) = ((camera.Target - camera.Position).Length, o.PathOf("position"));
+        var position = o.PathOf("position");
         var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
-        if (distance == 0) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
-        else if (double.IsInfinity(distance)) o.Refuse("target", $" is too far from {position}: the distance is beyond the largest number");
+        if (camera.Target == camera.Position) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
         else o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {position}, but is {camera.Up}{remedy}");
     }
 

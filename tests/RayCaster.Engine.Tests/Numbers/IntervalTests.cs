@@ -45,7 +45,7 @@ public class IntervalTests
     [InlineData("aabb")]
     [InlineData("circle")]
     public void ARegionFarBesideABoundedShapeSurelyMissesIt(string shape) =>
-        Assert.True(Lanes.All(Primitives[shape].Intersect(Region(0.4, 0.4, 0.02)).Near.IsNothing));
+        Assert.True(Lanes.All(Primitives[shape].Intersect(Region(0.4, 0.4, 0.02)).Near.IsAlwaysNaN));
 
     [Theory]
     [MemberData(nameof(Shapes))]
@@ -91,7 +91,7 @@ public class IntervalTests
     }
 
     private static bool Contains(Range range, double x) =>
-        Lanes.All(range.IsNothing) ? double.IsNaN(x)
+        Lanes.All(range.IsAlwaysNaN) ? double.IsNaN(x)
             : double.IsNaN(x) ? Lanes.All(range.MayBeNaN) : Lo(range) <= x && x <= Hi(range) && Math.Abs(x) >= Gap(range);
 
     private static double Lo(Range range) => range.Lo.Lanes[0];

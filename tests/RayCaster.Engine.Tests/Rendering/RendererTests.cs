@@ -8,19 +8,44 @@ public class RendererTests
     [InlineData(2)]
     [InlineData(3)]
     [InlineData(4)]
-    public void RandomScenesComeOutToTheBit(int seed)
-    {
-        for (var i = 0; i < ScenesOfASeed; i++) AssertEqual(RandomScene.Make(new Random(seed * 1_000_000 + i)), $"scene {i} of seed {seed}");
-    }
+    public void RandomScenesComeOutToTheBit(int seed) => AssertEqual(seed, RandomScene.Make, ScenesOfASeed);
 
     [Theory]
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
     [InlineData(4)]
-    public void RandomCrowdsComeOutToTheBit(int seed)
+    public void RandomCrowdsComeOutToTheBit(int seed) => AssertEqual(seed, random => RandomCrowd.Make(random), ScenesOfASeed);
+
+    /// <summary>Where the coordinates are much larger than the things, whatever is rounded before the camera's position is subtracted loses
+    /// hits.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1e3)]
+    [InlineData(1e5)]
+    [InlineData(4e6)] // metres of a map
+    [InlineData(1e8)]
+    [InlineData(1e10)]
+    [InlineData(1e12)]
+    public void CrowdsFarFromTheOriginComeOutToTheBit(double distance) =>
+        AssertEqual(5, random => RandomCrowd.Make(random, distance), ScenesOfASeed);
+
+    /// <summary>So few models that each is drawn by itself.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(4e6)]
+    [InlineData(1e8)]
+    [InlineData(1e12)]
+    public void SomeModelsFarFromTheOriginComeOutToTheBit(double distance) =>
+        AssertEqual(6, random => RandomCrowd.Make(random, distance, least: 8), 4 * ScenesOfASeed);
+
+    /// <summary>Compares random scenes; fails if most pictures show only one thing.</summary>
+    internal static void AssertEqual(int seed, Func<Random, Scene> make, int count)
     {
-        for (var i = 0; i < ScenesOfASeed; i++) AssertEqual(RandomCrowd.Make(new Random(seed * 1_000_000 + i)), $"crowd {i} of seed {seed}");
+        var empty = 0;
+        for (var i = 0; i < count; i++)
+            if (AssertEqual(make(new Random(seed * 1_000_000 + i)), $"scene {i} of seed {seed}") < 2) empty++;
+        Assert.True(empty <= 0.3 * count, $"{empty} of {count} scenes show less than two models: they test little");
     }
 
     /// <summary>A sample; .ci/run and longer campaigns set RAYCASTER_SCENES (docs/performance.md).</summary>
@@ -220,6 +245,76 @@ public class RendererTests
         Assert.Throws<OperationCanceledException>(() => renderer.Draw(.., _ => cancellation.Cancel(), null, cancellation.Token));
     }
 
+    [Fact]
+    public void CancellingStopsTheWorkBetweenStrips()
+    {
+        using var cancellation = new CancellationTokenSource();
+        var watched = new Watched(Model.Of(new Sphere(Vector3.Zero, 1)), _ => cancellation.Cancel());
+        var camera = new Camera(new(5, 0, 0), Vector3.Zero) { Width = 600, Height = 600 };
+        var renderer = new Renderer(new(camera, [watched]), threads: 1);
+        Assert.Throws<OperationCanceledException>(() => renderer.CastHits(null, cancellation.Token));
+        Assert.Throws<OperationCanceledException>(() => renderer.DrawInto(new Picture(600, 600), cancellation.Token));
+        Assert.InRange(watched.Rays.Count, 1, Tile.MaxStrip * Tile.MaxSide);
+    }
+
+    /// <summary>Such a camera's pixels are so close together that a mesh gets a hierarchy of boxes.</summary>
+    [Theory]
+    [InlineData(45)]
+    [InlineData(1e-11)]
+    public void CancellingStopsThePreparationOfAMesh(double fovY)
+    {
+        var mesh = MeshGenerator.Icosphere(3);
+        var camera = new Camera(new(5, 0, 0), Vector3.Zero) { FovY = fovY, Width = 1, Height = 1 };
+        var screen = new ScreenSpace(camera);
+        Assert.Equal(fovY > 1, screen.IsFine);
+        Assert.Throws<OperationCanceledException>(() => new MeshView<Packet>(new Mesh(mesh.Vertices, mesh.Indices), screen, new(true)));
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(-1)]
+    public void LessThanOneThreadIsRefused(int threads) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => new Renderer(RandomScene.Make(new Random(1)), threads));
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void AnErrorOfAShapeKeepsTheStackOfItsThread(int threads)
+    {
+        var faulty = new Watched(Model.Of(new Sphere(Vector3.Zero, 1)), _ => throw new InvalidOperationException());
+        var camera = new Camera(new(5, 0, 0), Vector3.Zero) { Width = 600, Height = 600 };
+        var error = Assert.Throws<InvalidOperationException>(() => new Renderer(new(camera, [faulty]), threads).Draw(.., _ => { }));
+        Assert.Contains(nameof(Watched), error.StackTrace);
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void ScalarShapesShareARayInEachPixelNearThem(bool mayBeSmall)
+    {
+        Watched left = new(Model.Of(new Sphere(new(0, -1, 0), 1))), right = new(Model.Of(new Sphere(new(0, -1.5, 0), 1)));
+        var camera = new Camera(new(15, 0, 0), Vector3.Zero) { Width = 400, Height = 400 };
+        var scene = new Scene(camera, [left, right]);
+        new Renderer(scene, threads: 1) { MayBeSmall = mayBeSmall }.Draw(.., _ => { });
+        Assert.InRange(left.Rays.Count, 1, 400 * 400 / 4);
+        Assert.Contains(left.Rays, right.Rays.Contains);
+    }
+
+    /// <summary>A scalar shape that keeps the rays that it was intersected with.</summary>
+    private sealed class Watched(Model shape, Action<Ray>? watch = null) : Model
+    {
+        public HashSet<Ray> Rays { get; } = new(ReferenceEqualityComparer.Instance);
+
+        public override Bounds? Bounds => shape.Bounds;
+
+        public override double? Intersect(Ray ray)
+        {
+            Rays.Add(ray);
+            watch?.Invoke(ray);
+            return shape.Intersect(ray);
+        }
+    }
+
     /// <summary>Floats cannot tell which of two planes is in front that lie some millionths apart, and neither can a byte wait for doubles to be
     /// asked everywhere.</summary>
     [Theory]
@@ -237,7 +332,8 @@ public class RendererTests
     }
 
     /// <summary>Compares the model, the bits of t and the bytes of every pixel, with and without the kernels for many frames.</summary>
-    internal static void AssertEqual(Scene scene, string what)
+    /// <returns>How many models show; the background counts as one.</returns>
+    internal static int AssertEqual(Scene scene, string what)
     {
         var definition = new Ray[scene.Camera.Height, scene.Camera.Width];
         for (var row = 0; row < scene.Camera.Height; row++)
@@ -245,6 +341,7 @@ public class RendererTests
                 definition[row, column] = ScalarRenderer.Cast(scene, column, row);
         AssertEqual(scene, definition, new Renderer(scene, threads: 1), what);
         AssertEqual(scene, definition, new Renderer(scene) { ManyFrames = true }, $"{what}, one of many frames");
+        return definition.Cast<Ray>().DistinctBy(ray => ray.HitModel).Count();
     }
 
     private static void AssertEqual(Scene scene, Ray[,] definition, Renderer renderer, string what)

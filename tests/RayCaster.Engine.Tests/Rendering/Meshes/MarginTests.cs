@@ -11,15 +11,15 @@ public class MarginTests
 
     [Fact]
     public void WithoutTheNearBoundOfSureHitsTrianglesHideOthersWhereTheNearPlaneCutsThem() =>
-        AssertNeeded(random => CutBy(2 + 0.03 * random.NextDouble(), 100), camera => new(camera) { MostSureW = float.MaxValue });
+        AssertNeeded(random => CutBy(2 + 0.03 * random.NextDouble(), 100), camera => new(camera) { MaxSureInverseDepth = float.MaxValue });
 
     [Fact]
     public void WithoutTheFarBoundOfSureHitsTrianglesCoverWhereTheFarPlaneCutsThem() =>
-        AssertNeeded(random => CutBy(0.01, 2.02 + 0.04 * random.NextDouble()), camera => new(camera) { LeastSureW = 0 });
+        AssertNeeded(random => CutBy(0.01, 2.02 + 0.04 * random.NextDouble()), camera => new(camera) { MinSureInverseDepth = 0 });
 
     [Fact]
     public void WithoutTheLeastWidthNeedlesAreTakenToLieWhereTheyDoNot() =>
-        AssertNeeded(random => Needles(random, thinnest: -6, 1000), camera => new(camera) { LeastWidth = 0 });
+        AssertNeeded(random => Needles(random, thinnest: -6, 1000), camera => new(camera) { MinWidth = 0 });
 
     [Fact]
     public void WithoutTheMarginOfRoundingNeedlesAreTakenToLieWhereTheyDoNot() =>
@@ -252,7 +252,7 @@ public class MarginTests
     {
         var camera = scene.Camera;
         object? shared = null;
-        var view = new MeshView<Packet>((Mesh)scene.Models[0], screen).ForThread(ref shared);
+        var view = new MeshView<Packet>((Mesh)scene.Models[0], screen, default).ForThread(ref shared);
         var (span, wrong) = (new RayStream(camera), 0);
         for (var column = 0; column < camera.Width; column += Tile.MaxSide)
         {
@@ -268,7 +268,7 @@ public class MarginTests
                     for (var i = 0; i < tile.Width; i++)
                     {
                         var t = definition[r, column + i];
-                        if (!span.T[i].Equals(t) || t < range.Least || t > range.Cover) wrong++;
+                        if (!span.T[i].Equals(t) || t < range.NearestT || t > range.FarthestT) wrong++;
                     }
                 }
             }

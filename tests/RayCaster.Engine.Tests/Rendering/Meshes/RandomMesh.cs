@@ -4,11 +4,11 @@ namespace RayCaster.Engine.Tests.Rendering.Meshes;
 /// sizes.</summary>
 internal static class RandomMesh
 {
-    public static Scene Make(Random random)
+    public static Scene Make(Random random) => Testing.Some.SceneThatShows(random, random =>
     {
         var (camera, mesh) = MakeParts(random);
         return new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
-    }
+    });
 
     public static (Camera Camera, MeshData Mesh) MakeParts(Random random)
     {

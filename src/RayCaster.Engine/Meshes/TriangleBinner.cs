@@ -2,7 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>Finds the tiles of triangles, eight at a time; each thread has its own.</summary>
 /// <param name="duplicates">The large triangles so far; null if duplicates do not matter.</param>
-internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplicates? duplicates)
+internal sealed class TriangleBinner(ScreenSpace screen, Corners corners, Duplicates? duplicates)
 {
     /// <summary>A triangle in more tiles than this goes to all tiles, so that a million large ones do not fill each tile's list.</summary>
     private const int ManyTiles = 64;
@@ -23,10 +23,10 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
         var margin = Vector256.Create(screen.Margin);
         var (lastColumn, lastRow) = (Vector256.Create(screen.Camera.Width - 1f), Vector256.Create(screen.Camera.Height - 1f));
         var spread = Vector256.Create((float)(4 / screen.Scale));
-        var (leastW, mostW) = (Vector256.Create(screen.LeastW), Vector256.Create(screen.MostW));
+        var (minInverseDepth, maxInverseDepth) = (Vector256.Create(screen.MinInverseDepth), Vector256.Create(screen.MaxInverseDepth));
         Span<int> ids = stackalloc int[8];
         Span<int> box = stackalloc int[32];
-        Span<float> w = stackalloc float[8];
+        Span<float> inverseDepths = stackalloc float[8];
         for (; first < end; first += 8)
         {
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
@@ -40,13 +40,14 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             var column1 = Vector256.MinNative(Vector256.Floor(right + margin), lastColumn);
             var row0 = Vector256.MaxNative(Vector256.Ceiling(bottom - margin), zero);
             var row1 = Vector256.MinNative(Vector256.Floor(top + margin), lastRow);
-            var fit = screen.IsFit(t.A.X, t.A.Y, t.A.W) & screen.IsFit(t.B.X, t.B.Y, t.B.W) & screen.IsFit(t.C.X, t.C.Y, t.C.W);
+            var fit = screen.IsFit(t.A) & screen.IsFit(t.B) & screen.IsFit(t.C);
             var shows = Vector256.LessThanOrEqual(column0, column1) & Vector256.LessThanOrEqual(row0, row1);
 
-            // The range of w that counts; see TriangleSetUp on the stretch of the corners' w.
+            // The range of inverse depth that counts; see TriangleSetUp on the stretch of the corners' inverse depth.
             var stretch = size * spread;
-            shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.A.W, t.B.W, t.C.W) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
-            shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
+            var (most, least) = (t.MaxInverseDepth, t.MinInverseDepth);
+            shows &= Vector256.GreaterThanOrEqual(most * (one + stretch), minInverseDepth) | Vector256.GreaterThan(stretch, one);
+            shows &= Vector256.LessThanOrEqual(least * (one - stretch), maxInverseDepth);
 
             shows &= fit;
             var inRange = end - first >= 8 ? 0xFFu : (1u << (end - first)) - 1;
@@ -63,20 +64,20 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             Vector256.ConvertToInt32(column1).CopyTo(box[8..]);
             Vector256.ConvertToInt32(row0).CopyTo(box[16..]);
             Vector256.ConvertToInt32(row1).CopyTo(box[24..]);
-            (TriangleSetUp.StretchedW(Lanes.Most(t.A.W, t.B.W, t.C.W), size, screen) * Vector256.Create(1 + 1e-5f)).CopyTo(w);
+            (TriangleSetUp.StretchedInverseDepth(most, size, screen) * Vector256.Create(1 + 1e-5f)).CopyTo(inverseDepths);
             for (; bits != 0; bits &= bits - 1)
             {
                 var i = BitOperations.TrailingZeroCount(bits);
-                Place(first + i, w[i], (uint)box[i], (uint)box[i + 8], (uint)box[i + 16], (uint)box[i + 24]);
+                Bin(first + i, inverseDepths[i], (uint)box[i], (uint)box[i + 8], (uint)box[i + 16], (uint)box[i + 24]);
             }
         }
     }
 
-    private void Place(int triangle, float mostW, uint left, uint right, uint bottom, uint top)
+    private void Bin(int triangle, float maxInverseDepth, uint left, uint right, uint bottom, uint top)
     {
         var tiles = TileLists.TilesOf(left, right, bottom, top);
         if (tiles > 1 && duplicates is not null && duplicates.HasEarlier(triangle)) return;
-        if (tiles <= ManyTiles) Lists.Add(new(triangle, 1), mostW, left, right, bottom, top);
+        if (tiles <= ManyTiles) Lists.Add(new(triangle, 1), maxInverseDepth, left, right, bottom, top);
         else Large.Add(new(triangle, 1));
     }
 }

@@ -2,18 +2,18 @@ namespace RayCaster.Engine;
 
 /// <summary>Finds the tiles in which a mesh's clusters may show; each thread has its own. Where a cluster's box says too little, it sorts the
 /// cluster's triangles one by one.</summary>
-internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
+internal sealed class ClusterBinner<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleBinner each) where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>In a larger rectangle of pixels the triangles are sorted one by one: they are large, or far from each other.</summary>
     private const long LargeArea = 4 * Tile.MaxSide * Tile.MaxSide;
 
     /// <summary>At depth 1 a ray is at least this far from the eye along the axis that it follows most: 1/√3.</summary>
-    private const double LeastAlong = 0.57;
+    private const double MinAlong = 0.57;
 
     private readonly (int Axis, double At, double Right, double Up)[] mainAxes = [.. MainAxes(screen)];
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
-    private int firstOfMost = -1; // the first of the clusters whose greatest w is known
+    private int firstOfMax = -1; // the first of the clusters whose greatest inverse depth is known
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
@@ -28,7 +28,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
                 var (begin, stop) = boxes.TrianglesOf(first + BitOperations.TrailingZeroCount(unfit));
                 each.Add(begin, stop);
             }
-            for (shows &= all; shows != 0; shows &= shows - 1) Place(first, BitOperations.TrailingZeroCount(shows));
+            for (shows &= all; shows != 0; shows &= shows - 1) Bin(first, BitOperations.TrailingZeroCount(shows));
         }
     }
 
@@ -50,9 +50,9 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         Project(screen.Camera.U, screen.CenterX, screen.Camera.Width, left, right);
         Project(screen.Camera.V, screen.CenterY, screen.Camera.Height, bottom, top);
 
-        // The w of a sliver may be stretched; see TriangleSetUp.
-        var leastW = w0 * (N)(1 - 1e-5) * ((N)1.0 - size * (N)(4 / screen.Scale));
-        shows &= leastW <= (N)(double)screen.MostW;
+        // The inverse depth of a sliver may be stretched; see TriangleSetUp.
+        var minInverseDepth = w0 * (N)(1 - 1e-5) * ((N)1.0 - size * (N)(4 / screen.Scale));
+        shows &= minInverseDepth <= (N)(double)screen.MaxInverseDepth;
         if (!Lanes.All(fit)) fit |= IsOutside(center, half);
         return (N.Bits(fit), N.Bits(shows));
 
@@ -67,20 +67,20 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
             fit &= (least >= -guard) & (most <= end + guard);
             shows &= (least < end) & (most >= none);
             size += most - least;
-            Keep(first, least, end - (N)1.0);
-            Keep(last, most, end - (N)1.0);
+            StoreClamped(first, least, end - (N)1.0);
+            StoreClamped(last, most, end - (N)1.0);
         }
     }
 
-    /// <summary>Finds the greatest w of hits in some boxes.</summary>
+    /// <summary>Finds the greatest inverse depth of hits in some boxes.</summary>
     /// <remarks>The formula finds hits, also in triangles seen edge-on, only between their corners along the axis that the ray follows most. A ray
-    /// that is at a at depth 1 reaches the box's nearer side b at depth b / a, where w is a / b; over the rectangle a is greatest in a
+    /// that is at a at depth 1 reaches the box's nearer side b at depth b / a, where inverse depth is a / b; over the rectangle a is greatest in a
     /// corner.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void FindMost(int first)
+    private void FindMaxInverseDepth(int first)
     {
         var (low, high) = Bounds(first);
-        N most = 0.0, none = 0.0, mainly = LeastAlong;
+        N most = 0.0, none = 0.0, mainly = MinAlong;
         foreach (var (axis, at, right, up) in mainAxes)
         {
             var along = (N)at + (N)right * N.Load(right > 0 ? this.right : left, 0) + (N)up * N.Load(up > 0 ? top : bottom, 0);
@@ -90,7 +90,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
             most = N.Max(most, N.Select(isMain, N.Select(near > none, along / near, double.PositiveInfinity), none));
         }
         (most * (N)(screen.Unit * (1 + 1e-5))).Store(this.most, 0);
-        firstOfMost = first;
+        firstOfMax = first;
     }
 
     /// <summary>Boxes seen from the camera's position.</summary>
@@ -102,8 +102,8 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         return (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
     }
 
-    /// <summary>The axes (0 to 2), and the directions against them (3 to 5), that a ray may follow most, with the place along them of the ray of
-    /// pixel (0, 0) at depth 1, and its change from column to column and from row to row.</summary>
+    /// <summary>The axes (0 to 2), and the directions against them (3 to 5), that a ray may follow most, with the coordinate along them of the ray
+    /// of pixel (0, 0) at depth 1, and its change from column to column and from row to row.</summary>
     private static IEnumerable<(int Axis, double At, double Right, double Up)> MainAxes(ScreenSpace screen)
     {
         var camera = screen.Camera;
@@ -113,7 +113,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         {
             var sign = axis < 3 ? 1 : -1;
             var (at, x, y) = (sign * Along(corner), sign * Along(right), sign * Along(up));
-            if (at + Math.Max(0, x * camera.Width) + Math.Max(0, y * camera.Height) >= LeastAlong) yield return (axis, at, x, y);
+            if (at + Math.Max(0, x * camera.Width) + Math.Max(0, y * camera.Height) >= MinAlong) yield return (axis, at, x, y);
 
             double Along(Vector3 v) => (axis % 3) switch { 0 => v.X, 1 => v.Y, _ => v.Z };
         }
@@ -136,23 +136,23 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
 
     /// <summary>Stores places, moved into the picture; their whole parts are pixels.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Keep(double[] pixels, N place, N last) =>
-        N.Select(place >= (N)0.0, N.Select(place < last, place, last), 0.0).Store(pixels, 0);
+    private static void StoreClamped(double[] pixels, N pixel, N last) =>
+        N.Select(pixel >= (N)0.0, N.Select(pixel < last, pixel, last), 0.0).Store(pixels, 0);
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Place(int cluster, int i)
+    private void Bin(int cluster, int i)
     {
         if (Math.Ceiling(left[i]) > right[i] || Math.Ceiling(bottom[i]) > top[i]) return; // between samples
-        if (firstOfMost != cluster) FindMost(cluster);
-        if (!(most[i] >= screen.LeastW)) return;
+        if (firstOfMax != cluster) FindMaxInverseDepth(cluster);
+        if (!(most[i] >= screen.MinInverseDepth)) return;
         var (first, end) = boxes.TrianglesOf(cluster + i);
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
         if ((x1 - x0 + 1L) * (y1 - y0 + 1L) > LargeArea) each.Add(first, end);
-        else each.Lists.Add(new(first, boxes.Length), (float)most[i], x0, x1, y0, y1);
+        else each.Lists.Add(new(first, TriangleCluster.Length), (float)most[i], x0, x1, y0, y1);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static uint Pixel(double place) => (uint)double.ConvertToIntegerNative<int>(place);
+    private static uint Pixel(double pixel) => (uint)double.ConvertToIntegerNative<int>(pixel);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static (N Least, N Most) Range(Vector3 axis, Vector3<N> center, Vector3<N> half)
