@@ -1,8 +1,8 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Draws with the engine. If the course's library was changed, compares some pixels with the definition, and draws by the definition as soon as
-/// one differs. With <c>--plain</c>, draws by the definition from the start.
+/// Draws small pictures by the definition, and others with the engine, until a pixel of the engine's differs from the definition. With
+/// <c>--plain</c>, draws every picture by the definition.
 /// </summary>
 /// <param name="manyFrames">Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</param>
 internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, bool manyFrames = false)
@@ -11,44 +11,39 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
     /// memory.</summary>
     private const long PixelsAtOnce = 1 << 22;
 
-    private readonly Renderer fast = new(scene, threads) { ManyFrames = manyFrames };
-    private bool isByDefinition = plain;
+    /// <summary>With no more rays times models, starting the engine takes longer than drawing by the definition.</summary>
+    private const long SmallWork = 3_000_000;
+
+    private readonly Renderer engine = new(scene, threads) { ManyFrames = manyFrames };
+    private bool isByDefinition = plain || (!manyFrames && IsSmall(scene));
 
     public Scene Scene => scene;
 
     /// <param name="write">Receives whole lines of red, green and blue bytes.</param>
     /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
-    /// <exception cref="FastWayDisagreesException">All lines were drawn, but some differ from the definition. A message was shown; the next call
+    /// <exception cref="EngineDisagreesException">All lines were drawn, but a pixel differs from the definition. A message was shown; the next call
     /// draws by the definition.</exception>
     public void Draw(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
-        if (isByDefinition) DrawByDefinition(lines, write, linesDone, cancellation);
-        else if (ScalarRenderer.IsChanged) DrawChecked(lines, write, linesDone, cancellation);
-        else fast.Draw(lines, write, linesDone, cancellation);
-    }
-
-    /// <summary>Compares with the definition before any line is written.</summary>
-    /// <exception cref="FastWayDisagreesException">Some lines differ.</exception>
-    public void CheckInAdvance(LineRange lines, CancellationToken cancellation)
-    {
-        if (!isByDefinition && ScalarRenderer.IsChanged) DrawChecked(lines, _ => { }, null, cancellation);
-    }
-
-    private void DrawChecked(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
-    {
-        var check = new DefinitionCheck(scene, lines);
-        check.Watch(() => fast.Draw(lines, Take, linesDone, cancellation));
-        if (check.FirstDifference() is not { } difference) return;
-        StandardFile.WriteError($"The fast way no longer agrees with your change: {difference}; drawn by ScalarRenderer.");
-        isByDefinition = true;
-        throw new FastWayDisagreesException();
-
-        void Take(ReadOnlySpan<byte> drawn)
+        if (isByDefinition)
         {
-            check.Take(drawn);
-            write(drawn);
+            DrawByDefinition(lines, write, linesDone, cancellation);
+            return;
+        }
+        try
+        {
+            engine.Draw(lines, write, linesDone, cancellation);
+        }
+        catch (EngineDisagreesException e)
+        {
+            StandardStreams.WriteError($"raycaster: {e.Message}. The definition draws the picture.");
+            isByDefinition = true;
+            throw;
         }
     }
+
+    private static bool IsSmall(Scene scene) =>
+        (long)scene.Camera.Width * scene.Camera.Height * scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L) <= SmallWork;
 
     private void DrawByDefinition(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
@@ -63,6 +58,3 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
         }
     }
 }
-
-/// <summary>The lines that were drawn are not the definition's and must not be kept.</summary>
-internal sealed class FastWayDisagreesException : Exception;

@@ -22,8 +22,15 @@ internal abstract class Command
     };
 
     /// <summary>The command that a command line names, even if it is wrong in other ways; null for drawing and for help.</summary>
-    public static string? NameIn(string[] arguments) =>
-        arguments.FirstOrDefault(word => word is not ("draw" or "help") && All.ContainsKey(word));
+    public static string? NameIn(string[] arguments)
+    {
+        for (var i = 0; i < arguments.Length; i++)
+        {
+            if (!arguments[i].StartsWith('-')) return arguments[i] is not ("draw" or "help") && All.ContainsKey(arguments[i]) ? arguments[i] : null;
+            if (Option.Named(arguments[i])?.TakesValue == true) i++;
+        }
+        return null;
+    }
 
     /// <summary>The text of its help page: lines of at most 90 characters. The options are those that begin a line.</summary>
     public abstract string Help { get; }

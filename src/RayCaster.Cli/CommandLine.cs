@@ -3,7 +3,7 @@ namespace RayCaster.Cli;
 /// <summary>The parsed command line: a command, its operands and its options.</summary>
 internal sealed class CommandLine
 {
-    private const int MostOfCore = 4;
+    private const int MaxThreadsPerCore = 4;
 
     private readonly Dictionary<Option, string> values = [];
     private readonly List<string> operands = [];
@@ -23,7 +23,7 @@ internal sealed class CommandLine
     /// <summary>Prints a line about what was done, unless only errors are wanted.</summary>
     public void Tell(string text)
     {
-        if (!Has(Option.Quiet)) StandardFile.WriteError(text);
+        if (!Has(Option.Quiet)) StandardStreams.WriteError(text);
     }
 
     /// <summary>The warnings so far, for an answer in JSON; null if there are none.</summary>
@@ -33,7 +33,7 @@ internal sealed class CommandLine
     public void Warn(string text)
     {
         Warning = Warning is null ? text : $"{Warning} {text}";
-        StandardFile.WriteError(text);
+        StandardStreams.WriteError(text);
     }
 
     public static CommandLine Parse(string[] arguments)
@@ -76,7 +76,10 @@ internal sealed class CommandLine
 
     /// <summary>How many threads; null for one per core. More than a few per core only need memory.</summary>
     public int? ThreadCount() =>
-        Count(Option.Threads, "threads", 1024) is { } threads ? Math.Min(threads, MostOfCore * Environment.ProcessorCount) : null;
+        Count(Option.Threads, "threads", 1024) is { } threads ? Math.Min(threads, MaxThreadsPerCore * Environment.ProcessorCount) : null;
+
+    /// <summary>How long a search for mistakes may take; null for any time.</summary>
+    public SearchBudget? Budget() => Has(Option.Everything) ? null : new(SearchBudget.Usual);
 
     /// <summary>A whole number from 1 to <paramref name="most"/>; null if the option is not given.</summary>
     /// <param name="what">What is counted, for the message if the value is no such number.</param>

@@ -21,6 +21,8 @@ internal sealed class DiagnoseCommand : Command
               --done <parts>   What your program draws already, for example plane,sphere: plane,
                                sphere, aabb, circle, triangle, mesh, attenuation, clipping. If one of
                                these does not show, that is a mistake; other parts may be missing.
+              --all            Tries everything, however long it takes. Otherwise the search ends
+                               after 10 s of processor time.
               --json           Prints everything as JSON, also the answers and errors.
           -t, --threads <n>    How many threads draw. [default: one per core]
 
@@ -41,7 +43,7 @@ internal sealed class DiagnoseCommand : Command
         }
         catch (Exception e) when (line.Has(Option.Json) && e is ProblemException)
         {
-            StandardFile.WriteOutput(DiagnosisReport.Json(e.Message)); // other programs read standard output, also after an error
+            StandardStreams.WriteOutput(DiagnosisReport.Json(e.Message)); // other programs read standard output, also after an error
             throw;
         }
     }
@@ -55,7 +57,7 @@ internal sealed class DiagnoseCommand : Command
         var (threads, json) = (line.ThreadCount(), line.Has(Option.Json));
         if (SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true) is not { } scene)
         {
-            if (json) StandardFile.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
+            if (json) StandardStreams.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
             return ExitCode.CouldNot;
         }
 
@@ -64,14 +66,17 @@ internal sealed class DiagnoseCommand : Command
         var hasOtherSize = (picture.Width, picture.Height) != size && (picture.Height, picture.Width) != size;
         if (hasOtherSize)
         {
-            StandardFile.WriteError($"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
+            StandardStreams.WriteError(
+                $"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
                 "it is compared with the scene drawn in that size");
             scene = scene.WithSize(picture.Width, picture.Height);
         }
-        var prepared = new SceneDiagnosis(scene, threads);
+        var budget = line.Budget();
+        var prepared = new SceneDiagnosis(scene, threads, budget: budget);
         var diagnosis = prepared.Judge(picture, done);
         var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
-        StandardFile.WriteOutput(json
+        if (budget?.LeavesOut == true) line.Warn("Not everything was tried within 10 s of processor time; --all tries everything.");
+        StandardStreams.WriteOutput(json
             ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden) + MoreHelp(diagnosis, level));
         return diagnosis.Finding == Finding.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;

@@ -41,7 +41,7 @@ internal sealed class ExplainCommand : Command
         var explanation = new PixelExplanation(scene,
             Coordinate("column", operands[1], camera.Width, "left to right"), Coordinate("line", operands[2], camera.Height, "top to bottom"));
         var reference = line[Option.Reference] is { } path ? ReferenceExplanation.Of(explanation, ReadReference(path, camera)) : null;
-        StandardFile.WriteOutput(line.Has(Option.Json) ? ExplanationJson.Of(explanation, reference) : ExplanationText.Of(explanation, reference));
+        StandardStreams.WriteOutput(line.Has(Option.Json) ? ExplanationJson.Of(explanation, reference) : ExplanationText.Of(explanation, reference));
         return reference is { Agrees: false } ? ExitCode.No : ExitCode.Done;
     }
 

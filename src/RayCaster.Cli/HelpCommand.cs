@@ -18,7 +18,7 @@ internal sealed class HelpCommand : Command
         var name = line.Operands is [var first, ..] ? first : "help";
         if (!All.TryGetValue(name, out var command))
             throw ProblemException.Usage($"there is no command '{name}'{Spelling.DidYouMean(name, All.Keys, quote: '\'')}");
-        StandardFile.WriteOutput(command.Help);
+        StandardStreams.WriteOutput(command.Help);
         return ExitCode.Done;
     }
 

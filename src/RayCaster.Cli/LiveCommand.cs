@@ -5,9 +5,27 @@ namespace RayCaster.Cli;
 /// <summary>Starts the live page. It is a separate program, because a web server would make this one start more slowly.</summary>
 internal sealed class LiveCommand : Command
 {
-    private const int Glance = 50; // milliseconds
+    private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50);
 
-    public override string Help => Live.LiveHelp.Text;
+    public override string Help => """
+        Description:
+          Opens a page on this machine that shows a scene's picture and draws it again when you
+          save the scene file. Drag to turn the camera; click a pixel to read how it got its
+          colour.
+
+        Usage:
+          raycaster live <scene> [options]
+          dotnet run --project src/RayCaster.Live -- <scene> [options]
+
+        Options:
+              --mine <file>  Compares with a picture (PNG or PPM) of your own program, each time
+                             that your program writes it.
+              --port <n>     The page's port, 1 to 65535. [default: any that is free]
+              --no-browser   Prints the address and opens no browser.
+
+        Exit codes:
+          2 failed, 130 interrupted (Ctrl-C), 143 terminated.
+        """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
@@ -15,13 +33,9 @@ internal sealed class LiveCommand : Command
         foreach (var option in Option.All)
             if (line.Has(option))
                 arguments.AddRange(option.TakesValue ? [option.Name, line[option]!] : [option.Name]);
+        arguments.Add("--until-input-ends"); // however this process ends, the system then closes the pipe
         using var live = Start(arguments);
-        while (!live.WaitForExit(Glance))
-            if (cancellation.IsCancellationRequested)
-            {
-                live.Kill(entireProcessTree: true); // it has nothing to save
-                cancellation.ThrowIfCancellationRequested();
-            }
+        while (!live.WaitForExit(PollInterval)) cancellation.ThrowIfCancellationRequested();
         return live.ExitCode;
     }
 
@@ -35,6 +49,7 @@ internal sealed class LiveCommand : Command
                 "  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>");
         try
         {
+            start.RedirectStandardInput = true;
             return Process.Start(start)!;
         }
         catch (Win32Exception e)

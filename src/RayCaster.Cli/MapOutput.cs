@@ -32,7 +32,7 @@ internal static class MapOutput
             TerminalScreen.Show(preview, colors);
         }
         line.Tell($"{numbers}, {picture}: {map.Width} x {map.Height} pixels{Range(map, kind)}");
-        if (line.Has(Option.Ledger) && !line.Has(Option.Quiet)) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
+        if (line.Has(Option.Ledger) && !line.Has(Option.Quiet)) StandardStreams.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
     }
 

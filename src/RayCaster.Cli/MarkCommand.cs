@@ -43,11 +43,11 @@ internal sealed class MarkCommand : Command
     {
         if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <submissions>");
         var rubric = RubricReader.Read(line.Operands[0], out var report);
-        StandardFile.WriteError(report);
-        if (rubric is null) return ExitCode.No;
+        StandardStreams.WriteError(report);
+        if (rubric is null) return File.Exists(line.Operands[0]) ? ExitCode.No : ExitCode.CouldNot;
         if (line.Operands.Count == 1)
         {
-            StandardFile.WriteOutput(RubricReport.Text(rubric));
+            StandardStreams.WriteOutput(RubricReport.Text(rubric));
             return ExitCode.Done;
         }
 
@@ -58,13 +58,13 @@ internal sealed class MarkCommand : Command
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(
             line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit],
-            (done, all) => progress?.Show(done, all), StandardFile.WriteError);
+            (done, all) => progress?.Show(done, all), StandardStreams.WriteError);
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
         progress?.Dispose();
         var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);
         line.Tell($"{output}: {marks.Count} submission{(marks.Count == 1 ? "" : "s")} marked, {flagged} to look at yourself, {seconds:0.0} s");
         if (marks.Count > 1 && marks.Select(student => student.CommonProblem).Distinct().ToArray() is [not null]) // for one reason
-            StandardFile.WriteError($"No submission has a picture. Does {line.Operands[1]} contain a folder for each student?");
+            StandardStreams.WriteError($"No submission has a picture. Does {line.Operands[1]} contain a folder for each student?");
         return ExitCode.Done;
     }
 }

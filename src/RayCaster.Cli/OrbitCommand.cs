@@ -2,7 +2,7 @@ namespace RayCaster.Cli;
 
 internal sealed class OrbitCommand : Command
 {
-    private const int MostFrames = 1_000_000;
+    private const int MaxFrames = 1_000_000;
 
     public override string Help => """
         Description:
@@ -37,7 +37,7 @@ internal sealed class OrbitCommand : Command
     {
         var path = line.Exactly("<scene>")[0];
         var (threads, quiet) = (line.ThreadCount(), line.Has(Option.Quiet));
-        var frames = line.Count(Option.Frames, "frames", MostFrames)
+        var frames = line.Count(Option.Frames, "frames", MaxFrames)
             ?? throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
         var only = line.Lines(Option.Only, frames, "frames", "a film");
 
@@ -48,7 +48,7 @@ internal sealed class OrbitCommand : Command
         {
             InputFiles.Note([keys]);
             way = CameraPathReader.Read(keys, scene.Camera, out var report);
-            StandardFile.WriteError(report);
+            StandardStreams.WriteError(report);
             if (way is null) return ExitCode.CouldNot;
         }
 
@@ -72,8 +72,8 @@ internal sealed class OrbitCommand : Command
             drawn++;
         }
         var (pixels, seconds) = ($"{scene.Camera.Width} x {scene.Camera.Height} pixels", Stopwatch.GetElapsedTime(start).TotalSeconds);
-        var (place, noun) = (folder == "" ? "." : folder, drawn == 1 ? "frame" : "frames");
-        line.Tell($"{place}: {drawn} {noun} of {pixels} drawn, {only.Count - drawn} existed already, {seconds:0.00} s");
+        line.Tell($"{(folder == "" ? "." : folder)}: {Digits.Count(drawn, "frame")} of {pixels} drawn, " +
+            $"{only.Count - drawn} existed already, {seconds:0.00} s");
         return ExitCode.Done;
     }
 }

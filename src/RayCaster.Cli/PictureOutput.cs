@@ -23,7 +23,7 @@ internal static class PictureOutput
     {
         if (output == SceneInput.Standard)
         {
-            StandardFile.WriteOutput(write);
+            StandardStreams.WriteOutput(write);
             return;
         }
         InputFiles.ThrowIfInput(output);
@@ -41,11 +41,11 @@ internal static class PictureOutput
     {
         try
         {
-            if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // lines on standard output cannot be replaced later
             Write(output, cancellation, WriteOnce);
         }
-        catch (FastWayDisagreesException)
+        catch (EngineDisagreesException)
         {
+            if (output == SceneInput.Standard) throw new ProblemException("standard output has a wrong picture: write to a file, or add --plain");
             Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
         }
 
@@ -70,7 +70,7 @@ internal static class PictureOutput
     public static bool IsUpToDate(string output, PartFacts part, bool quiet)
     {
         if (PartFile.Holds(output, part, out var reason)) return true;
-        if (reason is not null && !quiet) StandardFile.WriteError($"{output} is drawn again: {reason}");
+        if (reason is not null && !quiet) StandardStreams.WriteError($"{output} is drawn again: {reason}");
         return false;
     }
 

@@ -7,12 +7,28 @@ internal static class Program
     /// <summary>The signal for a file that is larger than "ulimit -f" allows; the same number on Linux and macOS.</summary>
     private const PosixSignal FileTooLarge = (PosixSignal)25;
 
-    private const int Glance = 50, Moment = 200; // milliseconds
+    private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50), GracePeriod = TimeSpan.FromMilliseconds(200);
 
     private static PosixSignalRegistration? tooLarge; // until the end: the signal may come at any time
 
     internal static int Main(string[] arguments)
     {
+        try
+        {
+            return RunUntilSignal(arguments);
+        }
+        catch (TypeInitializationException e) when (e.InnerException is IOException) // of the runtime's handling of signals
+        {
+            StandardStreams.WriteError("raycaster: the system allows too few processes or open files: see ulimit -u and ulimit -n");
+            return ExitCode.CouldNot;
+        }
+    }
+
+    private static int RunUntilSignal(string[] arguments)
+    {
+        Console.OutputEncoding = Encoding.UTF8; // of a console of Windows; others have it already
+        Renderer.Disagreed = difference =>
+            StandardStreams.WriteError($"raycaster: the engine disagrees with ScalarRenderer, which draws again: {difference}");
         using var cancellation = new CancellationTokenSource();
         var codeOfSignal = ExitCode.Interrupted;
         void Cancel(PosixSignalContext context)
@@ -32,13 +48,12 @@ internal static class Program
         // By default it ends the process. Ignored, the write fails with a message.
         if (!OperatingSystem.IsWindows()) tooLarge ??= PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
 
-        // A thread of its own, so that work that does not end soon after a signal can be left unfinished. The first use of the thread pool would
-        // cost each run some milliseconds.
+        // A thread of its own, so that work that does not end soon after a signal can be left unfinished.
         int? exitCode = null;
         var work = new Thread(() => exitCode = Run(arguments, cancellation.Token)) { IsBackground = true };
         work.Start();
-        while (!cancellation.IsCancellationRequested && !work.Join(Glance)) ;
-        work.Join(Moment);
+        while (!cancellation.IsCancellationRequested && !work.Join(PollInterval)) ;
+        work.Join(GracePeriod);
         if (exitCode is { } code) return code;
         Interruption.Tell(arguments);
         return codeOfSignal;
@@ -58,18 +73,18 @@ internal static class Program
         }
         catch (Exception e) when (Message(e) is { } message)
         {
-            StandardFile.WriteError($"raycaster: {message}");
-            if (e is ProblemException { IsUsage: true }) StandardFile.WriteError(HelpCommand.HintAfter(arguments));
+            StandardStreams.WriteError($"raycaster: {message}");
+            if (e is ProblemException { IsUsage: true }) StandardStreams.WriteError(HelpCommand.HintAfter(arguments));
             return ExitCode.CouldNot;
         }
         catch (Exception unexpected)
         {
-            StandardFile.WriteError($"""
+            StandardStreams.WriteError($"""
                 {Fault.InWords("raycaster", unexpected)}
                 With RAYCASTER_TRACE=1 it shows where it happened.
                 """);
             if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1")
-                StandardFile.WriteError($"{unexpected.StackTrace}");
+                StandardStreams.WriteError($"{unexpected.StackTrace}");
             return ExitCode.InternalError;
         }
     }
@@ -78,14 +93,14 @@ internal static class Program
     {
         if (arguments.Length == 0)
         {
-            StandardFile.WriteError(HelpCommand.Usage);
+            StandardStreams.WriteError(HelpCommand.Usage);
             return ExitCode.CouldNot;
         }
         var line = CommandLine.Parse(arguments);
         if (line.Has(Option.Help))
-            StandardFile.WriteOutput(line.Command.Help);
+            StandardStreams.WriteOutput(line.Command.Help);
         else if (line.Has(Option.Version))
-            StandardFile.WriteOutput(typeof(Program).Assembly.GetName().Version!.ToString(3));
+            StandardStreams.WriteOutput(typeof(Program).Assembly.GetName().Version!.ToString(3));
         else
             return line.Command.Run(line, cancellation);
         return ExitCode.Done;

@@ -7,12 +7,12 @@ namespace RayCaster.Cli;
 /// <param name="what">What is counted for each pixel: rays, or something else if no rays are cast.</param>
 internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock, string what = "rays") : IDisposable
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);
-    private static readonly TimeSpan Pause = TimeSpan.FromSeconds(0.1);
+    private static readonly TimeSpan InitialDelay = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan UpdateInterval = TimeSpan.FromSeconds(0.1);
 
     private readonly long start = clock.GetTimestamp();
     private readonly Lock drawing = new();
-    private TimeSpan lastDrawn = Patience - Pause;
+    private TimeSpan lastDrawn = InitialDelay - UpdateInterval;
     private int linesDone, drawn;
     private bool isGone;
 
@@ -35,10 +35,10 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     public void Show(int done, int all)
     {
         var elapsed = clock.GetElapsedTime(start);
-        if (isGone || elapsed < Patience || !drawing.TryEnter()) return;
+        if (isGone || elapsed < InitialDelay || !drawing.TryEnter()) return;
         try
         {
-            if (elapsed - lastDrawn < Pause) return;
+            if (elapsed - lastDrawn < UpdateInterval) return;
             lastDrawn = elapsed;
             Draw(Text(done, all, elapsed));
         }

@@ -63,7 +63,7 @@ internal sealed class StitchCommand : Command
         if (parts.Problems.Count > 0) return No("these are not the parts of one picture", parts.Problems);
         if (onlyMissing)
         {
-            StandardFile.WriteOutput(string.Concat(parts.Missing.Select(lines => $"{lines}\n")));
+            StandardStreams.WriteOutput(string.Concat(parts.Missing.Select(lines => $"{lines}\n")));
             return parts.Missing.Count == 0 ? ExitCode.Done : ExitCode.No;
         }
         if (parts.Missing.Count > 0)
@@ -78,8 +78,8 @@ internal sealed class StitchCommand : Command
             parts.Write(writer, lines => progress?.LinesDone(lines), cancellation);
             writer.Finish();
         });
-        var (seconds, noun) = (Stopwatch.GetElapsedTime(start).TotalSeconds, parts.Count == 1 ? "part" : "parts");
-        line.Tell($"{PictureOutput.NameOf(output)}: {width} x {height} pixels, {parts.Count} {noun}, {seconds:0.00} s");
+        var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+        line.Tell($"{PictureOutput.NameOf(output)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
         return ExitCode.Done;
     }
 
@@ -87,7 +87,7 @@ internal sealed class StitchCommand : Command
     private static int No(string answer, IReadOnlyList<string> reasons)
     {
         var shown = string.Concat(reasons.Take(Printed).Select(reason => $"  {reason}\n"));
-        StandardFile.WriteError($"raycaster: {answer}:\n{shown}{(reasons.Count > Printed ? $"  and {reasons.Count - Printed} more\n" : "")}");
+        StandardStreams.WriteError($"raycaster: {answer}:\n{shown}{(reasons.Count > Printed ? $"  and {reasons.Count - Printed} more\n" : "")}");
         return ExitCode.No;
     }
 }

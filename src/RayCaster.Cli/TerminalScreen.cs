@@ -11,11 +11,11 @@ internal enum ColorDepth
 /// <summary>The terminal in which the app runs, if there is one.</summary>
 internal static class TerminalScreen
 {
-    private const int UsualColumns = 80, UsualLines = 24, FewestColumns = 20, FewestLines = 4;
+    private const int UsualColumns = 80, UsualLines = 24, MinColumns = 20, MinLines = 4;
 
     /// <summary>The colours of standard output, if there is a preview.</summary>
     public static ColorDepth Colors(CommandLine line) =>
-        !line.Has(Option.Preview) && !line.Has(Option.Color) ? ColorDepth.None // not needed, and the console library takes time to load
+        !line.Has(Option.Preview) && !line.Has(Option.Color) ? ColorDepth.None
         : Choose(line[Option.Color], !TakesOutput, Environment.GetEnvironmentVariable);
 
     /// <summary>The first of these that is set decides: --color, NO_COLOR, FORCE_COLOR, the kind of standard output.</summary>
@@ -44,18 +44,17 @@ internal static class TerminalScreen
     public static TerminalPreview Preview(int width, int height)
     {
         var (columns, lines) = TakesOutput ? (Columns(), Known(() => Console.WindowHeight)) : (UsualColumns, UsualLines);
-        return new(width, height, columns, (lines < FewestLines ? UsualLines : lines) - 1);
+        return new(width, height, columns, (lines < MinLines ? UsualLines : lines) - 1);
     }
 
     /// <summary>Writes a preview to standard output.</summary>
     public static void Show(TerminalPreview preview, ColorDepth colors)
     {
-        if (OperatingSystem.IsWindows() && TakesOutput) Console.OutputEncoding = Encoding.UTF8; // for the blocks
-        StandardFile.WriteOutput(output => output.Write(Encoding.UTF8.GetBytes(preview.Text(colors)))); // the escape codes in it are safe
+        StandardStreams.WriteOutput(output => output.Write(Encoding.UTF8.GetBytes(preview.Text(colors)))); // the escape codes in it are safe
     }
 
     /// <summary>The number of columns, or the usual one where it is unknown.</summary>
-    public static int Columns() => Known(() => Console.WindowWidth) is >= FewestColumns and var columns ? columns : UsualColumns;
+    public static int Columns() => Known(() => Console.WindowWidth) is >= MinColumns and var columns ? columns : UsualColumns;
 
     private static int Known(Func<int> size)
     {

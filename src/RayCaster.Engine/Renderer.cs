@@ -4,13 +4,6 @@ namespace RayCaster.Engine;
 /// <see cref="ScalarRenderer"/>.</summary>
 public sealed class Renderer
 {
-    /// <summary>With more pixels, a second thread saves time also in a plain picture.</summary>
-    internal const long ManyPixels = 1 << 20;
-
-    /// <summary>With more rays times models, finding out which models show where saves time. Before the first ray, tiles and intervals cost as much
-    /// processor time as 30 million crossings; most of it is compilation.</summary>
-    private const long LargeWork = 32_000_000;
-
     private readonly Scene scene;
     private readonly Camera camera;
     private readonly int threadCount;
@@ -22,9 +15,11 @@ public sealed class Renderer
         ArgumentOutOfRangeException.ThrowIfLessThan(threadCount, 1, nameof(threads));
     }
 
-    /// <summary>Whether a picture of little work is drawn without tiles; true unless said otherwise. Compiling the code for tiles takes longer than
-    /// drawing such a picture. It affects only the time.</summary>
-    public bool MayBeSmall { get; init; } = true;
+    /// <summary>
+    /// Receives a message when a picture or a hit map in memory differs from the definition, which then computes it anew. If this is null, the
+    /// renderer throws an <see cref="EngineDisagreesException"/>.
+    /// </summary>
+    public static Action<string>? Disagreed { get; set; }
 
     /// <summary>
     /// Whether this process draws many pictures. Then the engine compiles the kernels of the float path, which takes as long as casting some ten
@@ -49,14 +44,19 @@ public sealed class Renderer
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
-        using var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation);
-        var shader = frame.Shader; // before other threads need it
-        Cast(frame, cancellation, () =>
+        var check = new DefinitionCheck(scene, 0, camera.Height, minPixels: 0);
+        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation))
         {
-            var consumer = new PictureConsumer(shader, picture.Width);
-            consumer.Enter(picture.Rgb, picture.Height - 1);
-            return consumer;
-        });
+            var shader = frame.Shader; // before other threads need it
+            Cast(frame, cancellation, () =>
+            {
+                var consumer = new PictureConsumer(shader, picture.Width);
+                consumer.Enter(picture.Rgb, picture.Height - 1);
+                return consumer;
+            });
+        }
+        check.Take(picture.Rgb);
+        if (!Agrees(check.Difference())) ScalarRenderer.Render(scene, picture);
     }
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>
@@ -67,8 +67,8 @@ public sealed class Renderer
         var hits = map ?? new(camera.Width, camera.Height);
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(map));
-        using var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation);
-        Cast(frame, cancellation, () => frame.HitsInto(hits));
+        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation)) Cast(frame, cancellation, () => frame.HitsInto(hits));
+        if (!Agrees(new DefinitionCheck(scene, 0, camera.Height, minPixels: 0).Difference(hits))) CastByDefinition(hits);
         return hits;
     }
 
@@ -79,21 +79,43 @@ public sealed class Renderer
     /// <param name="linesDone">Called from any thread with the number of further lines that are done.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">The picture has no such lines.</exception>
+    /// <exception cref="EngineDisagreesException">All lines were written, but a pixel differs from the definition.</exception>
     public void Draw(Range lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default)
     {
         var (first, end) = (lines.Start.GetOffset(camera.Height), lines.End.GetOffset(camera.Height));
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
-        var pixels = (long)camera.Width * (end - first);
-        var isPlain = MayBeSmall && !ManyFrames && IsPlain(scene, pixels);
-        var threads = isPlain && pixels < ManyPixels ? 1 : threadCount;
-        using var frame = Frame.Of(scene, threads, ManyFrames, cancellation, isPlain);
-        new BandQueue(frame, first, end, threads, linesDone, cancellation).WriteAll(write);
+        var check = new DefinitionCheck(scene, first, end, minPixels: 1);
+        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation))
+        {
+            new BandQueue(frame, first, end, threadCount, linesDone, cancellation).WriteAll(lines =>
+            {
+                check.Take(lines);
+                write(lines);
+            });
+        }
+        if (check.Difference() is { } difference) throw new EngineDisagreesException(difference);
     }
 
-    /// <summary>Whether each ray is simply intersected with each model near its pixel. A mesh is always prepared tile by tile.</summary>
-    internal static bool IsPlain(Scene scene, long pixels) =>
-        pixels * Math.Max(1, scene.Models.Count) < LargeWork && !scene.Models.Any(model => model is Mesh);
+    private static bool Agrees(string? difference)
+    {
+        if (difference is null) return true;
+        if (Disagreed is null) throw new EngineDisagreesException(difference);
+        Disagreed(difference);
+        return false;
+    }
+
+    private void CastByDefinition(HitMap hits)
+    {
+        for (var line = 0; line < hits.Height; line++)
+        {
+            for (var column = 0; column < hits.Width; column++)
+            {
+                var ray = ScalarRenderer.Cast(scene, column, hits.Height - 1 - line);
+                hits[column, line] = (ray.HitParameter, ray.HitModel is null ? -1 : scene.Models.TakeWhile(model => model != ray.HitModel).Count());
+            }
+        }
+    }
 
     /// <summary>Casts all rays, on this thread and others.</summary>
     private void Cast(Frame frame, CancellationToken cancellation, Func<IHitConsumer> newConsumer)
@@ -113,3 +135,7 @@ public sealed class Renderer
         });
     }
 }
+
+/// <summary>The engine's picture differs from the definition's: a fault of the engine, or of a formula that means something else over a packet of
+/// numbers than over one number.</summary>
+public sealed class EngineDisagreesException(string difference) : Exception($"the engine's picture is not the definition's at {difference}");

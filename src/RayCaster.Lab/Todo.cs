@@ -37,23 +37,13 @@ public static class Todo
     /// <summary>What is not written yet of the first steps.</summary>
     public static (int Step, string Slide, string What)[] Missing(int steps = 10)
     {
-        _ = Endless(steps);
+        lock (Bodies)
+            try { listens = true; BodyCalls.OfFirstSteps(steps); }
+            finally { listens = false; }
         lock (notes) return [.. Bodies.Where(body => body.Step <= steps && notes.Contains(body.Slide))];
     }
 
-    /// <summary>Says which body of the first steps does not end; null if all end.</summary>
-    public static string Endless(int steps = 10)
-    {
-        lock (Bodies)
-            try { listens = true; return BodyCalls.FirstThatDoesNotEnd(steps); }
-            finally { listens = false; }
-    }
-
-    /// <summary>Both in a line each; empty if all is written and ends.</summary>
-    public static string Report(int steps = 10)
-    {
-        var todo = Missing(steps) is not [var next, ..] missing ? null
-            : $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"";
-        return string.Join("\n", new[] { Endless(steps), todo }.Where(line => line != null));
-    }
+    /// <summary>The same in a line; empty if all is written.</summary>
+    public static string Report(int steps = 10) => Missing(steps) is not [var next, ..] missing ? ""
+        : $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"";
 }

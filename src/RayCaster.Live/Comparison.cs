@@ -6,7 +6,8 @@ namespace RayCaster.Live;
 internal sealed record Comparison(string? Name, string? Problem, PictureComparison? Result, Scene? Scene, string SceneName)
 {
     private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds
-    private Task<Diagnosis>? diagnosis;
+    private Diagnosis? diagnosis;
+    private bool isCut;
 
     /// <summary>The words for the page, without the diagnosis.</summary>
     public byte[] Message() => Messages.Of(new
@@ -30,17 +31,24 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
     }
 
     /// <summary>Names the mistake that may have made the picture.</summary>
-    public async Task<string> DiagnoseAsync(HintLevel level)
+    public async Task<string> DiagnoseAsync(HintLevel level, CancellationToken cancellation)
     {
         if (Result is null || Scene is null) return "";
         var (width, height) = (Scene.Camera.Width, Scene.Camera.Height);
         var size = (Result.Mine.Width, Result.Mine.Height);
         if (size != (width, height) && size != (height, width)) return "The picture must have the scene's size to be diagnosed.";
-        await turn.WaitAsync();
+        await turn.WaitAsync(cancellation);
         try
         {
-            diagnosis ??= Task.Run(() => Diagnosis.Of(Scene, Result.Mine));
-            return DiagnosisReport.Text(await diagnosis, Name!, SceneName, level);
+            if (diagnosis is null)
+            {
+                var budget = new SearchBudget(SearchBudget.Usual, cancellation);
+                var found = await Task.Run(() => Diagnosis.Of(Scene, Result.Mine, budget), CancellationToken.None);
+                cancellation.ThrowIfCancellationRequested();
+                (diagnosis, isCut) = (found, budget.LeavesOut);
+            }
+            return DiagnosisReport.Text(diagnosis, Name!, SceneName, level)
+                + (isCut ? "\nNot everything was tried: \"raycaster diagnose --all\" takes more time.\n" : "");
         }
         finally
         {

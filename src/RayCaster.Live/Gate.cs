@@ -5,8 +5,8 @@ using Microsoft.AspNetCore.Http;
 namespace RayCaster.Live;
 
 /// <summary>
-/// Accepts requests of the page only. Other users of this machine do not know the token in the page's address; other pages in the same browser
-/// send another Host, Origin or Sec-Fetch-Site.
+/// Accepts requests of the page only. The page's own files hold no secret and are served to every local program. What reads or changes a scene
+/// must name the token in the page's address, which other users of this machine do not know, and must come from the page itself.
 /// </summary>
 internal sealed class Gate(int port, string token)
 {
@@ -14,9 +14,9 @@ internal sealed class Gate(int port, string token)
         "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
     private readonly string[] hosts = [$"127.0.0.1:{port}", $"localhost:{port}", $"[::1]:{port}"];
-    private readonly string cookie = $"raycaster-live-{port}";
 
-    public string Address => $"http://127.0.0.1:{port}/?token={token}";
+    /// <summary>The page's address. Browsers do not send the part after "#"; the page's script keeps it for its own tab.</summary>
+    public string Address => $"http://127.0.0.1:{port}/#token={token}";
 
     /// <summary>Sets the headers of the answer and checks the request.</summary>
     /// <returns>Null if the page may have sent it; otherwise the reason against it.</returns>
@@ -33,22 +33,12 @@ internal sealed class Gate(int port, string token)
 
         var host = request.Headers.Host.ToString();
         if (!hosts.Contains(host, StringComparer.OrdinalIgnoreCase)) return $"This server answers only as 127.0.0.1:{port} or localhost:{port}.";
-        var origin = request.Headers.Origin;
-        var mayChange = context.WebSockets.IsWebSocketRequest || !HttpMethods.IsGet(request.Method);
-        if (origin.Count > 0 || mayChange)
-            if (!string.Equals(origin.ToString(), $"http://{host}", StringComparison.OrdinalIgnoreCase))
-                return "This request comes from another page.";
-        if (request.Headers["Sec-Fetch-Site"] is [{ Length: > 0 } site] && site is not ("same-origin" or "none"))
+        var isSocket = context.WebSockets.IsWebSocketRequest;
+        if (HttpMethods.IsGet(request.Method) && !isSocket) return null;
+        if (!string.Equals(request.Headers.Origin, $"http://{host}", StringComparison.OrdinalIgnoreCase))
             return "This request comes from another page.";
-
-        if (request.Cookies[cookie] is { } known && IsToken(known)) return null;
-        if (request.Path == "/" && HttpMethods.IsGet(request.Method) && IsToken(request.Query["token"].ToString()))
-        {
-            context.Response.Cookies.Append(cookie, token, new() { HttpOnly = true, SameSite = SameSiteMode.Strict, Path = "/" });
-            return null;
-        }
-        return "Open the page by the address that the program printed: this request lacks the token of that address.";
+        var named = isSocket ? context.WebSockets.WebSocketRequestedProtocols.FirstOrDefault() : request.Headers.Authorization.ToString();
+        return CryptographicOperations.FixedTimeEquals(Encoding.UTF8.GetBytes(named ?? ""), Encoding.UTF8.GetBytes(token))
+            ? null : "Open the page by the address that the program printed: this request lacks the token of that address.";
     }
-
-    private bool IsToken(string text) => CryptographicOperations.FixedTimeEquals(Encoding.UTF8.GetBytes(text), Encoding.UTF8.GetBytes(token));
 }

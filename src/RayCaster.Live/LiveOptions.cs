@@ -4,12 +4,14 @@ namespace RayCaster.Live;
 
 /// <param name="Mine">The file of a picture by the user's own program to compare with; null for none.</param>
 /// <param name="Port">The page's port; 0 for any that is free.</param>
-internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser)
+/// <param name="EndsWithInput">Whether the program ends as soon as its standard input is closed: when the program that started it has ended.</param>
+internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser, bool EndsWithInput = false)
 {
     /// <summary>What a command line asks for; null for the help.</summary>
     public static LiveOptions? Parse(string[] arguments)
     {
-        var (scene, mine, port, opens) = (default(string), default(string), 0, true);
+        var (scene, mine, port, opens, ends) = (default(string), default(string), 0, true, false);
+        arguments = [.. arguments.SelectMany(word => word.StartsWith("--", StringComparison.Ordinal) ? word.Split('=', 2) : [word])];
         for (var i = 0; i < arguments.Length; i++)
         {
             switch (arguments[i])
@@ -18,6 +20,9 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
                     return null;
                 case "--no-browser":
                     opens = false;
+                    break;
+                case "--until-input-ends":
+                    ends = true;
                     break;
                 case "--mine":
                     mine = Value(arguments, ref i);
@@ -35,7 +40,8 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
                     throw ProblemException.Usage($"one scene at a time, but there are two: {scene}, {operand}");
             }
         }
-        return new(scene ?? throw ProblemException.Usage("no scene is given: name a scene file, for example scenes/first.json"), mine, port, opens);
+        if (scene is null) throw ProblemException.Usage("no scene is given: name a scene file, for example scenes/first.json");
+        return new(scene, mine, port, opens, ends);
     }
 
     private static string Value(string[] arguments, ref int i) =>

@@ -16,7 +16,7 @@ internal sealed class LiveScene
     /// How long a file must be broken before it is reported: an editor may be saving it. A file that is empty or missing is most likely about to
     /// be written.
     /// </summary>
-    private const int PatienceMilliseconds = 150, PatienceWithNothing = 600;
+    private static readonly TimeSpan GracePeriod = TimeSpan.FromMilliseconds(150), GracePeriodIfEmpty = TimeSpan.FromMilliseconds(600);
 
     private readonly FileWatch watch;
     private CancellationTokenSource outdated = new();
@@ -26,7 +26,7 @@ internal sealed class LiveScene
     {
         (Path, FullPath, watch) = (path, System.IO.Path.GetFullPath(path), new(end));
         watch.Watch([FullPath]);
-        State = Next(SceneReader.Read(path));
+        State = Next(Read());
     }
 
     /// <summary>The file as the user named it.</summary>
@@ -48,10 +48,18 @@ internal sealed class LiveScene
         while (await watch.WaitAsync())
         {
             await Task.Delay(1); // most editors cause a second notice within this time
-            var reading = await ReadPatiently();
-            var isSame = reading.Text.Span.SequenceEqual(State.Text.Span) && reading.Problems.SequenceEqual(State.Problems);
-            if (isSame && stamps.AsSpan().SequenceEqual(StampsOf(reading))) continue; // a second notice of the same save
-            State = Next(reading);
+            try
+            {
+                var reading = await ReadPatiently();
+                var isSame = reading.Text.Span.SequenceEqual(State.Text.Span) && reading.Problems.SequenceEqual(State.Problems);
+                if (isSame && stamps.AsSpan().SequenceEqual(StampsOf(reading))) continue; // a second notice of the same save
+                State = Next(reading);
+            }
+            catch (Exception unexpected) when (unexpected is not OperationCanceledException)
+            {
+                Problem problem = new(true, Path, 0, 0, Fault.InWords("raycaster-live", unexpected), "");
+                State = State with { Version = State.Version + 1, Text = default, Problems = [problem], IsGood = false };
+            }
             Interlocked.Exchange(ref outdated, new()).Cancel();
             Changed?.Invoke();
         }
@@ -68,12 +76,22 @@ internal sealed class LiveScene
     public string? WriteCamera(Camera camera, int version)
     {
         var state = State;
-        if (!state.IsGood) return "the scene file has a mistake: correct it first";
-        if (state.Version != version || !File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text.Span))
-            return "the scene file was changed at the same time: look at it, then try again";
-        var target = File.ResolveLinkTarget(FullPath, returnFinalTarget: true)?.FullName ?? FullPath;
-        WrittenFiles.Write(target, file => file.Write(CameraEdit.Write(state.Text, camera)));
-        return null;
+        if (!state.IsGood) return "the scene file has an error: correct it first";
+        const string WasChanged = "the scene file was changed at the same time: look at it, then try again";
+        if (state.Version != version) return WasChanged;
+        try
+        {
+            WrittenFiles.Write(FileWatch.TargetOf(FullPath), file => file.Write(CameraEdit.Write(state.Text, camera)), default, () =>
+            {
+                // Writing to the disk takes some milliseconds, in which somebody may save the scene.
+                if (!File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text.Span)) throw new OperationCanceledException();
+            });
+            return null;
+        }
+        catch (OperationCanceledException)
+        {
+            return WasChanged;
+        }
     }
 
     /// <summary>Reads until the file is good, or stays broken for a while.</summary>
@@ -81,12 +99,13 @@ internal sealed class LiveScene
     {
         while (true)
         {
-            var reading = SceneReader.Read(Path);
+            var reading = Read();
             if (reading.Scene is not null) return reading;
-            var patience = reading.Text.IsEmpty ? PatienceWithNothing : PatienceMilliseconds;
-            if (!await watch.WaitAsync(patience)) return reading;
+            if (!await watch.WaitAsync(reading.Text.IsEmpty ? GracePeriodIfEmpty : GracePeriod)) return reading;
         }
     }
+
+    private SceneReading Read() => FileWatch.IsEmpty(Path) ? SceneReader.Parse(default, Path, "") : SceneReader.Read(Path);
 
     private SceneState Next(SceneReading reading)
     {

@@ -14,27 +14,30 @@ namespace RayCaster.Live;
 internal sealed class LiveServer : IAsyncDisposable
 {
     /// <summary>How many pages may be open at once; each takes the memory of two pictures.</summary>
-    private const int MostTabs = 64;
+    private const int MaxTabs = 64;
+
+    private const int MaxConnections = 4 * MaxTabs;
 
     /// <summary>How many free ports are tried: a port that is free for IPv4 may be taken for IPv6.</summary>
-    private const int MostAttempts = 10;
+    private const int MaxAttempts = 10;
 
     private readonly ConcurrentDictionary<Tab, byte> tabs = new();
     private readonly CancellationTokenSource end = new();
     private readonly Gate gate;
     private readonly WebApplication app;
-    private byte[]? errors; // the last message about the code; pages that are opened later receive it, too
 
-    private LiveServer(LiveOptions options, int port)
+    private LiveServer(LiveOptions options, PageAddress address)
     {
-        (Scene, Mine, Port) = (new(options.Scene, end.Token), new(options.Mine, end.Token), port);
-        gate = new(Port, Convert.ToHexStringLower(DotnetWatch.Secret));
+        (Scene, Mine, Port) = (new(options.Scene, end.Token), new(options.Mine, end.Token), address.Port);
+        gate = new(Port, address.Token);
         var builder = WebApplication.CreateEmptyBuilder(new());
         builder.WebHost.UseKestrelCore().ConfigureKestrel(kestrel =>
         {
             kestrel.AddServerHeader = false;
             kestrel.Limits.MaxRequestBodySize = 0;
-            kestrel.ListenLocalhost(port);
+            kestrel.Limits.MaxConcurrentConnections = MaxConnections;
+            kestrel.Limits.MaxConcurrentUpgradedConnections = MaxTabs;
+            kestrel.ListenLocalhost(Port);
         });
         app = builder.Build();
         app.UseWebSockets(new() { KeepAliveInterval = TimeSpan.FromSeconds(10), KeepAliveTimeout = TimeSpan.FromSeconds(20) });
@@ -63,33 +66,25 @@ internal sealed class LiveServer : IAsyncDisposable
     {
         for (var attempt = 1; ; attempt++)
         {
-            var port = options.Port > 0 ? options.Port : attempt == 1 && DotnetWatch.Port > 0 ? DotnetWatch.Port : FreePort();
-            var server = new LiveServer(options, port);
+            var address = attempt == 1 && PageAddress.Last() is { } last && (options.Port == 0 || options.Port == last.Port) ? last
+                : PageAddress.New(options.Port > 0 ? options.Port : FreePort());
+            var server = new LiveServer(options, address);
             try
             {
                 await server.app.StartAsync();
                 _ = server.Scene.FollowAsync();
                 _ = server.Mine.FollowAsync();
-                _ = DotnetWatch.FollowAsync(server.ShowErrors, server.end.Token);
+                address.Keep();
                 return server;
             }
             catch (IOException e)
             {
                 await server.DisposeAsync();
-                if (options.Port == 0 && attempt < MostAttempts) continue;
+                if (options.Port == 0 && attempt < MaxAttempts) continue;
                 var reason = e.InnerException is AddressInUseException ? "is taken" : "cannot be used";
-                throw new ProblemException($"port {port} {reason}; choose another one above 1023, or leave --port out");
+                throw new ProblemException($"port {address.Port} {reason}; choose another one above 1023, or leave --port out");
             }
         }
-    }
-
-    /// <summary>Shows on all pages what keeps the code from being built.</summary>
-    /// <param name="found">The compiler's errors; none when the code compiles again.</param>
-    public void ShowErrors(IReadOnlyList<Problem> found)
-    {
-        var message = Messages.OfCode(found);
-        errors = message;
-        ForEachTab(tab => tab.Post(message));
     }
 
     public async ValueTask DisposeAsync()
@@ -129,15 +124,9 @@ internal sealed class LiveServer : IAsyncDisposable
 
     private async Task ServeTabAsync(HttpContext context)
     {
-        if (tabs.Count >= MostTabs)
-        {
-            await RefuseAsync(context, StatusCodes.Status503ServiceUnavailable, $"{MostTabs} pages are open already; close some.");
-            return;
-        }
-        using var socket = await context.WebSockets.AcceptWebSocketAsync();
+        using var socket = await context.WebSockets.AcceptWebSocketAsync(context.WebSockets.WebSocketRequestedProtocols[0]);
         var tab = new Tab(socket, this, end.Token);
         tabs.TryAdd(tab, 0);
-        if (errors is { } known) tab.Post(known);
         try
         {
             await tab.RunAsync();
@@ -152,7 +141,7 @@ internal sealed class LiveServer : IAsyncDisposable
     private async Task TakeMineAsync(HttpContext context)
     {
         var camera = Scene.State.Scene?.Camera;
-        var pixels = Math.Min(View.MostPixels, (long)(camera?.Width ?? 0) * (camera?.Height ?? 0));
+        var pixels = Math.Min(View.MaxPixels, (long)(camera?.Width ?? 0) * (camera?.Height ?? 0));
         // The longest format is a PPM in text: three numbers of four characters for each pixel. The rest is for its comments.
         context.Features.Get<IHttpMaxRequestBodySizeFeature>()!.MaxRequestBodySize = 12 * pixels + 65_536;
         try

@@ -17,7 +17,7 @@ internal static class MapDrawing
     {
         var isRamp = kind is MapKind.T or MapKind.Depth && range is not null;
         var (least, greatest) = isRamp ? range!.Value : default;
-        var sample = new NumberMap(isRamp ? Steps : Math.Clamp(models, 1, Messages.MostModels), 1, 1);
+        var sample = new NumberMap(isRamp ? Steps : Math.Clamp(models, 1, Messages.MaxModels), 1, 1);
         for (var i = 0; i < sample.Width; i++) sample[i, 0][0] = isRamp ? least + (greatest - least) * i / (Steps - 1) : i;
         var colors = MapPicture.Draw(sample, isRamp ? kind : MapKind.Model);
         return Messages.Of(new

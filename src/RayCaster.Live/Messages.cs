@@ -9,7 +9,7 @@ namespace RayCaster.Live;
 internal static class Messages
 {
     /// <summary>The most models that the page lists: a list of a thousand is too long to read.</summary>
-    public const int MostModels = 500;
+    public const int MaxModels = 500;
 
     private static readonly JsonSerializerOptions options = new(JsonSerializerDefaults.Web)
     {
@@ -20,7 +20,7 @@ internal static class Messages
 
     public static byte[] Of(object message) => JsonSerializer.SerializeToUtf8Bytes(message, options);
 
-    /// <summary>The state of the scene file: the picture's size, the models, the mistakes.</summary>
+    /// <summary>The state of the scene file: the picture's size, the models, the errors.</summary>
     public static byte[] OfScene(LiveScene live, SceneState state)
     {
         var camera = state.Scene?.Camera;
@@ -39,7 +39,7 @@ internal static class Messages
             Height = camera?.Height ?? 0,
             ShownWidth = width,
             ShownHeight = height,
-            Models = state.Scene?.Models.Take(MostModels).Select((model, i) => new
+            Models = state.Scene?.Models.Take(MaxModels).Select((model, i) => new
             {
                 Name = ModelName.Plain(state.Scene, i),
                 Type = model.Kind,
@@ -49,12 +49,8 @@ internal static class Messages
         });
     }
 
-    public static byte[] OfCode(IReadOnlyList<Problem> errors) => Of(new
-    {
-        Kind = "code",
-        Errors = errors.Take(SceneReading.Printed).Select(error => Shown(error, error.File)),
-        More = Math.Max(0, errors.Count - SceneReading.Printed),
-    });
+    /// <summary>A fault of the code, often of a formula that was changed; null if there is none any more.</summary>
+    public static byte[] OfFault(string? text) => Of(new { Kind = "fault", Text = text });
 
     public static byte[] OfCamera(Camera camera, bool isMoved) => Of(new
     {
@@ -96,7 +92,7 @@ internal static class Messages
     {
         Kind = "ledger",
         ledger.Rays,
-        Models = ledger.Models.Take(MostModels).Select(entry => new
+        Models = ledger.Models.Take(MaxModels).Select(entry => new
         {
             Shows = entry[Outcome.Shows],
             Reason = entry[Outcome.Shows] > 0 ? "" : InWords(entry.Reason),
@@ -127,9 +123,7 @@ internal static class Messages
         Outcome.UnderBias => "nearer than bias",
         Outcome.BeforeNear => "nearer than zNear",
         Outcome.BeyondFar => "beyond zFar",
-        Outcome.Outside or Outcome.PassesBy => "the rays pass it by",
-        Outcome.Parallel => "the rays run along it",
-        _ => "its formula gives no number (NaN)",
+        _ => "the rays miss it",
     };
 
     private static double[] Numbers(Vector3 v) => [v.X, v.Y, v.Z];

@@ -4,7 +4,7 @@ namespace RayCaster.Live;
 internal sealed class MinePicture(string? path, CancellationToken end)
 {
     /// <summary>How long a file must be broken before it is reported: the user's program may still be writing it.</summary>
-    private const int PatienceMilliseconds = 300;
+    private static readonly TimeSpan GracePeriod = TimeSpan.FromMilliseconds(300);
 
     private readonly Lock sync = new();
     private (int Version, string? Name, Picture? Picture, string? Problem) now;
@@ -22,16 +22,16 @@ internal sealed class MinePicture(string? path, CancellationToken end)
         do
         {
             var (picture, problem) = Read(path);
-            while (picture is null && await watch.WaitAsync(PatienceMilliseconds)) (picture, problem) = Read(path);
+            while (picture is null && await watch.WaitAsync(GracePeriod)) (picture, problem) = Read(path);
             Put(path, picture, problem);
         }
         while (await watch.WaitAsync());
     }
 
     /// <summary>Takes a picture that was dropped on the page.</summary>
-    /// <param name="mostPixels">The most pixels that its header may promise.</param>
+    /// <param name="maxPixels">The most pixels that its header may promise.</param>
     /// <exception cref="ProblemException">The file is no picture, or too large.</exception>
-    public void Take(string name, Stream bytes, long mostPixels) => Put(name, PictureFile.Read(bytes, 3 * mostPixels));
+    public void Take(string name, Stream bytes, long maxPixels) => Put(name, PictureFile.Read(bytes, 3 * maxPixels));
 
     public void Forget() => Put(null, null);
 
@@ -58,7 +58,7 @@ internal sealed class MinePicture(string? path, CancellationToken end)
     {
         if (picture is null || comparison.Scene is not { } scene) return comparison;
         if (View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height))
-            return comparison with { Problem = $"the page compares at most {View.MostPixels:N0} pixels; use \"raycaster compare\"" };
+            return comparison with { Problem = $"the page compares at most {View.MaxPixels:N0} pixels; use \"raycaster compare\"" };
         return comparison with { Result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(scene), scene), end) };
     }
 
@@ -66,11 +66,15 @@ internal sealed class MinePicture(string? path, CancellationToken end)
     {
         try
         {
-            return (PictureFile.Read(path), null);
+            return FileWatch.IsEmpty(path) ? (null, $"{path} is empty") : (PictureFile.Read(path), null);
         }
         catch (ProblemException e)
         {
             return (null, e.Message);
+        }
+        catch (Exception unexpected)
+        {
+            return (null, Fault.InWords("raycaster-live", unexpected));
         }
     }
 

@@ -1,51 +1,69 @@
-using System.Diagnostics;
 using System.Runtime.InteropServices;
-using RayCaster.Cli;
 
 namespace RayCaster.Live;
 
 internal static class Program
 {
+    // The same codes as those of raycaster.
+    private const int Done = 0, Failed = 2, InternalError = 70, Interrupted = 130, Terminated = 143;
+
+    private const string Usage = """
+        Usage:
+          dotnet run --project src/RayCaster.Live -- <scene> [--mine <file>] [--port <n>] [--no-browser]
+        "raycaster help live" explains it. With --until-input-ends it ends when its standard input is closed.
+        """;
+
     private static async Task<int> Main(string[] arguments)
     {
+        Renderer.Disagreed = difference => Console.Error.WriteLine($"The engine disagrees with ScalarRenderer, which draws again: {difference}");
         // The process ends with this method, even with open pages: they hold nothing that could be lost.
         var end = new TaskCompletionSource<int>(TaskCreationOptions.RunContinuationsAsynchronously);
-        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => End(context, ExitCode.Interrupted));
-        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => End(context, ExitCode.Terminated));
+        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => End(context, Interrupted));
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => End(context, Terminated));
         try
         {
             if (LiveOptions.Parse(arguments) is not { } options)
             {
-                Console.Out.WriteLine(LiveHelp.Text);
-                return ExitCode.Done;
+                Console.Out.WriteLine(Usage);
+                return Done;
             }
-            // The page shows a scene's mistakes; a file that does not exist is a mistake on the command line.
+            // The page shows a scene's errors; a file that does not exist is an error of the command line.
             if (!File.Exists(options.Scene))
             {
                 Console.Error.Write(SceneReader.Read(options.Scene).Report());
-                return ExitCode.CouldNot;
+                return Failed;
             }
-            var server = await LiveServer.StartAsync(options);
+            if (options.EndsWithInput) _ = Task.Run(EndWithInput);
+            var starting = Task.Run(() => LiveServer.StartAsync(options)); // it may wait for a mesh file for ever
+            if (await Task.WhenAny(starting, end.Task) == end.Task) return await end.Task;
+            var server = await starting;
             Console.Out.WriteLine(Greeting(options, server));
-            if (options.OpensBrowser && !DotnetWatch.IsRestart) Open(server.Address);
+            if (options.OpensBrowser && !PageAddress.IsRestart && Browser.HasScreen)
+                await Browser.OpenAsync(server.Address, server.Port, Task.WhenAny(end.Task, Task.Delay(TimeSpan.FromSeconds(30))));
             return await end.Task;
         }
         catch (ProblemException problem)
         {
             Console.Error.WriteLine($"raycaster-live: {problem.Message}");
-            if (problem.IsUsage) Console.Error.WriteLine("Try dotnet run --project src/RayCaster.Live -- --help.");
-            return ExitCode.CouldNot;
+            if (problem.IsUsage) Console.Error.WriteLine(Usage);
+            return Failed;
         }
         catch (Exception unexpected)
         {
             Console.Error.WriteLine(Fault.InWords("raycaster-live", unexpected));
-            return ExitCode.InternalError;
+            return InternalError;
         }
 
         void End(PosixSignalContext context, int exitCode)
         {
             context.Cancel = true;
             end.TrySetResult(exitCode);
+        }
+
+        void EndWithInput()
+        {
+            Console.OpenStandardInput().CopyTo(Stream.Null);
+            end.TrySetResult(Terminated);
         }
     }
 
@@ -55,23 +73,4 @@ internal static class Program
         It draws the scene again when you save the file. Press Ctrl-C to end it.
         From another machine: ssh -L {server.Port}:127.0.0.1:{server.Port} USER@THIS-MACHINE, then open the address there.
         """;
-
-    /// <summary>Opens a browser if there is a screen. The address is on the terminal in any case.</summary>
-    private static void Open(string address)
-    {
-        var hasScreen = OperatingSystem.IsWindows() || OperatingSystem.IsMacOS()
-            || Environment.GetEnvironmentVariable("DISPLAY") is { Length: > 0 }
-            || Environment.GetEnvironmentVariable("WAYLAND_DISPLAY") is { Length: > 0 };
-        if (!hasScreen) return;
-        try
-        {
-            var start = OperatingSystem.IsWindows() ? new ProcessStartInfo(address) { UseShellExecute = true }
-                : new ProcessStartInfo(OperatingSystem.IsMacOS() ? "open" : "xdg-open", address) { RedirectStandardError = true };
-            Process.Start(start)?.Dispose();
-        }
-        catch (Exception e) when (e is System.ComponentModel.Win32Exception or InvalidOperationException)
-        {
-            // This machine has no program that opens addresses.
-        }
-    }
 }

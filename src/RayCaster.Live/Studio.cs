@@ -1,14 +1,9 @@
-using System.Diagnostics;
-
 namespace RayCaster.Live;
 
 /// <summary>Draws for all pages, one picture after another: each takes every core.</summary>
 internal sealed class Studio
 {
-    private const int MostWarmUpFrames = 60, LongestWarmUpMilliseconds = 2000;
-
     private readonly SemaphoreSlim turn = new(1, 1);
-    private int isWarm;
 
     /// <summary>The picture of a view at rest.</summary>
     /// <param name="cancellation">Abandons the picture, as when the scene changes.</param>
@@ -29,55 +24,26 @@ internal sealed class Studio
         }
     }
 
-    /// <summary>
-    /// Draws small frames that no page shows, so that the runtime has optimised the code before a camera moves. Only the first call has an effect.
-    /// </summary>
-    public void WarmUp(Scene scene)
-    {
-        if (Interlocked.Exchange(ref isWarm, 1) != 0) return;
-        new Thread(() =>
-        {
-            var buffer = new MovingBuffer();
-            var view = new View(Divisor: 4).Of(scene);
-            var watch = Stopwatch.StartNew();
-            for (var i = 0; i < MostWarmUpFrames && watch.ElapsedMilliseconds < LongestWarmUpMilliseconds; i++)
-            {
-                Thread.Sleep(2); // pages that wait draw first
-                turn.Wait();
-                try
-                {
-                    buffer.Draw(view);
-                }
-                catch (Exception) when (ScalarRenderer.IsChanged)
-                {
-                    return; // a page whose picture has the same fault shows it
-                }
-                finally
-                {
-                    turn.Release();
-                }
-            }
-        })
-        { IsBackground = true, Priority = ThreadPriority.Lowest, Name = "warm-up" }.Start();
-    }
-
     private static Frame Draw(Scene scene, View view, CancellationToken cancellation)
     {
-        if (view.Look != Look.Plain) return Frame.Of(ModelPicture.Draw(scene, view.Look, view.Model, cancellation));
+        var model = view.Model < scene.Models.Count ? view.Model : -1; // it may have been deleted in the file
+        if (view.Look != Look.Plain) return Frame.Of(ModelPicture.Draw(scene, view.Look, model, cancellation));
         var frame = new Frame(scene.Camera.Width, scene.Camera.Height);
-        var check = ScalarRenderer.IsChanged ? new DefinitionCheck(scene, ..) : null;
         var pixel = 0;
-        if (check is null) Cast();
-        else check.Watch(Cast);
-        // If a changed formula makes the fast renderer differ from the definition, the definition draws the picture.
-        return check?.FirstDifference() is null ? frame : Frame.Of(ScalarRenderer.Render(scene));
-
-        void Cast() => new Renderer(scene) { ManyFrames = true }.Draw(.., lines =>
+        try
         {
-            check?.Take(lines);
-            frame.Fill(lines, pixel);
-            pixel += lines.Length / 3;
-        }, cancellation: cancellation);
+            new Renderer(scene) { ManyFrames = true }.Draw(.., lines =>
+            {
+                frame.Fill(lines, pixel);
+                pixel += lines.Length / 3;
+            }, cancellation: cancellation);
+            return frame;
+        }
+        catch (EngineDisagreesException e)
+        {
+            Renderer.Disagreed?.Invoke(e.Message);
+            return Frame.Of(ScalarRenderer.Render(scene));
+        }
     }
 }
 

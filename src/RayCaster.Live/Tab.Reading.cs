@@ -6,16 +6,16 @@ namespace RayCaster.Live;
 /// <summary>Receives the page's requests.</summary>
 internal sealed partial class Tab
 {
-    private const int MostBytes = 1 << 16; // of a message; the page's have some hundred
+    private const int MaxBytes = 1 << 16; // of a message; the page's have some hundred
 
     private async Task ReadAsync()
     {
-        var bytes = new byte[MostBytes];
+        var bytes = new byte[MaxBytes];
         while (true)
         {
             using var stream = WebSocketStream.CreateReadableMessageStream(socket);
-            var length = await stream.ReadAtLeastAsync(bytes, MostBytes, throwOnEndOfStream: false, end.Token);
-            if (length == MostBytes) return;
+            var length = await stream.ReadAtLeastAsync(bytes, MaxBytes, throwOnEndOfStream: false, end.Token);
+            if (length == MaxBytes) return;
             try
             {
                 using var message = JsonDocument.Parse(bytes.AsMemory(0, length));
@@ -60,7 +60,7 @@ internal sealed partial class Tab
                     Look(view with { Hidden = string.Join(',', value.EnumerateArray().Select(place => place.GetUInt16())) });
                     break;
                 case "look":
-                    Look(view with { Look = Enum.Parse<Look>(value[0].GetString()!, ignoreCase: true), Model = value[1].GetInt32() });
+                    Look(view with { Look = Named<Look>(value[0]), Model = value[1].GetInt32() });
                     break;
                 case "hover":
                     hover = new(value[0].GetInt32(), value[1].GetInt32());
@@ -71,14 +71,15 @@ internal sealed partial class Tab
                     pending |= Pending.Explanation;
                     break;
                 case "map":
-                    map = IsNull(value) ? null : MapKinds.Named(value.GetString()!);
+                    map = IsNull(value) ? null : MapKinds.Named(value.GetString()!) ?? throw new FormatException("there is no such map");
                     pending |= Pending.Map;
                     break;
                 case "hint":
-                    hint = Enum.Parse<HintLevel>(value.GetString()!, ignoreCase: true);
+                    hint = Named<HintLevel>(value);
                     break;
                 case "diagnose":
-                    pending |= Pending.Diagnosis | Pending.Comparison;
+                    diagnosing.Cancel();
+                    if (value.GetBoolean()) pending |= Pending.Diagnosis | Pending.Comparison;
                     break;
                 case "forgetMine":
                     server.Mine.Forget();
@@ -93,6 +94,10 @@ internal sealed partial class Tab
     }
 
     private static bool IsNull(JsonElement value) => value.ValueKind == JsonValueKind.Null;
+
+    /// <summary>The member of an enumeration that a request names; numbers are no names.</summary>
+    private static T Named<T>(JsonElement value) where T : struct, Enum =>
+        Enum.GetValues<T>().First(member => string.Equals($"{member}", value.GetString(), StringComparison.OrdinalIgnoreCase));
 
     private static double Finite(JsonElement value) => value.GetDouble() is var number && double.IsFinite(number)
         ? number

@@ -10,7 +10,7 @@ namespace RayCaster.Live;
 /// </summary>
 internal sealed partial class Tab(WebSocket socket, LiveServer server, CancellationToken cancellation)
 {
-    private const int MostUnseen = 2;
+    private const int MaxUnseen = 2;
 
     private readonly Channel<bool> wake = Channel.CreateBounded<bool>(new BoundedChannelOptions(1) { FullMode = BoundedChannelFullMode.DropWrite });
     private readonly MovingBuffer buffer = new();
@@ -19,6 +19,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private Task sending = Task.CompletedTask;
     private bool hasFault; // the page shows a fault of the code
     private Comparison? compared; // the comparison that the page knows
+    private CancellationTokenSource diagnosing = new();
     private int sent; // frames
 
     private readonly Lock sync = new(); // for the fields below, which the reading loop writes, and the sending loop reads after Takes
@@ -101,7 +102,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
             {
                 // Often a formula that was changed. The page shows the fault until a picture is drawn again.
                 hasFault = true;
-                await SendAsync(Messages.OfCode([new(true, "", 0, 0, Fault.InWords("raycaster-live", fault).ReplaceLineEndings(". "), "")]));
+                await SendAsync(Messages.OfFault(Fault.InWords("raycaster-live", fault)));
             }
         }
     }
@@ -137,16 +138,15 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
 
     private async Task TellFrameAsync(SceneState state)
     {
-        if (sent - shown >= MostUnseen || !Takes(Pending.Frame)) return;
+        if (sent - shown >= MaxUnseen || !Takes(Pending.Frame)) return;
         var moves = isMoving;
         var wanted = moves ? view with { Divisor = divisor } : view;
         var frame = moves
             ? await server.Studio.DoAsync(() => buffer.Draw(wanted.Of(state.Scene!)), end.Token)
             : await server.Studio.DrawAsync(state.Scene!, wanted, Outdated());
         await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
-        if (hasFault) await SendAsync(Messages.OfCode([]));
+        if (hasFault) await SendAsync(Messages.OfFault(null));
         hasFault = false;
-        server.Studio.WarmUp(state.Scene!);
     }
 
     private async Task TellCameraAsync(SceneState state)
@@ -192,17 +192,32 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio).WaitAsync(end.Token);
         if (!ReferenceEquals(comparison, compared))
         {
+            diagnosing.Cancel();
             compared = comparison;
             await SendAsync(comparison.Message());
             foreach (var (layer, frame) in comparison.Frames()) await SendFrameAsync(frame, layer, state.Version, isFinal: true);
         }
-        if (diagnoses) _ = TellDiagnosisAsync(comparison, level);
+        if (!diagnoses) return;
+        diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end.Token);
+        _ = TellDiagnosisAsync(comparison, level, diagnosing.Token);
     }
 
     /// <summary>Sends the diagnosis later: it takes seconds, in which the page can be used.</summary>
-    private async Task TellDiagnosisAsync(Comparison comparison, HintLevel level)
+    private async Task TellDiagnosisAsync(Comparison comparison, HintLevel level, CancellationToken cancellation)
     {
-        var text = await comparison.DiagnoseAsync(level);
+        string text;
+        try
+        {
+            text = await comparison.DiagnoseAsync(level, cancellation);
+        }
+        catch (Exception) when (cancellation.IsCancellationRequested)
+        {
+            text = "The diagnosis was cancelled.";
+        }
+        catch (Exception fault)
+        {
+            text = Fault.InWords("raycaster-live", fault);
+        }
         if (ReferenceEquals(comparison, compared)) Post(Messages.Of(new { Kind = "diagnosis", Text = text }));
     }
 

@@ -10,10 +10,10 @@ namespace RayCaster.Live;
 internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidden = "", Look Look = Look.Plain, int Model = -1)
 {
     /// <summary>The most pixels that a page shows; larger pictures are drawn smaller.</summary>
-    public const int MostPixels = 4_000_000;
+    public const int MaxPixels = 4_000_000;
 
     /// <summary>The longest side of a canvas that every browser shows.</summary>
-    private const int MostSide = 8000;
+    private const int MaxSide = 8000;
 
     /// <summary>The last selection of each scene's models: the renderer caches by the list, so a selection must stay the same list.</summary>
     private static readonly ConditionalWeakTable<IReadOnlyList<Model>, Selection> selections = [];
@@ -30,7 +30,7 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidde
     public static (int Width, int Height) SizeOf(Camera camera)
     {
         var pixels = (double)camera.Width * camera.Height;
-        var divisor = Math.Max((int)Math.Ceiling(Math.Sqrt(pixels / MostPixels)), (Math.Max(camera.Width, camera.Height) - 1) / MostSide + 1);
+        var divisor = Math.Max((int)Math.Ceiling(Math.Sqrt(pixels / MaxPixels)), (Math.Max(camera.Width, camera.Height) - 1) / MaxSide + 1);
         return (Math.Max(1, camera.Width / divisor), Math.Max(1, camera.Height / divisor));
     }
 

@@ -7,74 +7,19 @@ namespace RayCaster.Cli.Tests;
 public sealed class InterruptionTests : IDisposable
 {
     /// <summary>After this time a program reads or computes. If it does not yet, the runtime ends it with the same exit code.</summary>
-    private const int StartMilliseconds = 300;
+    internal const int StartMilliseconds = 300;
 
-    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
+    internal static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
 
     private readonly RayCasterProcess raycaster = new();
 
     public void Dispose() => raycaster.Dispose();
 
-    /// <summary>All processes wait at the same time, so the test waits once.</summary>
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void ASignalEndsTheWaitForAPipe()
-    {
-        if (!OperatingSystem.IsLinux()) return; // others may have no mkfifo
-        (string Signal, int ExitCode, string Arguments)[] cases =
-        [
-            ("INT", 130, "compare room.png PIPE"),
-            ("TERM", 143, "compare PIPE room.png"),
-            ("HUP", 129, "diagnose ROOM PIPE"),
-            ("INT", 130, "explain ROOM 1 1 --reference PIPE"),
-            ("TERM", 143, "sheet PIPE -o sheet.png"),
-            ("INT", 130, "animate PIPE -o film.png"),
-            ("HUP", 129, "stitch PIPE -o whole.png"),
-            ("INT", 130, "orbit ROOM --frames 3 --keys PIPE"),
-            ("TERM", 143, "ROOM --resume -o PIPE"),
-            ("INT", 130, "check PIPE"),
-        ];
-        raycaster.Run(Room, "-s", "8x8", "-q");
-        raycaster.Shell("mkfifo pipe.png");
-        var waiting = cases.Select(test => raycaster.Start(Words(test.Arguments.Replace("PIPE", "pipe.png")))).ToArray();
-        Thread.Sleep(StartMilliseconds * 2);
-        Assert.All(cases.Zip(waiting), test =>
-        {
-            using var process = test.Second;
-            IsInterrupted(process, test.First.Signal, test.First.ExitCode);
-        });
-        Assert.Equal(["pipe.png", "room.png"], raycaster.Files);
-    }
-
-    [Theory]
-    [Trait("kind", "campaign")]
-    [InlineData("compare large.pbm other.pbm --measures")]
-    [InlineData("ROOM -s 10000x10000 --map t -o room.pfm")]
-    [InlineData("ROOM -s 30000x30000 -o room.ppm")]
-    [InlineData("ROOM -s 30000x30000 --ledger --rows 0..9999 -o a.png")]
-    public void ASignalEndsLongWork(string arguments)
-    {
-        if (OperatingSystem.IsWindows()) return; // no kill command there
-        var comparesFiles = arguments.StartsWith("compare", StringComparison.Ordinal);
-        foreach (var (name, last) in comparesFiles ? ((string, byte)[])[("large.pbm", 0), ("other.pbm", 1)] : [])
-        {
-            using var file = File.Create(raycaster.PathOf(name));
-            file.Write("P4 20000 20000\n"u8);
-            file.SetLength(file.Length + 2500 * 20000 - 1);
-            file.Position = file.Length;
-            file.WriteByte(last);
-        }
-        using var process = raycaster.Start(Words(arguments));
-        Thread.Sleep(StartMilliseconds);
-        IsInterrupted(process, "INT", 130);
-        Assert.Equal(comparesFiles ? ["large.pbm", "other.pbm"] : [], raycaster.Files);
-    }
-
     /// <summary>A second Ctrl-C neither ends the run sooner nor leaves a file.</summary>
-    [Fact]
+    [SkippableFact]
     public void ASecondSignalChangesNothing()
     {
-        if (OperatingSystem.IsWindows()) return; // no kill command there
+        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
         using var process = raycaster.Start(Room, "-s", "20000x20000");
         WaitForTemporaryFile(process);
         RayCasterProcess.Send(process, "INT");
@@ -83,10 +28,10 @@ public sealed class InterruptionTests : IDisposable
         Assert.Empty(raycaster.Files);
     }
 
-    [Fact]
+    [SkippableFact]
     public void WhatWasWrittenBeforeIsNamed()
     {
-        if (OperatingSystem.IsWindows()) return; // no kill command there
+        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
         using var process = raycaster.Start("orbit", Room, "--frames", "1000", "-s", "500x500", "-q");
         while (!File.Exists(raycaster.PathOf("room-0001.png")) && !process.HasExited) Thread.Sleep(10);
         Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
@@ -96,59 +41,7 @@ public sealed class InterruptionTests : IDisposable
         foreach (var file in raycaster.Files) Assert.Equal(500, PictureFile.Read(raycaster.PathOf(file)).Width);
     }
 
-    [Theory]
-    [Trait("kind", "campaign")]
-    [InlineData("animate frames -o film.png -q")]
-    [InlineData("sheet frames -o film.png -q")]
-    [InlineData("stitch parts -o film.png -q")]
-    [InlineData("compare frames/room-0000.png frames/room-0001.png -o film.png")]
-    public void AKillLeavesAWholePicture(string arguments)
-    {
-        Directory.CreateDirectory(raycaster.PathOf("frames"));
-        Directory.CreateDirectory(raycaster.PathOf("parts"));
-        raycaster.Run("orbit", Room, "--frames", "6", "-s", "400x400", "-o", "frames", "-q");
-        foreach (var part in (ReadOnlySpan<string>)["1/2", "2/2"])
-            raycaster.Run(Room, "-s", "1500x1500", "--rows", part, "-o", $"parts/{part[0]}.png", "-q");
-        var random = new Random(RayCaster.Testing.Fuzzing.Campaign.Seed);
-        for (var i = 0; i < 3; i++)
-        {
-            using var process = raycaster.Start(Words(arguments));
-            Thread.Sleep(150 + random.Next(500));
-            process.Kill();
-            process.WaitForExit();
-            if (File.Exists(raycaster.PathOf("film.png"))) Assert.NotEqual(0, PictureFile.Read(raycaster.PathOf("film.png")).Width);
-        }
-        raycaster.Run(Words(arguments));
-        Assert.NotEqual(2, raycaster.ExitCode);
-        Assert.Equal(["film.png", "frames", "parts"], raycaster.Files.Where(file => !file.EndsWith(".tmp")));
-    }
-
-    /// <summary>A progress line that cannot be drawn does not end a run: the exit code is that of the signal of the closed terminal.</summary>
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void ATerminalThatIsClosedEndsTheRunAsItsSignalSays()
-    {
-        if (!OperatingSystem.IsLinux()) return;
-        raycaster.Write("terminal.py", """
-            import os, pty, select, sys, time
-            child, terminal = pty.fork()
-            if child == 0:
-                os.environ.pop('CI', None)
-                os.environ['TERM'] = 'xterm'
-                os.execv(sys.argv[1], sys.argv[1:])
-            end, shown = time.time() + 60, b''
-            while b'%' not in shown and time.time() < end: # the line is drawn after half a second, and ten times in each
-                if select.select([terminal], [], [], 0.1)[0]: shown += os.read(terminal, 1000)
-            os.close(terminal)
-            print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
-            """);
-        raycaster.RunInShell($"command -v python3 >/dev/null || exit 77; python3 terminal.py '{RayCasterProcess.App}' '{Room}' -s 30000x30000");
-        if (raycaster.ExitCode == 77) return; // nothing that makes a terminal
-        Assert.Equal(("129\n", ""), (raycaster.OutputText, raycaster.Error));
-        Assert.Equal(["terminal.py"], raycaster.Files);
-    }
-
-    private static void IsInterrupted(Process process, string signal, int exitCode)
+    internal static void IsInterrupted(Process process, string signal, int exitCode)
     {
         Assert.Equal(exitCode, RayCasterProcess.Kill(process, signal));
         Assert.Matches(@"(^|\n)raycaster: interrupted; nothing was written\n$|^$", process.StandardError.ReadToEnd());
@@ -159,5 +52,5 @@ public sealed class InterruptionTests : IDisposable
         while (!raycaster.Files.Any(file => file.EndsWith(".tmp")) && !process.HasExited) Thread.Sleep(10);
     }
 
-    private static string[] Words(string arguments) => Array.ConvertAll(arguments.Split(' '), word => word == "ROOM" ? Room : word);
+    internal static string[] Words(string arguments) => Array.ConvertAll(arguments.Split(' '), word => word == "ROOM" ? Room : word);
 }

@@ -87,20 +87,20 @@ public sealed class MarkTests : IDisposable
         Assert.Contains("<testsuite name=\"Zoë 😀\"", File.ReadAllText(raycaster.PathOf("marks.xml")));
     }
 
-    [Fact]
+    [SkippableFact]
     public void AFolderWithTheNameOfAPlaceInTheCommandIsMarked()
     {
-        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
         raycaster.Write(Folder("{out} {name}") + "draw.sh", $"'{RayCasterProcess.App}' \"$1\" -q -o \"$2\"");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
         Assert.StartsWith("{out} {name},5,0,5", Table()[1]);
     }
 
-    [Fact]
+    [SkippableFact]
     public void ALongErrorIsQuotedInPart()
     {
-        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
         raycaster.Write(Folder("anna") + "draw.sh", "printf 'error\\t%07000d' 1; exit 1");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
@@ -118,10 +118,10 @@ public sealed class MarkTests : IDisposable
             "named after the student\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [Fact]
+    [SkippableFact]
     public void AProgramThatDoesNotBuildIsToldOnceWithItsErrorsAndIsAnErrorInJUnit()
     {
-        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         WriteRubric("""  "build": ["sh", "{dir}/build.sh"], "run": ["draw", "{scene}", "{out}"], """);
         var folder = raycaster.PathOf("class/anna");
         var error = $"{folder}/Sphere.cs(3,5): error CS1002: ; expected [{folder}/Lab.csproj]";
@@ -143,10 +143,10 @@ public sealed class MarkTests : IDisposable
         Assert.Contains("<td>ball</td><td class=\"n\">0 of 3</td><td></td>", File.ReadAllText(raycaster.PathOf("marks/anna/feedback.html")));
     }
 
-    [Fact]
+    [SkippableFact]
     public void HostileProgramsAreRows()
     {
-        if (OperatingSystem.IsWindows()) return; // the programs are scripts of a POSIX shell
+        Skip.If(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], "outputLimit": 1, """);
         void Write(string student, string script) => raycaster.Write(Folder(student) + "draw.sh", script);
         Write("crashes", "kill -SEGV $$");
@@ -187,20 +187,20 @@ public sealed class MarkTests : IDisposable
         Assert.Contains("balls: no picture balls.png; there is b a l l s.png,", Table()[1].Replace("\"", ""));
     }
 
-    [Fact]
+    [SkippableFact]
     public void AProgramThatHangsIsOutOfTime()
     {
-        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], "timeLimit": 1, """);
         raycaster.Write(Folder("hangs") + "draw.sh", "sleep 100");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
         Assert.Contains("out of time after 1 s", Table()[1]);
     }
 
-    [Fact]
+    [SkippableFact]
     public void AProgramThatDeletesTheClassAndItsMarksIsARow()
     {
-        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
         raycaster.Write(Folder("vandal") + "draw.sh",
             $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}' '{raycaster.PathOf("rubric.json")}'");
@@ -222,10 +222,10 @@ public sealed class MarkTests : IDisposable
         Assert.Equal((2, $"raycaster: cannot write {page}: it is a folder; name a file in it\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [Fact]
+    [SkippableFact]
     public void ASubmissionsNameForgesNoRow()
     {
-        if (OperatingSystem.IsWindows()) return; // has no such names
+        Skip.If(OperatingSystem.IsWindows(), "has no such names");
         WriteRubric("");
         Folder("anna\nboris,5");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
@@ -279,10 +279,10 @@ public sealed class MarkTests : IDisposable
         Assert.EndsWith("0 of 1", Table()[1]);
     }
 
-    [Fact]
+    [SkippableFact]
     public void AnInterruptedRunSaysHowToContinue()
     {
-        if (OperatingSystem.IsWindows()) return; // no kill command there
+        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
         WriteRubric("\"run\": [\"sh\", \"{dir}/draw.sh\", \"{scene}\", \"{out}\"],");
         raycaster.Write(Folder("anna") + "draw.sh", "exit 1");
         raycaster.Write(Folder("boris") + "draw.sh", "sleep 100");

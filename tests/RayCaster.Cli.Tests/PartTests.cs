@@ -3,7 +3,7 @@ namespace RayCaster.Cli.Tests;
 /// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
 public sealed class PartTests : IDisposable
 {
-    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
+    internal static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
 
     private readonly RayCasterProcess raycaster = new();
 
@@ -36,11 +36,7 @@ public sealed class PartTests : IDisposable
     [Fact]
     public void StitchedPartsAreThePictureThatIsDrawnInOneGo() => AssertStitched("room.json");
 
-    [Fact]
-    [Trait("kind", "campaign")] // lines of a mesh are those of the whole picture: FineMeshTests
-    public void SoAreThoseOfAMesh() => AssertStitched("mesh.json");
-
-    private void AssertStitched(string scene)
+    internal void AssertStitched(string scene)
     {
         var path = Path.Combine(RayCasterProcess.Scenes, scene);
         raycaster.Run(path, "-s", "200x150", "-o", "whole.png");
@@ -142,38 +138,4 @@ public sealed class PartTests : IDisposable
         Assert.Equal(41, PictureFile.Read(raycaster.PathOf("a.png")).Width);
     }
 
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void WhatAKilledPartLeavesIsFinishedByRunningAgain()
-    {
-        if (OperatingSystem.IsWindows()) return; // no kill command there
-        string[] size = [Room, "-t", "1", "-s", "10000x3000"];
-        raycaster.Run([.. size, "--rows", "0..9"]);
-        using (var process = raycaster.Start([.. size, "--rows", "10..2989"]))
-        {
-            while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(1);
-            Assert.Equal(137, RayCasterProcess.Kill(process, "KILL"));
-        }
-        raycaster.Run([.. size, "--rows", "2990..2999"]).Run("stitch", ".", "--missing");
-        Assert.Equal((1, "10..2989\n"), (raycaster.ExitCode, raycaster.OutputText));
-
-        var said = "";
-        foreach (var rows in (string[])["0..9", "10..2989", "2990..2999"]) said += raycaster.Run([.. size, "--rows", rows, "--resume"]).Error;
-        Assert.Matches(
-            @"^room\.part-0000-0009\.png: exists already\nroom\.part-0010-2989\.png: lines .*\nroom\.part-2990-2999\.png: exists already\n$", said);
-        Assert.Equal(0, raycaster.Run("stitch", ".", "--missing").ExitCode);
-    }
-
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void AStitchThatIsInterruptedLeavesTheOldPicture()
-    {
-        if (OperatingSystem.IsWindows()) return; // no kill command there
-        raycaster.Write("whole.png", "the old picture").Run(Room, "-s", "20000x3000", "--rows", "1/1", "-o", "a.png");
-        using var process = raycaster.Start("stitch", "a.png", "-o", "whole.png");
-        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(1);
-        Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
-        Assert.Equal(["a.png", "whole.png"], raycaster.Files);
-        Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("whole.png")));
-    }
 }

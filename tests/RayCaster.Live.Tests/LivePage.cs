@@ -30,8 +30,6 @@ internal sealed class LivePage : IAsyncDisposable
 
     public string Token => Server.Address[(Server.Address.IndexOf('=') + 1)..];
 
-    public string Cookie => $"raycaster-live-{Server.Port}={Token}";
-
     public static async Task<LivePage> OpenAsync(string scene = Ball, string? mine = null, Action<TemporaryFolder>? prepare = null)
     {
         var folder = new TemporaryFolder();
@@ -41,11 +39,11 @@ internal sealed class LivePage : IAsyncDisposable
     }
 
     /// <summary>Connects to the server as the page does.</summary>
-    public async Task ConnectAsync(string? origin = null, bool withCookie = true)
+    public async Task ConnectAsync(string? origin = null, string? token = null)
     {
         socket = new();
         socket.Options.SetRequestHeader("Origin", origin ?? Root);
-        if (withCookie) socket.Options.SetRequestHeader("Cookie", Cookie);
+        socket.Options.AddSubProtocol(token ?? Token);
         await socket.ConnectAsync(new($"ws://127.0.0.1:{Server.Port}/live"), Soon());
     }
 

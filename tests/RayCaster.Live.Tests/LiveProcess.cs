@@ -14,14 +14,16 @@ internal sealed class LiveProcess : IDisposable
 
     /// <summary>Starts the program and waits for its address.</summary>
     /// <param name="scene">The scene file.</param>
-    /// <param name="watchKey">The key that "dotnet watch" gives to the programs that it starts; null without "dotnet watch".</param>
-    public static LiveProcess Start(string scene, string? watchKey = null)
+    /// <param name="iteration">Which start by "dotnet watch" this is; 0 without "dotnet watch".</param>
+    /// <param name="home">The home folder; the user's own if left out.</param>
+    public static LiveProcess Start(string scene, int iteration = 0, string? home = null)
     {
         var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "raycaster-live"), [scene, "--no-browser"])
         {
             RedirectStandardOutput = true,
         };
-        if (watchKey is not null) start.Environment["ASPNETCORE_AUTO_RELOAD_WS_KEY"] = watchKey;
+        if (iteration > 0) start.Environment["DOTNET_WATCH_ITERATION"] = $"{iteration}";
+        if (home is not null) start.Environment["XDG_DATA_HOME"] = start.Environment["LOCALAPPDATA"] = home;
         var process = Process.Start(start)!;
         var address = "";
         while (!address.StartsWith("http://", StringComparison.Ordinal))

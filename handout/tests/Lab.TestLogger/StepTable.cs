@@ -25,7 +25,7 @@ public sealed class StepTable : ITestLoggerWithParameters
         };
         events.TestRunMessage += (_, args) => messages.Add(args.Message);
         events.TestRunComplete += (_, args) =>
-            Finish(args.IsAborted || args.IsCanceled ? StoppedTests.Of(args.AttachmentSets, messages, results) : []);
+            Finish(args.IsAborted || args.IsCanceled ? StoppedTests.Of(args.AttachmentSets, messages) : []);
     }
 
     public void Initialize(TestLoggerEvents events, Dictionary<string, string> parameters)

@@ -10,11 +10,10 @@ internal static partial class StoppedTests
     /// <summary>At least one; if none is known, the run itself.</summary>
     /// <param name="attachments">The run's. The collector "blame" adds a list of the tests that have begun, but may miss the last ones.</param>
     /// <param name="messages">The run's. One of them is the call stack of a stack overflow, with the test that has caused it.</param>
-    /// <param name="results">Those of the tests that have ended.</param>
-    public static List<TestResult> Of(IEnumerable<AttachmentSet> attachments, IReadOnlyList<string> messages, IReadOnlyList<TestResult> results)
+    public static List<TestResult> Of(IEnumerable<AttachmentSet> attachments, IReadOnlyList<string> messages)
     {
         var said = string.Join('\n', messages); // before the overflow also the stacks of tests that have failed
-        List<TestResult> onTheStack = said.IndexOf("Stack overflow.") is >= 0 and var start ? [.. TestsIn(said[start..], " at ")] : [];
+        List<TestResult> onTheStack = said.IndexOf("Stack overflow.") is >= 0 and var start ? [.. TestsIn(said[start..])] : [];
         if (onTheStack.Count > 0) return onTheStack;
         List<TestResult> listed =
         [
@@ -24,13 +23,11 @@ internal static partial class StoppedTests
                where (string)test.Attribute("Completed") == "False"
                select Stopped((string)test.Attribute("Name"), (string)test.Attribute("DisplayName")),
         ];
-        if (listed.Count > 0) return listed;
-        List<TestResult> begun = [.. TestsIn(said, "begun: ").Where(test => !results.Any(result => NameOf(result) == NameOf(test)))];
-        return begun.Count > 0 ? begun : [Stopped("Lab.Tests.UnknownTest", "Lab.Tests.UnknownTest")];
+        return listed.Count > 0 ? listed : [Stopped("Lab.Tests.UnknownTest", "Lab.Tests.UnknownTest")];
     }
 
-    private static IEnumerable<TestResult> TestsIn(string text, string before) =>
-        from name in TestName().Matches(text).Where(test => text[..test.Index].EndsWith(before)).Select(test => test.Value).Distinct()
+    private static IEnumerable<TestResult> TestsIn(string stack) =>
+        from name in TestName().Matches(stack).Select(test => test.Value).Distinct()
         select Stopped(name, name);
 
     private static TestResult Stopped(string name, string displayName)
@@ -44,9 +41,7 @@ internal static partial class StoppedTests
         };
     }
 
-    private static string NameOf(TestResult result) => result.TestCase.FullyQualifiedName;
-
-    [GeneratedRegex(@"Lab\.Tests\.Step\d\d\w*\.\w+(?=\()")]
+    [GeneratedRegex(@"(?<= at )Lab\.Tests\.Step\d\d\w*\.\w+(?=\()")]
     private static partial Regex TestName();
 
     [GeneratedRegex(@"\.Step(\d\d)")]

@@ -1,7 +1,7 @@
 namespace Lab.Tests;
 
 /// <summary>Slides "C# Objects", "IDE &amp; Vectors".</summary>
-[Trait("step", "1"), Ends]
+[Trait("step", "1")]
 public class Step01Vectors
 {
     private const string Slide = "IDE & Vectors";

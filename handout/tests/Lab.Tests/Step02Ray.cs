@@ -3,7 +3,7 @@ using System.Diagnostics;
 namespace Lab.Tests;
 
 /// <summary>Slide "Ray".</summary>
-[Trait("step", "2"), Ends]
+[Trait("step", "2")]
 public class Step02Ray
 {
     private const string Slide = "Ray";

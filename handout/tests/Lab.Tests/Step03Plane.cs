@@ -3,7 +3,7 @@ using Library = RayCaster;
 namespace Lab.Tests;
 
 /// <summary>Slides "Plane", "Ray – Plane Intersection".</summary>
-[Trait("step", "3"), Ends]
+[Trait("step", "3")]
 public class Step03Plane
 {
     private const string Slide = "Ray – Plane Intersection";

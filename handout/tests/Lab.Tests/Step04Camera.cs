@@ -3,7 +3,7 @@ using RayCaster;
 namespace Lab.Tests;
 
 /// <summary>Slides "Camera", "Camera Pixel Translation", "Ray Casting".</summary>
-[Trait("step", "4"), Ends]
+[Trait("step", "4")]
 public class Step04Camera
 {
     private const string Slide = "Camera", PixelSlide = "Camera Pixel Translation";

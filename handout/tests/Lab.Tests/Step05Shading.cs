@@ -1,7 +1,7 @@
 namespace Lab.Tests;
 
 /// <summary>Slide "Primitive Shading".</summary>
-[Trait("step", "5"), Ends]
+[Trait("step", "5")]
 public class Step05Shading
 {
     private const string Slide = "Primitive Shading";

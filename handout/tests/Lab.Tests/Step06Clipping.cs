@@ -5,7 +5,7 @@ using RayCaster;
 namespace Lab.Tests;
 
 /// <summary>Slides "zNear &amp; zFar", "Bias".</summary>
-[Trait("step", "6"), Ends]
+[Trait("step", "6")]
 public class Step06Clipping
 {
     private readonly Chance chance = new();

@@ -3,7 +3,7 @@ using Library = RayCaster;
 namespace Lab.Tests;
 
 /// <summary>Slides "AABB (Axis Aligned Bounding Box)", "AABB – intersection parameters", "AABB checking for intersection".</summary>
-[Trait("step", "7"), Ends]
+[Trait("step", "7")]
 public class Step07Box
 {
     private const string Slide = "AABB checking for intersection", SlabSlide = "AABB – intersection parameters";

@@ -3,7 +3,7 @@ using Library = RayCaster;
 namespace Lab.Tests;
 
 /// <summary>Slides "Sphere", "Sphere – Geometric Solution", "Sphere – Analytical Solution": both ways lead to the same intersections.</summary>
-[Trait("step", "8"), Ends]
+[Trait("step", "8")]
 public class Step08Sphere
 {
     private readonly Chance chance = new();

@@ -3,7 +3,7 @@ using Library = RayCaster;
 namespace Lab.Tests;
 
 /// <summary>Slide "Circle".</summary>
-[Trait("step", "9"), Ends]
+[Trait("step", "9")]
 public class Step09Circle
 {
     private const string Slide = "Circle";

@@ -3,7 +3,7 @@ using Library = RayCaster;
 namespace Lab.Tests;
 
 /// <summary>Slide "Triangle".</summary>
-[Trait("step", "10"), Ends]
+[Trait("step", "10")]
 public class Step10Triangle
 {
     private const string Slide = "Triangle";

@@ -11,6 +11,7 @@ internal static class HandOutFolder
         var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
             throw new ProblemException($"{folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
+        ThrowIfPicturesDiffer(cancellation);
         var files = HandOutFiles.With(isOpen);
         WrittenFiles.WriteFolder(folder, made =>
         {
@@ -34,6 +35,20 @@ internal static class HandOutFolder
             throw new ProblemException($"{name}.dll is not beside this program, " +
                 "so it cannot be copied into a hand-out\n  Publish raycaster as separate files, not as one.");
         File.Copy(file, Path.Combine(folder, name + ".dll"));
+    }
+
+    /// <summary>A hand-out judges students by the pictures of this build: in a clone they must be the stored references.</summary>
+    private static void ThrowIfPicturesDiffer(CancellationToken cancellation)
+    {
+        var root = new DirectoryInfo(AppContext.BaseDirectory);
+        while (root is not null && !Directory.Exists(Path.Combine(root.FullName, "tests", "References"))) root = root.Parent;
+        if (root is null) return; // an installed program
+        foreach (var file in Directory.GetFiles(Path.Combine(root.FullName, "scenes"), "*.json", SearchOption.AllDirectories))
+        {
+            cancellation.ThrowIfCancellationRequested();
+            if (SceneReader.Read(file).Scene is { } scene && StoredReference.Contradiction(file, scene) is { } difference)
+                throw new ProblemException($"{difference}, and a hand-out would judge by it\n  Undo the change in src/RayCaster.");
+        }
     }
 
     /// <summary>The picture of each scene after each step, as scenes/step07/room.png.</summary>

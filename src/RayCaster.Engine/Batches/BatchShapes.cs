@@ -27,6 +27,16 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
 {
     private readonly PooledList<(P Shape, int Model)> arranged = new();
 
+    /// <summary>Whether a ball bounds the shapes more tightly than a box.</summary>
+    private static bool IsRound => typeof(P) == typeof(Sphere) || typeof(P) == typeof(Circle);
+
+    private static (Vector3 Center, double Radius) Ball(P shape) => shape switch
+    {
+        Sphere sphere => (sphere.Center, sphere.Radius),
+        Circle circle => (circle.Center, circle.Radius),
+        _ => throw new NotSupportedException(),
+    };
+
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares)
     {
@@ -39,10 +49,10 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
             for (var i = 0; i < count; i++)
             {
                 ref readonly var shape = ref all[first + i].Shape;
-                if (shape is IRound)
+                if (IsRound)
                 {
-                    var center = ((IRound)shape).Center;
-                    (outlines.X[i], outlines.Y[i], outlines.Z[i], outlines.Radius[i]) = (center.X, center.Y, center.Z, ((IRound)shape).Radius);
+                    var (center, radius) = Ball(shape);
+                    (outlines.X[i], outlines.Y[i], outlines.Z[i], outlines.Radius[i]) = (center.X, center.Y, center.Z, radius);
                 }
                 else
                 {
@@ -51,7 +61,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
                     (outlines.MaxX[i], outlines.MaxY[i], outlines.MaxZ[i]) = (max.X, max.Y, max.Z);
                 }
             }
-            if (typeof(P).IsAssignableTo(typeof(IRound))) outlines.OfBalls<N>();
+            if (IsRound) outlines.OfBalls<N>();
             else outlines.OfBoxes<N>();
             for (var i = 0; i < count; i++)
             {

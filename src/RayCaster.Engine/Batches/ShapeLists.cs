@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>What depends only on the models of a scene: the shapes that have bounds, a list for each kind.</summary>
-internal sealed class ShapeLists : IModelVisitor
+internal sealed class ShapeLists
 {
     private static readonly ConditionalWeakTable<IReadOnlyList<Model>, ShapeLists> kept = [];
 
@@ -32,27 +32,27 @@ internal sealed class ShapeLists : IModelVisitor
         return parts[0];
     }
 
-    void IModelVisitor.Visit<P>(Model<P> model)
+    /// <summary>An empty list for the kind of a model; null for planes, which are infinite, and for kinds that the engine does not know.</summary>
+    private static ShapeList? ListFor(Model model) => model switch
     {
-        if (model.Primitive is IBounded) lists.Add(new ShapeList<P>());
-    }
-
-    void IModelVisitor.Visit(Mesh mesh)
-    {
-    }
-
-    void IModelVisitor.VisitOther(Model model)
-    {
-    }
+        Model<Sphere> => new ShapeList<Sphere>(),
+        Model<Aabb> => new ShapeList<Aabb>(),
+        Model<Circle> => new ShapeList<Circle>(),
+        Model<Triangle> => new ShapeList<Triangle>(),
+        _ => null,
+    };
 
     private void Add(Model model, int index)
     {
         for (var i = lists.Count - 1; i >= 0; i--)
             if (lists[i].Add(model, index))
                 return;
-        var before = lists.Count;
-        model.Accept(this); // only once for each kind of shape: the new list takes the others
-        if (lists.Count == before || !lists[^1].Add(model, index)) others.Add(index);
+        if (ListFor(model) is { } list)
+        {
+            list.Add(model, index);
+            lists.Add(list);
+        }
+        else others.Add(index);
     }
 
     private void Append(ShapeLists more)

@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>Vectors of consecutive numbers in an array. Only the first position is checked: the arrays have room for whole vectors. With the
-/// constant CHECKED all positions are checked.</summary>
+/// <summary>Vectors of consecutive numbers in an array. Only the first position is checked: the arrays have room for whole vectors. In a
+/// debug build all positions are checked.</summary>
 internal static class ArrayVectors
 {
     /// <summary>The numbers from a position on, as many as fill 16 bytes.</summary>
@@ -42,7 +42,7 @@ internal static class ArrayVectors
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ref T At<T>(T[] numbers, int index, int count) where T : struct
     {
-#if CHECKED
+#if DEBUG
         _ = numbers.AsSpan(index, count);
 #endif
         return ref numbers[index];

@@ -3,11 +3,11 @@ using System.Runtime.InteropServices;
 namespace RayCaster.Engine;
 
 /// <summary>Numbers in an array without range checks, for loops in which the checks would take most of the time. docs/limits.md says for each use
-/// why no position lies outside. With the constant CHECKED all positions are checked.</summary>
+/// why no position lies outside. A debug build checks all positions.</summary>
 internal readonly ref struct RawSpan<T> where T : struct
 {
     private readonly ref T first;
-#if CHECKED
+#if DEBUG
     private readonly nint length;
 #endif
 
@@ -18,7 +18,7 @@ internal readonly ref struct RawSpan<T> where T : struct
     public RawSpan(ref T first, nint length)
     {
         this.first = ref first;
-#if CHECKED
+#if DEBUG
         this.length = length;
 #endif
     }
@@ -48,7 +48,7 @@ internal readonly ref struct RawSpan<T> where T : struct
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private ref T From(nint index, int count)
     {
-#if CHECKED
+#if DEBUG
         if (index < 0 || index > length - count) throw new IndexOutOfRangeException($"{count} numbers from {index} on, of {length}");
 #endif
         return ref Unsafe.Add(ref first, index);

@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>What all threads share that draw one picture.</summary>
-internal abstract class Frame(Scene scene, int threads, bool manyFrames, bool isPlain) : IDisposable
+internal abstract class Frame(Scene scene, int threads, bool manyFrames) : IDisposable
 {
     /// <summary>Kernels for single kinds of shape save half of the time, but compiling them takes as long as casting some ten million rays. They are
     /// used for a picture of at least this many pixels, or if many pictures follow each other, and always in a native program.</summary>
@@ -10,9 +10,6 @@ internal abstract class Frame(Scene scene, int threads, bool manyFrames, bool is
     /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>
     public bool UsesShapeKernels { get; } =
         manyFrames || !RuntimeFeature.IsDynamicCodeCompiled || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
-
-    /// <summary>Whether each ray is simply intersected with each model near its pixel, if the models are few and the work is short.</summary>
-    protected bool IsPlain => isPlain;
 
     protected bool ManyFrames => manyFrames;
 
@@ -25,10 +22,10 @@ internal abstract class Frame(Scene scene, int threads, bool manyFrames, bool is
 
     /// <summary>A frame for the widest packets of the machine; everything else is generic over this choice.</summary>
     /// <param name="cancellation">Stops the preparation of the models with an <see cref="OperationCanceledException"/>.</param>
-    public static Frame Of(Scene scene, int threads, bool manyFrames, CancellationToken cancellation, bool isPlain = false) =>
+    public static Frame Of(Scene scene, int threads, bool manyFrames, CancellationToken cancellation) =>
         Vector512.IsHardwareAccelerated
-            ? new Frame<WidePacket>(scene, threads, manyFrames, cancellation, isPlain)
-            : new Frame<Packet>(scene, threads, manyFrames, cancellation, isPlain);
+            ? new Frame<WidePacket>(scene, threads, manyFrames, cancellation)
+            : new Frame<Packet>(scene, threads, manyFrames, cancellation);
 
     /// <summary>A thread's caster.</summary>
     public abstract IStripCaster NewCaster();

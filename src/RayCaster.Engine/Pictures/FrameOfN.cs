@@ -1,19 +1,16 @@
 namespace RayCaster.Engine;
 
 /// <summary>The models of a picture as the camera sees them, each by itself or as one of a batch.</summary>
-internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<N>
+internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
 {
     /// <summary>With fewer models, testing each of them is cheaper than lists for parts of the picture.</summary>
     private const int FewModels = 64;
 
     private readonly List<ModelView> views = [];
-    private readonly CancellationToken cancellation;
 
     /// <inheritdoc cref="Frame.Of"/>
-    public Frame(Scene scene, int threads, bool manyFrames, CancellationToken cancellation, bool isPlain)
-        : base(scene, threads, manyFrames, isPlain)
+    public Frame(Scene scene, int threads, bool manyFrames, CancellationToken cancellation) : base(scene, threads, manyFrames)
     {
-        this.cancellation = cancellation;
         var (camera, models) = (scene.Camera, scene.Models);
         if (models.Count > FewModels && !camera.IsSkewed)
             PrimitiveBatch = new(camera, ShapeLists.Of(models, manyFrames, threads), models.Count, threads);
@@ -22,7 +19,7 @@ internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<
         foreach (var i in ModelIndices)
         {
             cancellation.ThrowIfCancellationRequested();
-            models[i].Accept(this);
+            views.Add(ViewOf(models[i], cancellation));
         }
         Extents = Array.ConvertAll(Views, view => view.Extent);
     }
@@ -38,8 +35,7 @@ internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<
     /// <summary>The other models; null if there are few.</summary>
     public PrimitiveBatch<N>? PrimitiveBatch { get; }
 
-    public override IStripCaster NewCaster() =>
-        IsPlain && !UsesShapeKernels && PrimitiveBatch is null ? new PlainCaster<N>(this) : NewTileCaster();
+    public override IStripCaster NewCaster() => new TileCaster<N>(this);
 
     public override IHitConsumer HitsInto(HitMap map) => new HitMapConsumer<N>(map, Scene.Camera);
 
@@ -49,12 +45,17 @@ internal sealed class Frame<N> : Frame, IModelVisitor where N : struct, IPacket<
         PrimitiveBatch?.Free();
     }
 
-    void IModelVisitor.Visit<P>(Model<P> model) => views.Add(new PrimitiveView<P, N>(model.Primitive, Scene.Camera));
+    private ModelView ViewOf(Model model, CancellationToken cancellation) => model switch
+    {
+        Model<Plane> plane => ViewOf(plane),
+        Model<Sphere> sphere => ViewOf(sphere),
+        Model<Aabb> box => ViewOf(box),
+        Model<Circle> circle => ViewOf(circle),
+        Model<Triangle> triangle => ViewOf(triangle),
+        Mesh mesh => new MeshView<N>(mesh, new(Scene.Camera), cancellation, ManyFrames, Threads),
+        _ when AnyPrimitive.HasFormula(model) => new PrimitiveView<AnyPrimitive, N>(new(model), model.Bounds, Scene.Camera),
+        _ => new SingleRayView(model, Scene.Camera),
+    };
 
-    void IModelVisitor.Visit(Mesh mesh) => views.Add(new MeshView<N>(mesh, new(Scene.Camera), cancellation, ManyFrames, Threads));
-
-    void IModelVisitor.VisitOther(Model model) => views.Add(new SingleRayView(model, Scene.Camera));
-
-    /// <remarks>A method of its own, so that the tile caster's code is not loaded if it is not needed.</remarks>
-    private IStripCaster NewTileCaster() => new TileCaster<N>(this);
+    private PrimitiveView<P, N> ViewOf<P>(Model<P> model) where P : struct, IPrimitive => new(model.Primitive, model.Bounds, Scene.Camera);
 }

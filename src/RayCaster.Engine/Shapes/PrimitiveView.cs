@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>A primitive: its own formula over intervals tells what a tile may hit, and over packets what each pixel hits.</summary>
-internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeView<N>((primitive as IBounded)?.Bounds, camera)
+internal sealed class PrimitiveView<P, N>(P primitive, Bounds? bounds, Camera camera) : ShapeView<N>(bounds, camera)
     where P : struct, IPrimitive where N : struct, IPacket<N>
 {
     public override bool Accept(IShapeVisitor visitor) => visitor.Visit(primitive);

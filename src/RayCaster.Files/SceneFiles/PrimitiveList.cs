@@ -30,7 +30,7 @@ internal static class PrimitiveList
 
         new("triangle", "A triangle, visible from both sides.", Triangle),
 
-        new("mesh", "Triangles from a file.", Mesh),
+        new("mesh", "Triangles from a file, or written here.", Mesh),
     ];
 
     public static readonly string[] Names = Array.ConvertAll(All, type => type.Name);
@@ -65,28 +65,40 @@ internal static class PrimitiveList
         return Model.Of(new Triangle(a, b, c));
     }
 
-    /// <summary>Triangles of a file, placed; after an error the mesh is empty.</summary>
+    /// <summary>Triangles of a file or of the scene, placed; after an error the mesh is empty.</summary>
     private static Model Mesh(SceneObject o)
     {
         var nothing = new Mesh([], []);
-        var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.", true);
+        var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.", false);
+        var vertices = o.Vectors("vertices", "In place of a file: the corners of the faces.");
+        var indices = o.Faces("faces", "Of each face at least three places in vertices, from 0.",
+            vertices.Length > 0 ? vertices.Length : int.MaxValue);
         var placement = new MeshPlacement(
             o.Factors("scale", "A factor for all axes, or one for each; none is 0, negative mirrors.", 1),
             o.Vector("rotate", "Turns about the x, y and z axis, in this order, in degrees.", Vector3.Zero),
             o.Vector("translate", "Where the mesh's origin goes, at last.", Vector3.Zero));
-        if (file is null) return nothing;
+        if (o.Document is null) return nothing; // only described
+        var key = o.Has("faces") ? "faces" : o.Has("vertices") ? "vertices" : "file";
+        if (file == "") o.Refuse("file", $" must not be empty");
+        else if (key == "file" && !o.Has(key)) o.Refuse(key, $" is missing: a mesh file (.obj, .ply or .stl), or in place of it vertices and faces");
+        else if (key != "file" && o.Has("file")) o.Refuse(key, $" cannot stand beside {o.PathOf("file")}: a mesh has one or the other");
+        else if (key == "vertices") o.Refuse(key, $" needs faces beside it");
+        else if (key == "faces" && !o.Has("vertices")) o.Refuse(key, $" needs vertices beside it");
+        else if (key == "faces" && o.IsSound && vertices.Length == 0) o.Refuse("vertices", $" must have at least one vertex");
+        else if (key == "faces" && o.IsSound && indices.Length == 0) o.Refuse(key, $" must have at least one face");
         try
         {
-            var data = o.Document!.Mesh(file, out var isNew);
+            var isNew = false;
+            var data = string.IsNullOrEmpty(file) ? new(vertices, indices) : o.Document.Mesh(file, out isNew);
             if (!o.IsSound) return nothing;
-            if (isNew && data.Warning is { } warning) o.Warn("file", $": {warning}");
+            if (isNew && data.Warning is { } warning) o.Warn(key, $": {warning}");
             var mesh = placement.Place(data, out var dropped);
-            if (dropped > 0) o.Warn("file", $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
+            if (dropped > 0) o.Warn(key, $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
             return mesh;
         }
         catch (Exception e) when (e is ProblemException or OverflowException)
         {
-            o.Refuse("file", $": {e.Message}");
+            o.Refuse(key, $": {e.Message}");
             return nothing;
         }
     }

@@ -76,16 +76,28 @@ internal sealed class SceneObject
         var limits = Limits.From(least, most);
         described?.Add(new(key, KeyKind.Whole, meaning, false, orElse) { Limits = limits });
         if (Take(key, meaning, false) is not { } value) return orElse;
-        if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && !double.IsInteger(value.Number))
-        {
-            Report(true, value, key, " must be a whole number, but is " + value.AsWritten);
-            return orElse;
-        }
-        var number = NumberAt(value, key, null, limits);
+        var number = WholeAt(value, key, null, limits);
         return double.IsNaN(number) ? orElse : (int)number;
     }
 
     public Vector3 Vector(string key, string meaning, Vector3? orElse = null) => Vector(key, KeyKind.Vector, meaning, Limits.Coordinate, orElse);
+
+    /// <summary>An array of vectors; empty where it is left out.</summary>
+    public Vector3[] Vectors(string key, string meaning)
+    {
+        described?.Add(new(key, KeyKind.Vectors, meaning, false));
+        return [.. Elements(key, meaning, "vectors").Select((vector, i) => VectorAt(vector, $"{key}[{i}]", Limits.None, VectorForm))];
+    }
+
+    /// <summary>An array of faces, each an array of at least three indices: three for each triangle, where polygons are split as a fan.</summary>
+    /// <param name="count">The indices are less than this.</param>
+    public int[] Faces(string key, string meaning, int count)
+    {
+        described?.Add(new(key, KeyKind.Faces, meaning, false));
+        var (i, triangles) = (0, new List<int>());
+        foreach (var face in Elements(key, meaning, "faces")) AddTriangles(face, $"{key}[{i++}]", Limits.From(0, count - 1), triangles);
+        return [.. triangles];
+    }
 
     /// <summary>A vector of any length but zero.</summary>
     public Vector3 Direction(string key, string meaning, Vector3? orElse = null)
@@ -118,19 +130,11 @@ internal sealed class SceneObject
     }
 
     /// <summary>A text; null where it is left out or something else. A required one must not be empty.</summary>
-    public string? Text(string key, string meaning, bool isRequired)
-    {
-        described?.Add(new(key, KeyKind.Text, meaning, isRequired));
-        if (Take(key, meaning, isRequired) is not { } value || !IsText(value, key)) return null;
-        var text = value.Text;
-        if (text.Length > 0 || !isRequired) return text;
-        Refuse(key, $" must not be empty");
-        return null;
-    }
+    public string? Text(string key, string meaning, bool isRequired) => Text(key, KeyKind.Text, meaning, isRequired)?.Text;
 
     /// <summary>A text that names a file; null where it is left out or something else.</summary>
     public string? FileName(string key, string meaning, bool isRequired) =>
-        Text(key, meaning, isRequired) is { } name && MayBeName(Place(key, null)!.Value, key) ? name : null;
+        Text(key, KeyKind.FileName, meaning, isRequired) is { } name && MayBeName(name, key) ? name.Text : null;
 
     /// <summary>An array of texts, which may name files; empty where it is left out. Elements that are something else are reported and left
     /// out.</summary>
@@ -231,6 +235,33 @@ internal sealed class SceneObject
         return Take(key, meaning, orElse is null) is { } value ? VectorAt(value, key, limits, VectorForm) : orElse ?? NoVector;
     }
 
+    /// <summary>The elements of an array, until there are too many errors; none where it is left out or something else.</summary>
+    private IEnumerable<JsonValue> Elements(string key, string meaning, string name) =>
+        Take(key, meaning, false) is { } value && IsArray(value, key, name) ? value.Content.TakeWhile(_ => !Document!.HasTooManyErrors) : [];
+
+    private void AddTriangles(JsonValue face, string path, Limits limits, List<int> triangles)
+    {
+        if (!IsArray(face, path, "indices")) return;
+        var (first, previous, count) = (0, 0, 0);
+        foreach (var index in face.Content)
+        {
+            var corner = (int)WholeAt(index, path, count, limits);
+            if (count >= 2) triangles.AddRange([first, previous, corner]);
+            (first, previous) = (count == 0 ? corner : first, corner);
+            count++;
+        }
+        if (count < 3) Report(true, face, path, $" must have at least three indices, but has {count}");
+    }
+
+    private JsonValue? Text(string key, KeyKind kind, string meaning, bool isRequired)
+    {
+        described?.Add(new(key, kind, meaning, isRequired));
+        if (Take(key, meaning, isRequired) is not { } value || !IsText(value, key)) return null;
+        if (!isRequired || value.Text.Length > 0) return value;
+        Refuse(key, $" must not be empty");
+        return null;
+    }
+
     private bool IsText(JsonValue value, string key, int? element = null)
     {
         if (value.Kind == JsonTokenType.String) return true;
@@ -268,6 +299,14 @@ internal sealed class SceneObject
     {
         if (value.Kind == JsonTokenType.Number && value.Number is var number && double.IsFinite(number) && limits.Allow(number)) return number;
         Report(true, value, key, WrongValue.Number(value, limits), element);
+        return double.NaN;
+    }
+
+    private double WholeAt(JsonValue value, string key, int? element, Limits limits)
+    {
+        if (value.Kind != JsonTokenType.Number || !double.IsFinite(value.Number) || double.IsInteger(value.Number))
+            return NumberAt(value, key, element, limits);
+        Report(true, value, key, " must be a whole number, but is " + value.AsWritten, element);
         return double.NaN;
     }
 

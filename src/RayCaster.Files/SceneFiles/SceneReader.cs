@@ -13,22 +13,19 @@ public static class SceneReader
 
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
-    /// <param name="look">Receives the file's bytes before they are parsed, also if they contain mistakes.</param>
-    public static SceneReading Read(string path, Action<ReadOnlySpan<byte>>? look = null)
+    public static SceneReading Read(string path)
     {
         if (MeshFile.IsNamedLikeOne(path) && File.Exists(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
         if (InputBytes.ReadFile(path, Kind, MaxBytes, Remedy, out var bytes) is { } problem) return Unreadable(path, problem);
-        look?.Invoke(bytes);
         return Parse(bytes, path, Path.GetDirectoryName(path) ?? "");
     }
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
     /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static SceneReading Read(Stream stream, string displayName, string folder, Action<ReadOnlySpan<byte>>? look = null)
+    public static SceneReading Read(Stream stream, string displayName, string folder)
     {
         if (!InputBytes.TryReadToEnd(stream, MaxBytes, out var bytes)) return Unreadable(displayName, InputBytes.TooLong(Kind, MaxBytes, Remedy));
-        look?.Invoke(bytes);
         return Parse(bytes, displayName, folder);
     }
 

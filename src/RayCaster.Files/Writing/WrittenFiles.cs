@@ -28,8 +28,9 @@ public static class WrittenFiles
     }
 
     /// <summary>Writes a file. An old one stays until the new one is complete; a symbolic link is replaced, not followed.</summary>
+    /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
     /// <exception cref="ProblemException">The file cannot be written.</exception>
-    public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default)
+    public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default, Action? beforeReplacing = null)
     {
         var target = TargetOf(path);
         var temporary = NameBeside(target);
@@ -40,6 +41,7 @@ public static class WrittenFiles
             cancellation.ThrowIfCancellationRequested();
             // A network drive reports only now that the quota is used up, and then the old picture must still be there.
             file.Flush(flushToDisk: true);
+            beforeReplacing?.Invoke();
             Finish(temporary, path, () => File.Move(temporary, target, overwrite: true));
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))

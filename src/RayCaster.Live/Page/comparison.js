@@ -2,9 +2,9 @@
 import { $, show } from "./dom.js";
 import { lay } from "./picture.js";
 import { explain } from "./pixel.js";
-import { ask, on } from "./server.js";
+import { ask, on, token } from "./server.js";
 
-let middle = null;
+let middle = null, isDiagnosing = false;
 
 on("comparison", message => {
   const name = message.name;
@@ -16,59 +16,52 @@ on("comparison", message => {
   show($("mine-worst"), middle !== null);
   for (const option of $("mine-show").options) option.disabled = !message.hasLayers && option.value !== "none";
   if (!message.hasLayers) $("mine-show").value = "none";
-  $("diagnose").disabled = false;
+  diagnosing(false);
   arrange();
 });
 
 on("diagnosis", message => {
   $("diagnosis-text").textContent = message.text;
   show($("diagnosis-text"), true);
-  $("diagnose").disabled = false;
+  diagnosing(false);
 });
 
-on("frame", () => arrange());
-on("closed", () => { $("diagnose").disabled = false; });
+on("closed", () => diagnosing(false));
 
 $("mine-show").addEventListener("change", arrange);
-$("mine-split").addEventListener("input", arrange);
-$("mine-flip").addEventListener("click", () => {
-  $("mine-show").value = $("mine-show").value === "mine" ? "none" : "mine";
-  arrange();
-});
 $("mine-forget").addEventListener("click", () => ask({ forgetMine: true }));
 $("mine-worst").addEventListener("click", () => {
   explain(middle);
   $("pixel").focus();
 });
-$("diagnose").addEventListener("click", diagnose);
+$("diagnose").addEventListener("click", () => isDiagnosing ? ask({ diagnose: false }) : diagnose());
 $("hint").addEventListener("change", event => {
   ask({ hint: event.target.value });
   if (!$("diagnosis-text").hidden) diagnose();
 });
 
+/** Changes what the button does: it starts a diagnosis, or ends the one that runs. */
+function diagnosing(runs) {
+  isDiagnosing = runs;
+  $("diagnose").textContent = runs ? "Cancel" : "Diagnose";
+}
+
 function diagnose() {
-  $("diagnose").disabled = true;
+  diagnosing(true);
   $("diagnosis-text").textContent = "Drawing the scene with each known mistake …";
   show($("diagnosis-text"), true);
   ask({ diagnose: true });
 }
 
-/** Lays the chosen picture over the scene's; with the slider, only the part to the right of the border. */
+/** Lays the chosen picture over the scene's. */
 function arrange() {
-  const shown = $("mine-show").value;
-  const slides = shown === "slider";
-  lay({ none: null, slider: "mine", mine: "mine", difference: "difference", objects: "objects" }[shown]);
-  const border = $("mine-split").value;
-  $("mine").style.clipPath = slides ? `inset(0 0 0 ${border}%)` : "";
-  $("split").style.left = `${border}%`;
-  show($("split"), slides && !$("mine").hidden);
-  show($("mine-split-line"), slides);
+  lay($("mine-show").value === "none" ? null : $("mine-show").value);
 }
 
 async function send(file) {
   $("mine-said").textContent = `Reading ${file.name} …`;
   try {
-    const answer = await fetch(`/mine?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+    const answer = await fetch(`/mine?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file, headers: { Authorization: token } });
     if (!answer.ok) $("mine-said").textContent = `${file.name}: ${(await answer.text()).trim()}`;
   } catch {
     $("mine-said").textContent = `${file.name} cannot be sent: it is too large, or the program has ended.`;

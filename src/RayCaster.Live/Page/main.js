@@ -3,14 +3,12 @@ import { $, digits, show } from "./dom.js";
 import { hand } from "./hand.js";
 import { explain, stayInside, step } from "./pixel.js";
 import { setSize, size } from "./picture.js";
-import { count, mistakes } from "./problems.js";
+import { count, errors } from "./problems.js";
 import { ask, connect, on, remember } from "./server.js";
 import "./comparison.js";
 import "./models.js";
 
 let scene = null, camera = null;
-
-if (location.search) history.replaceState(null, "", location.pathname + location.hash); // the token has become a cookie
 
 on("open", () => say("Connected."));
 on("closed", () => {
@@ -31,10 +29,10 @@ on("scene", message => {
   }
   const isSmaller = scene.shownWidth !== scene.width || scene.shownHeight !== scene.height;
   const smaller = isSmaller ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
-  const errors = mistakes(scene);
+  const found = errors(scene);
   say(scene.good
     ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`
-    : scene.isGone ? `${scene.path} is gone.` : `${count(errors.length, "mistake")} in ${scene.path}: ${errors[0].message}`);
+    : scene.isGone ? `${scene.path} is gone.` : `${count(found.length, "error")} in ${scene.path}: ${found[0].message}`);
   const picture = `The picture of ${scene.path}, ${scene.width} by ${scene.height} pixels, ${count(scene.modelCount, "model")}` +
     (scene.good ? "" : "; it is the last good one");
   for (const id of ["picture", "stage"]) $(id).setAttribute("aria-label", picture);

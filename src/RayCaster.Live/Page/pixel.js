@@ -113,7 +113,7 @@ function mesh({ triangles, triangle, missed, behind, underBias, beforeNear, beyo
 
 function counts({ camera, ray }) {
   const least = camera.bias === 0 ? "t ≥ 0" : `t > bias = ${digits(camera.bias)}`;
-  const z = camera.clip === "depth" ? `z = t · (−d·W) = t · ${digits(ray.zPerT)}` : "z = t";
+  const z = camera.clip === "depth" ? `z = t · (−d·W) = t · ${digits(ray.depthPerT)}` : "z = t";
   return make("p", {}, `${z}. A crossing counts where ${least} and zNear = ${digits(camera.zNear)} ≤ z ≤ zFar = ${digits(camera.zFar)}.`);
 }
 

@@ -1,31 +1,29 @@
-// The mistakes of the scene file and the errors of the code.
+// The errors of the scene file, and a fault of the code.
 import { $, make, show } from "./dom.js";
 import { on } from "./server.js";
 
 on("scene", scene => {
   fill($("problem-list"), scene.problems, scene.more);
-  const errors = mistakes(scene).length;
+  const found = errors(scene).length;
   $("problems-title").textContent = scene.isGone ? "The scene file is gone"
-    : `The scene file has ${errors > 0 ? count(errors, "mistake") : count(scene.problems.length, "warning")}`;
+    : `The scene file has ${found > 0 ? count(found, "error") : count(scene.problems.length, "warning")}`;
   $("problems-about").textContent = scene.good ? "" : scene.width > 0 ? "The picture is the last good one." : "There is no picture yet.";
   show($("problems"), scene.problems.length > 0);
   document.body.classList.toggle("stale", !scene.good);
 });
 
-// Compiler errors come under "dotnet watch" only; a fault while a picture is drawn comes always, and has no place.
-on("code", code => {
-  fill($("code-list"), code.errors, code.more);
-  $("code-title").textContent = `The code has ${count(code.errors.length + code.more, "error")}`;
-  show($("code"), code.errors.length > 0);
+on("fault", fault => {
+  $("fault-text").textContent = fault.text;
+  show($("fault"), fault.text !== null);
 });
 
-on("open", () => show($("code"), false)); // the program may be a new one, and tells its errors again
+on("open", () => show($("fault"), false)); // the program may be a new one
 
 function fill(list, problems, more) {
   list.replaceChildren(...problems.map(entry), more > 0 ? make("li", {}, `and ${more} more`) : "");
 }
 
-/** A mistake with its line and caret, a link to its place, and the place in words. */
+/** An error with its line and caret, a link to its place, and the place in words. */
 function entry(problem) {
   return make("li", { class: problem.isError ? "error" : "warning" },
     make("p", {}, make("strong", {}, problem.isError ? "Error: " : "Warning: "), problem.message),
@@ -34,7 +32,7 @@ function entry(problem) {
       ? make("p", {}, make("a", { href: problem.link }, "Open in VS Code"), " or go to ", make("code", {}, problem.place)) : null);
 }
 
-export function mistakes(scene) {
+export function errors(scene) {
   return scene.problems.filter(problem => problem.isError);
 }
 

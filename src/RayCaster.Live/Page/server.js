@@ -1,9 +1,16 @@
 // The connection to the server: sends requests, receives messages and frames, and connects again after a break.
 
-const patience = { first: 200, most: 3000 }; // milliseconds between attempts
+const delay = { first: 200, longest: 3000 }; // milliseconds between attempts
 const listeners = {};
+// The program's address has the token after "#". It stays in this tab: no other page and no other port gets it.
+const given = /#token=(\w+)/.exec(location.hash);
+if (given) {
+  sessionStorage.setItem("token", given[1]);
+  history.replaceState(null, "", location.pathname);
+}
+export const token = sessionStorage.getItem("token") ?? "none";
 let socket = null;
-let wait = patience.first;
+let wait = delay.first;
 let everOpen = false;
 const memory = {}; // the newest request of each kind that the server must know after a break
 const remembered = new Set(["camera", "hidden", "look", "explain", "map", "hint"]);
@@ -25,10 +32,10 @@ export function remember(name, value) {
 }
 
 export function connect() {
-  socket = new WebSocket(`ws://${location.host}/live`);
+  socket = new WebSocket(`ws://${location.host}/live`, token);
   socket.binaryType = "arraybuffer";
   socket.addEventListener("open", () => {
-    wait = patience.first;
+    wait = delay.first;
     if (everOpen) for (const [name, value] of Object.entries(memory)) if (value !== null) ask({ [name]: value });
     everOpen = true;
     tell("open");
@@ -41,7 +48,7 @@ export function connect() {
   socket.addEventListener("close", () => {
     tell("closed");
     setTimeout(connect, wait);
-    wait = Math.min(2 * wait, patience.most);
+    wait = Math.min(2 * wait, delay.longest);
   });
 }
 

@@ -6,8 +6,8 @@ namespace RayCaster.Teaching;
 /// </summary>
 public static class StoredReference
 {
-    /// <summary>The most rays times shapes that are cast: they take some seconds.</summary>
-    private const long MostWork = 100_000_000;
+    /// <summary>The most pixels that are drawn for the comparison.</summary>
+    private const long MaxPixels = 1_000_000;
 
     /// <summary>A message, without a full stop, if this build's own picture of a scene is not the stored one; null if it is, or if there is
     /// none.</summary>
@@ -15,16 +15,13 @@ public static class StoredReference
     /// <exception cref="ProblemException">The reference cannot be read.</exception>
     public static string? Contradiction(string path, Scene scene)
     {
-        if (!ScalarRenderer.IsChanged || Find(path) is not { } file) return null;
+        if (Find(path) is not { } file) return null;
         var reference = PictureFile.Read(file);
-        if ((long)reference.Width * reference.Height * scene.ShapeCount > MostWork) return null;
-        var right = ScalarRenderer.Render(scene.WithSize(reference.Width, reference.Height));
+        if ((long)reference.Width * reference.Height > MaxPixels) return null;
+        var right = Renderer.Render(scene.WithSize(reference.Width, reference.Height));
         return new PictureComparison(right, reference).Likeness.IsSame() ? null
             : $"src/RayCaster has been changed: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}";
     }
-
-    /// <param name="path">The scene's file.</param>
-    public static bool Exists(string path) => Find(path) is not null;
 
     /// <summary>The reference of a scene in a folder "scenes", whose neighbour is "tests/References".</summary>
     private static string? Find(string path)

@@ -15,9 +15,11 @@ internal sealed record Answer(Finding Finding)
 /// <summary>Decides which of the trials that a search has compared are named, and what is said if none is.</summary>
 /// <param name="done">What the program certainly draws.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
+/// <param name="byModels">The picture, model by model; null if it has another size.</param>
 /// <param name="leftByMissingModel">What is left unexplained if one model is missing; null if no missing model explains the picture.</param>
 internal sealed class Judgement(
-    SceneDiagnosis prepared, Evidence evidence, IReadOnlyCollection<string> done, Predicate<Mistake>? likely, double? leftByMissingModel)
+    SceneDiagnosis prepared, Evidence evidence, IReadOnlyCollection<string> done, Predicate<Mistake>? likely,
+    SceneDifference? byModels, double? leftByMissingModel)
 {
     /// <summary>A certain cause leaves at most this share of the wrong pixels unexplained.</summary>
     public const double Explained = 0.05;
@@ -60,7 +62,7 @@ internal sealed class Judgement(
     /// <summary>Searches, and decides.</summary>
     public Answer Decide()
     {
-        var search = new DiagnosisSearch([evidence], prepared.Known, done, prepared.Threads, likely);
+        var search = new DiagnosisSearch([evidence], prepared.Known, done, prepared.Threads, likely, prepared.Budget);
         var ranked = search.Run();
         leftByOne = ranked.Where(IsOne).Select(trial => trial.Misfit.Unexplained).DefaultIfEmpty(0).Min();
         var best = search.Ranking.WithoutIdle(Best(ranked));
@@ -115,8 +117,7 @@ internal sealed class Judgement(
         // Two mistakes of the camera may make the picture of another angle of view, or by chance nearly so: the more exact of both is named.
         var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Concerns == Concerns.Camera);
         if ((best.Misfit.Unexplained <= Nearly * wrong && !isOfCamera) || leftByMissingModel is not null || evidence.IsOnlyOutlines
-            || !evidence.HasRightSize) return ([], false);
-        var byModels = new SceneDifference(prepared.Scene, new(evidence.Picture, prepared.Right), prepared.Threads);
+            || byModels is null) return ([], false);
         var most = best.Misfit * (best.Named.Count < 2 ? NumberForOne : isOfCamera ? 1 : NumberForPair);
         var (misfit, certain) = LikelyCause.Certain(prepared, byModels, evidence);
         if (certain is not null && misfit.CompareTo(most) < 0) return ([certain], true);
@@ -145,7 +146,7 @@ internal sealed class Judgement(
         {
             // Beside missing shapes a small mistake counts for little, so the rest is judged by itself.
             var drawn = new Unfinished(missing).PartOf(prepared.Scene);
-            var rest = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible).Judge(evidence.Picture, done, likely);
+            var rest = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible, prepared.Budget).Judge(evidence.Picture, done, likely);
             if (rest.Finding != Finding.Matches)
                 return new(rest.Finding) { NotYet = [.. missing, .. rest.NotYet], Suspects = rest.Suspects, Likely = rest.Likely };
         }
@@ -154,7 +155,7 @@ internal sealed class Judgement(
         if (best.Named.Count == 0) // what may have lost those shapes, if they are written already
             named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * wrong);
         else if (missing.Length > 0) named = named.Take(1);
-        if (missing.Length > 0) named = named.Concat(suspects.Losing(best));
+        if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(suspects.Losing(best));
         WrongProgram[] first = [.. named.DistinctBy(trial => IdsOf(trial.Named)).Take(MostNamed)];
         var likeliest = first is [var top, ..] ? top.Draw(prepared.Scene) : null;
         return new(best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished)

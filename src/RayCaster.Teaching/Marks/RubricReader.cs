@@ -164,10 +164,6 @@ public static class RubricReader
                 scenes.Add(new(name, Path.GetFullPath(path), new(scene)));
         }
         if (o.IsSound) foreach (var scene in scenes) digest.AppendData(scene.Right.Rgb); // which also depends on mesh files and on src/RayCaster
-        var unsure = ScalarRenderer.IsChanged ? scenes.FindAll(scene => !StoredReference.Exists(scene.Path)) : [];
-        if (unsure.Count > 0)
-            o.Warn("scenes", $": src/RayCaster was changed, and no reference shows whether it still draws these right: {string.Join(", ",
-                unsure.Select(scene => scene.Name))}");
         return scenes;
     }
 }

@@ -5,7 +5,7 @@ namespace RayCaster;
 /// <summary>A box with its sides along the axes (slide "AABB (Axis Aligned Bounding Box)"); it may be flat.</summary>
 /// <param name="Min">B0, the corner with the least coordinates.</param>
 /// <param name="Max">B1, the corner with the greatest coordinates.</param>
-public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBounded, ISurface
+public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBounded
 {
     /// <inheritdoc/>
     public Bounds Bounds => new(Min, Max);
@@ -35,35 +35,5 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
         var t0 = ((B0 - P) / d).As("t0");
         var t1 = ((B1 - P) / d).As("t1");
         return new(N.IfNaN(N.Min(t0, t1), double.NegativeInfinity), N.IfNaN(N.Max(t0, t1), double.PositiveInfinity));
-    }
-
-    /// <summary>The axis of the face that X lies on, outwards.</summary>
-    Vector3 ISurface.Normal(Vector3 X) => FaceOf(X) switch
-    {
-        (0, var sign) => new(sign, 0, 0),
-        (1, var sign) => new(0, sign, 0),
-        var (_, sign) => new(0, 0, sign),
-    };
-
-    /// <summary>On each face the other two coordinates, in the order x, y, z, each from 0 at B0 to 1 at B1.</summary>
-    (double U, double V) ISurface.Parameters(Vector3 X)
-    {
-        var (x, y, z) = (Part(X.X, Min.X, Max.X), Part(X.Y, Min.Y, Max.Y), Part(X.Z, Min.Z, Max.Z));
-        return FaceOf(X).Axis switch { 0 => (y, z), 1 => (x, z), _ => (x, y) };
-
-        static double Part(double x, double lo, double hi) => hi > lo ? (x - lo) / (hi - lo) : 0;
-    }
-
-    /// <summary>The face nearest to a point: its axis, and 1 for the side of B1, −1 for that of B0.</summary>
-    private (int Axis, int Sign) FaceOf(Vector3 X)
-    {
-        ReadOnlySpan<double> toFaces =
-            [Math.Abs(X.X - Min.X), Math.Abs(X.X - Max.X), Math.Abs(X.Y - Min.Y), Math.Abs(X.Y - Max.Y), Math.Abs(X.Z - Min.Z),
-             Math.Abs(X.Z - Max.Z)];
-        var nearest = 0;
-        for (var i = 1; i < toFaces.Length; i++)
-            if (toFaces[i] < toFaces[nearest])
-                nearest = i;
-        return (nearest / 2, nearest % 2 == 0 ? -1 : 1);
     }
 }

@@ -6,7 +6,7 @@ namespace RayCaster;
 /// <param name="Center">C.</param>
 /// <param name="Normal">n, across the disc; any length but zero.</param>
 /// <param name="Radius">R &gt; 0; the rim belongs to the disc.</param>
-public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radius) : IPrimitive, IBounded, IRound, ISurface
+public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radius) : IPrimitive, IBounded
 {
     /// <inheritdoc/>
     public Bounds Bounds => new(Center - new Vector3(Radius, Radius, Radius), Center + new Vector3(Radius, Radius, Radius));
@@ -18,17 +18,5 @@ public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radi
         var t = new Plane(Center, Normal).Intersect(ray).Near;
         var CX = (ray.At(t) - Center).As("CX"); // infinite or NaN for a parallel ray, so that no comparison holds
         return new(N.If((CX * CX <= Radius * Radius).As("inside"), t));
-    }
-
-    /// <summary>n, normalised.</summary>
-    Vector3 ISurface.Normal(Vector3 X) => Normal.Normalized;
-
-    /// <summary>Polar: u is the angle about C from the u axis of the disc's plane (<see cref="Plane"/>), 0 to 1; v is |X − C| / R.</summary>
-    (double U, double V) ISurface.Parameters(Vector3 X)
-    {
-        ISurface plane = new Plane(Center, Normal);
-        var (x, y) = plane.Parameters(X);
-        var angle = Math.Atan2(y, x) / (2 * Math.PI);
-        return (angle < 0 ? angle + 1 : angle, (X - Center).Length / Radius);
     }
 }

@@ -39,7 +39,4 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
             return bounds;
         }
     }
-
-    /// <inheritdoc/>
-    public override void Accept(IModelVisitor visitor) => visitor.Visit(this);
 }

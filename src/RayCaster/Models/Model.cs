@@ -4,7 +4,7 @@ namespace RayCaster;
 
 /// <summary>
 /// A visible object: a shape with a colour. <see cref="Of{P}"/> makes one of an <see cref="IPrimitive"/>, which is drawn several pixels at once.
-/// A class that derives from Model can compute in plain doubles and ifs instead (docs/adding-a-primitive.md).
+/// A scalar shape is a class that derives from Model and computes with one ray's doubles and ifs (docs/adding-a-primitive.md).
 /// </summary>
 public abstract class Model
 {
@@ -17,27 +17,14 @@ public abstract class Model
     /// <summary>The parameter t of the first crossing with the ray that counts (<see cref="Ray.Counts"/>), or null.</summary>
     public abstract double? Intersect(Ray ray);
 
-    /// <summary>
-    /// All numbers that <see cref="Intersect"/> depends on; null for a class that does not list them. Parts of a picture are joined only if
-    /// these numbers are equal, so a picture with a model that does not list them cannot be drawn in parts.
-    /// </summary>
-    public virtual IReadOnlyList<double>? Numbers => null;
-
     /// <summary>The kind of shape, as a scene file names it.</summary>
     public virtual string Kind => GetType().Name.ToLowerInvariant();
-
-    /// <summary>The surface of its shape; null if the shape does not implement <see cref="ISurface"/>, and for a mesh, whose triangles do.</summary>
-    public virtual ISurface? Surface => this as ISurface;
 
     /// <summary>A box around it; null if the shape does not implement <see cref="IBounded"/>.</summary>
     public virtual Bounds? Bounds => (this as IBounded)?.Bounds;
 
-    /// <summary>Where rays over any kind of number cross the shape; null for models without such a formula: meshes, and plain doubles and
-    /// ifs.</summary>
+    /// <summary>Where rays over any kind of number cross the shape; null for models without such a formula: meshes and scalar shapes.</summary>
     public virtual Crossings<N>? Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
-
-    /// <summary>Calls the visitor's method for this kind of model.</summary>
-    public virtual void Accept(IModelVisitor visitor) => visitor.VisitOther(this);
 
     /// <summary>Makes a model of a primitive.</summary>
     public static Model<P> Of<P>(P primitive) where P : struct, IPrimitive => new(primitive);
@@ -65,14 +52,8 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     public override string ToString() => $"{Primitive}";
 
     /// <inheritdoc/>
-    public override ISurface? Surface => Primitive as ISurface;
-
-    /// <inheritdoc/>
     public override Bounds? Bounds => (Primitive as IBounded)?.Bounds;
 
     /// <inheritdoc/>
     public override Crossings<N>? Intersect<N>(in Ray<N> ray) => Primitive.Intersect(ray);
-
-    /// <inheritdoc/>
-    public override void Accept(IModelVisitor visitor) => visitor.Visit(this);
 }

@@ -6,7 +6,7 @@ namespace RayCaster;
 /// <param name="A">The first corner.</param>
 /// <param name="B">The second corner.</param>
 /// <param name="C">The third corner, not on one line with the others.</param>
-public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimitive, IBounded, ISurface
+public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimitive, IBounded
 {
     /// <inheritdoc/>
     public Bounds Bounds => Bounds.Empty.With(A).With(B).With(C);
@@ -53,17 +53,5 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     {
         var longest = Math.Max((b - a).Length, Math.Max((c - b).Length, (a - c).Length));
         return ((b - a) % (c - a)).Length <= 1e-12 * longest * longest;
-    }
-
-    /// <summary>(B − A) × (C − A), normalised.</summary>
-    Vector3 ISurface.Normal(Vector3 X) => ((B - A) % (C - A)).Normalized;
-
-    /// <summary>Barycentric: X = (1 − u − v) A + u B + v C.</summary>
-    (double U, double V) ISurface.Parameters(Vector3 X)
-    {
-        var size = Math.Max((B - A).Length, (C - A).Length); // the unit: without it, n * n could overflow
-        var (e1, e2, p) = ((B - A) / size, (C - A) / size, (X - A) / size);
-        var n = e1 % e2;
-        return (p % e2 * n / (n * n), e1 % p * n / (n * n));
     }
 }

@@ -2,20 +2,9 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>The definition of a picture, one ray after another. The fast renderer must give the same bytes.</summary>
+/// <summary>The definition of a picture, one ray after another. Some pixels of each picture that the engine draws are compared with it.</summary>
 public static class ScalarRenderer
 {
-    /// <summary>
-    /// Whether the sources of this library differ from those with which the fast renderer was tested (tested.sha256). If so, pictures are
-    /// compared with this definition while they are drawn.
-    /// </summary>
-    public static bool IsChanged =>
-#if CHANGED
-        true;
-#else
-        false;
-#endif
-
     /// <summary>Draws the picture of a scene.</summary>
     public static Picture Render(Scene scene)
     {

@@ -25,7 +25,7 @@ public class PromisesTests
 
     [Fact]
     public void FilesAreWrittenInOnePlace() =>
-        NowhereBut(["WrittenFiles.cs", "HandOutFolder.cs", "WorkFolder.cs"],
+        NowhereBut(["WrittenFiles.cs", "HandOutFolder.cs", "WorkFolder.cs", "PrivateFile.cs", "Browser.cs"],
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)"
             + @"|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 

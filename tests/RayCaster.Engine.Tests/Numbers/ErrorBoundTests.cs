@@ -5,11 +5,11 @@ public class ErrorBoundTests
 {
     public static TheoryData<string> Shapes => IntervalTests.Shapes;
 
-    [Theory]
+    [SkippableTheory]
     [MemberData(nameof(Shapes))]
     public void TheErrorOfNoFloatIsGreaterThanItsBound(string shape)
     {
-        if (!FloatBytes.IsSupported) return;
+        Skip.If(!FloatBytes.IsSupported, "no 256-bit vectors here");
         var random = new Random(3);
         var (bounded, worst) = (0, 0.0);
         var origin = new Vector3(20, 0.1, -0.3);
@@ -34,10 +34,10 @@ public class ErrorBoundTests
         Assert.True(worst > 0.02, $"the bound is {1 / worst} times what is needed");
     }
 
-    [Fact]
+    [SkippableFact]
     public void WithoutTheBoundSomeBytesWouldBeWrong()
     {
-        if (!FloatBytes.IsSupported) return;
+        Skip.If(!FloatBytes.IsSupported, "no 256-bit vectors here");
         var random = new Random(4);
         var scene = new Scene(
             new Camera(new(20, 0, 0), Vector3.Zero) { Width = 1920, Height = 1080 }, [Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0.2)))]);

@@ -64,69 +64,26 @@ public class RendererTests
     }
 
     [Theory]
-    [InlineData(1, 1, true)]
-    [InlineData(1, 3000, true)]
-    [InlineData(3000, 1, true)]
-    [InlineData(65, 3, true)]
-    [InlineData(65, 130, true)]
-    [InlineData(1, 1, false)]
-    [InlineData(1, 3000, false)]
-    [InlineData(3000, 1, false)]
-    [InlineData(65, 3, false)]
-    public void PicturesOfAnyShapeAreDrawnInParts(int width, int height, bool mayBeSmall)
+    [InlineData(1, 1)]
+    [InlineData(1, 3000)]
+    [InlineData(3000, 1)]
+    [InlineData(65, 3)]
+    [InlineData(65, 130)]
+    public void PicturesOfAnyShapeAreDrawnInParts(int width, int height)
     {
         var scene = RandomScene.Make(new Random(5));
         scene = scene.WithSize(width, height);
         var bytes = new List<byte>();
         var lines = 0;
-        new Renderer(scene) { MayBeSmall = mayBeSmall }.Draw(.., part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
+        new Renderer(scene).Draw(.., part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, bytes.ToArray());
         Assert.Equal(height, lines);
     }
 
     [Theory]
     [InlineData(1)]
-    [InlineData(3)]
-    public void FewModelsInManyPixelsAreCastThePlainWayInBands(int threads)
-    {
-        var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
-        var scene = room.WithSize(1301, 901);
-        Assert.True(Renderer.IsPlain(scene, 901 * 1301) && 901 * 1301 >= Renderer.ManyPixels);
-
-        var bytes = new List<byte>();
-        new Renderer(scene, threads).Draw(.., part => bytes.AddRange(part));
-
-        Assert.Equal(Renderer.Render(scene).Rgb, bytes.ToArray());
-    }
-
-    /// <summary>So wide that a row of tiles is drawn in halves, and with triangles that are smaller than a pixel.</summary>
-    [Fact]
-    [Trait("kind", "campaign")] // six million pixels
-    public void AVeryWidePictureOfAMeshIsRightInAllItsBands()
-    {
-        var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/mesh.json")).Scene!;
-        scene = scene.WithSize(90_000, 70);
-        var middle = (90_000 - 24) / 2; // where the mesh is
-        var bytes = new List<byte>();
-        new Renderer(scene).Draw(.., part => bytes.AddRange(part));
-        var differing = 0;
-        for (var y = 0; y < 70; y++)
-            for (var x = middle; x < middle + 24; x++)
-            {
-                var ray = ScalarRenderer.Cast(scene, x, 69 - y);
-                var (r, g, b) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
-                var at = 3 * (y * 90_000 + x);
-                if ((r, g, b) != (bytes[at], bytes[at + 1], bytes[at + 2])) differing++;
-            }
-        Assert.Equal(0, differing);
-    }
-
-    [Theory]
-    [InlineData(1, true)]
-    [InlineData(2, true)]
-    [InlineData(1, false)]
-    [InlineData(2, false)]
-    public void SomeLinesAreThoseOfTheWholePicture(int seed, bool mayBeSmall)
+    [InlineData(2)]
+    public void SomeLinesAreThoseOfTheWholePicture(int seed)
     {
         var random = new Random(seed);
         for (var i = 0; i < 40; i++)
@@ -137,7 +94,7 @@ public class RendererTests
             var first = random.Next(height);
             var end = random.Next(first, height) + 1;
             var bytes = new List<byte>();
-            new Renderer(scene) { MayBeSmall = mayBeSmall }.Draw(first..end, part => bytes.AddRange(part));
+            new Renderer(scene).Draw(first..end, part => bytes.AddRange(part));
             Assert.Equal(whole[(3 * width * first)..(3 * width * end)], bytes.ToArray());
         }
     }
@@ -287,15 +244,13 @@ public class RendererTests
         Assert.Contains(nameof(Watched), error.StackTrace);
     }
 
-    [Theory]
-    [InlineData(true)]
-    [InlineData(false)]
-    public void ScalarShapesShareARayInEachPixelNearThem(bool mayBeSmall)
+    [Fact]
+    public void ScalarShapesShareARayInEachPixelNearThem()
     {
         Watched left = new(Model.Of(new Sphere(new(0, -1, 0), 1))), right = new(Model.Of(new Sphere(new(0, -1.5, 0), 1)));
         var camera = new Camera(new(15, 0, 0), Vector3.Zero) { Width = 400, Height = 400 };
         var scene = new Scene(camera, [left, right]);
-        new Renderer(scene, threads: 1) { MayBeSmall = mayBeSmall }.Draw(.., _ => { });
+        new Renderer(scene, threads: 1).Draw(.., _ => { });
         Assert.InRange(left.Rays.Count, 1, 400 * 400 / 4);
         Assert.Contains(left.Rays, right.Rays.Contains);
     }

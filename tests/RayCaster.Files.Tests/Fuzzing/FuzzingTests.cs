@@ -8,40 +8,6 @@ public class FuzzingTests
     public static TheoryData<string> KeptFiles =>
         [.. Corpus.KeptFiles(".json", ".obj", ".ply", ".stl", ".png", ".pbm", ".pgm", ".ppm").Select(file => file.Name)];
 
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void SpoiltScenesDoNoHarm() => Campaign.Run("scene", 3000, random => new Mutation(random, Corpus.Scenes).Next(), Reading.OfScene);
-
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void SpoiltMeshesDoNoHarm() => Campaign.Run("mesh", 5000, random => new Mutation(random, Corpus.Meshes).Next(), Reading.OfMesh);
-
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void SpoiltPicturesDoNoHarm() => Campaign.Run("picture", 5000, random => new Mutation(random, Corpus.Pictures).Next(), Reading.OfPicture);
-
-    /// <summary>A file that is always refused at its first byte tests nothing.</summary>
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void ManySpoiltFilesAreStillRead()
-    {
-        Assert.InRange(Read(Corpus.Scenes, file => SceneReader.Parse(file.Bytes, "x", Corpus.SceneFolder).Scene is not null), 50, 950);
-        Assert.InRange(Read(Corpus.Meshes, file => MeshBytes.Read(file.Name, file.Bytes).Indices.Length > 0), 50, 950);
-        Assert.InRange(Read(Corpus.Pictures, file => PictureFile.Read(new MemoryStream(file.Bytes)).Width > 0), 50, 950);
-
-        static int Read(SeedFile[] seeds, Func<SeedFile, bool> read) => Enumerable.Range(0, 1000).Count(seed =>
-        {
-            try
-            {
-                return read(new Mutation(new Random(seed), seeds).Next());
-            }
-            catch (ProblemException)
-            {
-                return false;
-            }
-        });
-    }
-
     /// <summary>The files that broke a promise before, and some that are made for it.</summary>
     [Theory]
     [MemberData(nameof(KeptFiles))]

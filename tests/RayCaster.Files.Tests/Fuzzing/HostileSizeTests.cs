@@ -68,25 +68,6 @@ public sealed class HostileSizeTests : IDisposable
     public void ASceneOfTheLongestLengthIsNotRefusedForIt() =>
         Assert.Contains("UTF-16", SceneReader.Read(Sparse("a.json", SceneReader.MaxBytes, "{")).Problems[0].Message); // for its zeros, and rightly
 
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void AnEndlessMeshIsReadUpToTheLimit()
-    {
-        if (!File.Exists("/dev/zero")) return; // Windows
-        File.CreateSymbolicLink(folder["a.obj"], "/dev/zero");
-        Assert.Equal($"{folder["a.obj"]}: a pipe or device of more than 268,435,456 bytes is not read, but a file of any size is",
-            Assert.Throws<ProblemException>(() => MeshFile.Read(folder["a.obj"])).Message);
-    }
-
-    [Fact]
-    [Trait("kind", "campaign")]
-    public void ALineOfAGigabyteIsRefused()
-    {
-        var path = Sparse("a.obj", 1 << 30, "v 1 2 ");
-        Assert.Equal($"{path}(byte 0): a line or row begins here that has more than 268,435,456 bytes, which is the limit",
-            Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
-    }
-
     public static TheoryData<string, string> MillionDigits => new()
     {
         { "a.json", $$"""{ "camera": { "position": [5, 0, 0], "target": [0, 0, 0], "fovY": {{digits}} }, "models": [] }""" },

@@ -1,4 +1,3 @@
-using System.IO.Compression;
 using System.Text;
 using RayCaster.Testing.Fuzzing;
 
@@ -16,11 +15,6 @@ public class MemoryTests
         "{\"camera\":{\"position\":[|0,|]}}", "{\"camera\":{|\"fovy\":1,|}}", "{|\"a\\n\":1,|}", "[|[],|]", "|\n|", "|/**/|", "[|//\n|]", "|[|",
         "|/|", "|\"|", "\"|\\n|\"",
         "[|1|]", "{\"camera\":{\"fovY\":|9|}}", "{\"camera\":{\"fovY\":0.|0|1}}", "{\"|\\u0061|\":1}", "|é|", "|\u001b|", "| |");
-
-    [Theory]
-    [Trait("kind", "campaign")]
-    [MemberData(nameof(Scenes))]
-    public void ASceneTakesNoMoreThanIsSaid(string shape) => Reading.OfScene(new("a.json", Filled(shape)));
 
     [Fact]
     public void ASceneOfAMillionKeysTakesNoMoreThanIsSaid()
@@ -62,19 +56,9 @@ public class MemoryTests
             "property list uint char vertex_indices\nend_header\n\0\0\0\0\0\u000f\0|\0|" },
     };
 
-    [Theory]
-    [Trait("kind", "campaign")]
-    [MemberData(nameof(Meshes))]
-    public void AMeshTakesNoMoreThanIsSaid(string name, string shape) => Reading.OfMesh(new(name, Filled(shape)));
-
     public static TheoryData<string> Pictures =>
         new("P1 1000 1000 |0|", "P1 1 1000000 |1|", "P2 1000 500 9 |1 |", "P3 1000 170 9 |1 |", "P5 1000 1000 255 |x|", "P6 1|0|",
             "P3 |#\n|", "P2 |9|");
-
-    [Theory]
-    [Trait("kind", "campaign")]
-    [MemberData(nameof(Pictures))]
-    public void APictureTakesNoMoreThanIsSaid(string shape) => Reading.OfPicture(new("a.ppm", Filled(shape)));
 
     [Fact]
     public void AMillionChunksTakeNoMoreThanIsSaid()
@@ -102,30 +86,6 @@ public class MemoryTests
         Reading.OfPicture(new("a.png", file.ToArray()));
     }
 
-    /// <summary>What is small in the file and large in memory: lines as long as they may be, in all kinds of pixels, and pictures of one bit a
-    /// pixel.</summary>
-    [Theory]
-    [Trait("kind", "campaign")]
-    [InlineData(1_000_000, 1, 16, 6, false)]
-    [InlineData(1_000_000, 1, 8, 2, false)]
-    [InlineData(1_000_000, 1, 1, 0, false)]
-    [InlineData(1_000_000, 8, 16, 6, true)]
-    [InlineData(1_000_000, 8, 1, 3, true)]
-    [InlineData(1, 1_000_000, 8, 2, false)]
-    [InlineData(8000, 8000, 1, 0, false)]
-    public void ASmallFileOfALargePictureTakesNoMoreThanIsSaid(int width, int height, byte bits, byte color, bool interlaced)
-    {
-        var header = new PngHeader(width, height, bits, color, interlaced);
-        var (file, data) = (new MemoryStream(), new MemoryStream());
-        using (var zlib = new ZLibStream(data, CompressionLevel.Optimal, leaveOpen: true)) zlib.Write(new byte[(long)header.DataBytes]);
-        file.Write(PngChunk.Signature);
-        PngChunk.Write(file, "IHDR"u8, header.ToBytes());
-        if (color == PngHeader.Palette) PngChunk.Write(file, "PLTE"u8, [0, 0, 0]);
-        PngChunk.Write(file, "IDAT"u8, data.ToArray());
-        PngChunk.Write(file, "IEND"u8, []);
-        Promise.Within(MemoryLimit.OfPicture(file.Length, width, height), () => PictureFile.Read(new MemoryStream(file.ToArray())));
-    }
-
     /// <summary>A pipe is read only as far as the header says, even if it never ends, and memory is taken only for the bytes that have
     /// arrived.</summary>
     [Theory]
@@ -150,7 +110,7 @@ public class MemoryTests
     }
 
     /// <summary>The part between two bars is repeated until there is a megabyte.</summary>
-    private static byte[] Filled(string shape)
+    internal static byte[] Filled(string shape)
     {
         var parts = Array.ConvertAll(shape.Split('|'), Encoding.UTF8.GetBytes);
         var text = new MemoryStream();

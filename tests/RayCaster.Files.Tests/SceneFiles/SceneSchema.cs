@@ -77,8 +77,12 @@ internal static class SceneSchema
         SceneReader.ReadModel(model, type);
         var schema = ObjectOf(keys);
         schema["properties"]!.AsObject().Insert(0, "type", new JsonObject { ["const"] = type.Name, ["description"] = type.Meaning });
+        if (keys.Any(key => key.Kind == KeyKind.Faces)) // a file, or what would stand in it
+            schema["oneOf"] = ArrayOf([Requiring("file"), Requiring("vertices", "faces")]);
         return schema;
     }
+
+    private static JsonObject Requiring(params string[] keys) => new() { ["required"] = ArrayOf(keys.Select(key => (JsonNode)key)) };
 
     private static JsonObject ValueOf(SceneKey key)
     {
@@ -87,10 +91,12 @@ internal static class SceneSchema
             KeyKind.Number => NumberOf(key.Limits, "number"),
             KeyKind.Whole => NumberOf(key.Limits, "integer"),
             KeyKind.Vector => VectorOf(Limits.None),
+            KeyKind.Vectors => new JsonObject { ["type"] = "array", ["items"] = VectorOf(Limits.None) },
+            KeyKind.Faces => new JsonObject { ["type"] = "array", ["minItems"] = 1, ["items"] = FaceOf() },
             KeyKind.Direction => With(VectorOf(Limits.None), "not", new JsonObject { ["const"] = ArrayOf([0, 0, 0]) }),
             KeyKind.Factors => AnyOf(NumberOf(Limits.NotZero, "number"), VectorOf(Limits.NotZero)),
             KeyKind.Color => AnyOf(VectorOf(Limits.NotNegative), new JsonObject { ["type"] = "string", ["pattern"] = "^#[0-9A-Fa-f]{6}$" }),
-            KeyKind.Text when key.IsRequired => new JsonObject { ["type"] = "string", ["minLength"] = 1 },
+            KeyKind.FileName => new JsonObject { ["type"] = "string", ["minLength"] = 1 },
             KeyKind.Text => new JsonObject { ["type"] = "string" },
             KeyKind.Choice => new JsonObject { ["enum"] = ArrayOf(key.Choices.Select(word => (JsonNode)word)) },
             KeyKind.Object => ObjectOf(key.Members),
@@ -118,6 +124,13 @@ internal static class SceneSchema
         ["items"] = NumberOf(limits, "number"),
         ["minItems"] = 3,
         ["maxItems"] = 3,
+    };
+
+    private static JsonObject FaceOf() => new()
+    {
+        ["type"] = "array",
+        ["items"] = NumberOf(Limits.NotNegative, "integer"),
+        ["minItems"] = 3,
     };
 
     private static JsonObject AnyOf(params JsonNode[] schemas) => new() { ["anyOf"] = ArrayOf(schemas) };

@@ -27,6 +27,7 @@ internal sealed class SchemaValidator(string schema)
             "enum" => said.EnumerateArray().Any(choice => JsonElement.DeepEquals(choice, value)),
             "not" => !Accepts(said, value),
             "anyOf" => said.EnumerateArray().Any(one => Accepts(one, value)),
+            "oneOf" => said.EnumerateArray().Count(one => Accepts(one, value)) == 1,
             "allOf" => said.EnumerateArray().All(one => Accepts(one, value)),
             "if" => !Accepts(said, value) || Accepts(schema.GetProperty("then"), value),
             "properties" => !IsObject(value) || value.EnumerateObject().All(p => !said.TryGetProperty(p.Name, out var of) || Accepts(of, p.Value)),

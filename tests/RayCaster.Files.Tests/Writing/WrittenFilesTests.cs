@@ -1,3 +1,5 @@
+using System.Runtime.Versioning;
+
 namespace RayCaster.Files.Tests.Writing;
 
 public sealed class WrittenFilesTests : IDisposable
@@ -75,10 +77,10 @@ public sealed class WrittenFilesTests : IDisposable
         Refused(folder["room.png"], $"cannot write {folder["room.png"]}: it is a folder; name a file in it");
     }
 
-    [Fact]
+    [SkippableFact]
     public void ALinkIsReplacedAndNotFollowed()
     {
-        if (OperatingSystem.IsWindows()) return; // needs special rights there
+        Skip.If(OperatingSystem.IsWindows(), "needs special rights there");
         folder.Write("precious", "precious"u8);
         File.CreateSymbolicLink(folder["room.png"], folder["precious"]);
         Write("room.png");
@@ -86,10 +88,10 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Null(new FileInfo(folder["room.png"]).LinkTarget);
     }
 
-    [Fact]
+    [SkippableFact]
     public void ADeviceIsNotReplaced()
     {
-        if (OperatingSystem.IsWindows()) return; // has no folder of devices
+        Skip.If(OperatingSystem.IsWindows(), "has no folder of devices");
         var refused = Assert.Throws<ProblemException>(() => WrittenFiles.Write("/dev/raycaster-test", _ => { })); // not a real one, should this fail
         Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
     }
@@ -102,10 +104,10 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Equal("new", File.ReadAllText(folder["room.png"]));
     }
 
-    [Fact]
+    [SkippableFact]
+    [UnsupportedOSPlatform("windows")] // rights are others there
     public void TheOldFilesRightsStay()
     {
-        if (OperatingSystem.IsWindows()) return; // rights are others there
         const UnixFileMode mine = UnixFileMode.UserRead | UnixFileMode.UserWrite;
         File.SetUnixFileMode(folder.Write("room.png", "old"u8), mine);
         // The temporary one is no more open to others.

@@ -5,7 +5,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>The wrong pictures are <see cref="EditedLab"/>'s.</summary>
 public class DiagnosisTests
 {
-    private static readonly Scene scene = SceneFolder.Small("mistakes/generic", 4);
+    internal static readonly Scene scene = SceneFolder.Small("mistakes/generic", 4);
 
     private static Picture Planted(string id) => EditedLab.Render(scene, Mistakes.Mistake.Named(id));
 
@@ -39,7 +39,7 @@ public class DiagnosisTests
     {
         var picture = ScalarRenderer.Render(scene);
         var y = picture.Height / 2;
-        var x = Enumerable.Range(1, picture.Width - 1).First(x => picture[x, y] != picture[x - 1, y]);
+        var x = Enumerable.Range(1, picture.Width - 1).First(x => PictureDifference.Levels(picture[x, y], picture[x - 1, y]) > 20);
         picture[x, y] = picture[x - 1, y];
         Assert.Equal(Finding.Matches, Diagnosis.Of(scene, picture).Finding);
     }
@@ -51,15 +51,6 @@ public class DiagnosisTests
         for (var y = 0; y < right.Height; y++)
             for (var x = 0; x < right.Width; x++) moved[x, y] = right[(x + 1) % right.Width, y];
         Assert.NotEqual(Finding.Matches, Diagnosis.Of(scene, moved).Finding);
-    }
-
-    [Fact]
-    [Trait("kind", "campaign")] // no mistake explains it, so pairs are tried, too, which takes seconds
-    public void AFewPixelsThatNobodyWouldSeeThereDoNotMatch()
-    {
-        var picture = ScalarRenderer.Render(scene);
-        for (var i = 0; i < 16; i++) picture[50 + i % 4, 30 + i / 4] = (255, 0, 255);
-        Assert.Equal(Finding.NoneOfThese, Diagnosis.Of(scene, picture).Finding);
     }
 
     [Fact]
@@ -113,32 +104,6 @@ public class DiagnosisTests
         var diagnosis = Diagnosis.Of(scene, Planted(id));
         Assert.Equal(Finding.Mistake, diagnosis.Finding);
         Assert.Contains(id, Named(diagnosis.Suspects[0]));
-    }
-
-    [Theory]
-    [Trait("kind", "campaign")] // more of the same
-    [InlineData("u-cross")]
-    [InlineData("nohalf")]
-    [InlineData("transpose")]
-    [InlineData("crlf")]
-    [InlineData("bgr")]
-    [InlineData("no-t0")]
-    [InlineData("circ-nosq")]
-    [InlineData("tri-cull")]
-    [InlineData("noclamp")]
-    [InlineData("att-no2")]
-    [InlineData("center")]
-    public void NamesOtherPlantedMistakesFirst(string id) => NamesThePlantedMistakeFirst(id);
-
-    [Theory]
-    [Trait("kind", "campaign")] // each ray must try every triangle
-    [InlineData("tri-uv")]
-    [InlineData("cross-x")]
-    [InlineData("rows")]
-    public void NamesAMistakeInAMeshsPicture(string id)
-    {
-        var mesh = SceneFolder.Small("mesh", 4);
-        Assert.Contains(id, Named(Diagnosis.Of(mesh, MistakeCatalog.Draw(mesh, [MistakeCatalog.Named(id)!])).Suspects[0]));
     }
 
     [Fact]
@@ -231,11 +196,6 @@ public class DiagnosisTests
     }
 
     [Theory]
-    [Trait("kind", "campaign")] // the search through all pairs of a box takes seconds
-    [InlineData("slab-2axes", "slab-minmin")]
-    public void TwoMistakesOfABoxAreBothNamed(string one, string other) => TwoMistakesOfOneShapeAreBothNamed(one, other);
-
-    [Theory]
     [InlineData("cross-y", "tri-uv")]
     public void TwoMistakesOfOneShapeAreBothNamed(string one, string other)
     {
@@ -276,18 +236,6 @@ public class DiagnosisTests
     }
 
     [Fact]
-    [Trait("kind", "campaign")] // more of the same
-    public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
-    {
-        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);
-        var suspects = Diagnosis.Of(scene, picture).Suspects;
-        var sets = suspects.Select(suspect => string.Join(' ', suspect.Mistakes.Select(mistake => mistake.Id).Order())).ToArray();
-        Assert.Equal(sets.Distinct(), sets);
-        Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "att-depth"));
-        Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "dir-unnorm"));
-    }
-
-    [Fact]
     public void APictureOfAnotherSizeCannotBeDiagnosed() =>
         Assert.Throws<ArgumentException>(() => Diagnosis.Of(scene, new Picture(scene.Camera.Width + 1, scene.Camera.Height)));
 
@@ -305,5 +253,5 @@ public class DiagnosisTests
         (bool, bool, bool) Holds(string text) => (text.Contains(hint.Symptom[..20]), text.Contains(hint.Question[..20]), text.Contains("Answer:"));
     }
 
-    private static IEnumerable<string> Named(Suspect suspect) => suspect.Mistakes.Concat(suspect.Twins).Select(mistake => mistake.Id);
+    internal static IEnumerable<string> Named(Suspect suspect) => suspect.Mistakes.Concat(suspect.Twins).Select(mistake => mistake.Id);
 }

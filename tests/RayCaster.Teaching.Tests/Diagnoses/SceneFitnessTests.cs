@@ -16,16 +16,6 @@ public class SceneFitnessTests
         Assert.Contains(fitness.Twins, group => group.Any(mistake => mistake.Id == "att-depth") && group.Any(mistake => mistake.Id == "dir-unnorm"));
     }
 
-    [Fact]
-    [Trait("kind", "campaign")] // each mistake of the catalogue in five scenes
-    public void TheProjectsSetOfTestScenesHidesNothing()
-    {
-        var fitness = SceneFitness.Of([.. SceneFolder.Files("scenes/mistakes").Select(file => SceneFolder.Small(SceneFolder.NameOf(file)))]);
-        Assert.Equal(["round", "x256"], fitness.Hidden.Select(mistake => mistake.Id).Order()); // a level at most, by their nature
-        Assert.Equal(fitness.Hidden, fitness.WithinRounding);
-        Assert.Empty(fitness.Twins);
-    }
-
     [Theory]
     [InlineData("src/RayCaster has been changed.")]
     [InlineData(null)]

@@ -19,13 +19,6 @@ public class UnfinishedTests
         Assert.Contains("The rest is right.", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
     }
 
-    [Theory]
-    [Trait("kind", "campaign")] // more of the same
-    [InlineData("circle,triangle")]
-    [InlineData("aabb,circle,triangle")]
-    [InlineData("plane")]
-    public void WhatElseIsNotDrawnYetIsSaid(string kinds) => WhatIsNotDrawnYetIsSaidAndNothingElse(kinds);
-
     [Fact]
     public void NoAttenuationIsNotDrawnYetEither()
     {
@@ -68,12 +61,6 @@ public class UnfinishedTests
         Assert.Equal((Finding.Mistake, kinds), (diagnosis.Finding, InOrder(diagnosis, kinds)));
         Assert.Equal(id, Assert.Single(diagnosis.Suspects[0].Mistakes).Id);
     }
-
-    [Theory]
-    [Trait("kind", "campaign")] // more of the same
-    [InlineData("aabb", "nohalf")]
-    [InlineData("sphere,triangle", "bgr")]
-    public void OtherMistakesOnTopAreNamed(string kinds, string id) => AMistakeOnTopOfWhatIsThereIsNamed(kinds, id);
 
     [Fact]
     public void AMistakeThatLosesAShapeIsListedBesideAnother()

@@ -24,10 +24,10 @@ public sealed class RubricReaderTests : IDisposable
         Assert.Equal((10, 20.0, 8), (rubric!.Items.Count, rubric.Points, rubric.Scenes.Count));
     }
 
-    [Fact]
+    [SkippableFact]
     public void AProgramThatIsNotInstalledIsAWarning()
     {
-        if (OperatingSystem.IsWindows()) return; // names have endings there
+        Skip.If(OperatingSystem.IsWindows(), "names have endings there");
         Assert.NotNull(Read("""
             { "scenes": ["room.json"], "run": ["pyhton3", "{dir}/draw.py", "{scene}", "{out}"], "items": [{ "name": "a", "points": 1 }] }
             """, out var report));
@@ -45,10 +45,9 @@ public sealed class RubricReaderTests : IDisposable
     [Fact]
     public void TheSchemaOfRubricsSaysWhatTheReaderReads()
     {
-        var (file, schema) = (ProjectFolder.PathOf("docs/rubric.schema.json"), RubricSchema.Write());
-        if (Environment.GetEnvironmentVariable("RAYCASTER_ACCEPT") == "1") File.WriteAllText(file, schema);
+        var (file, schema) = (RubricSchema.File, RubricSchema.Write());
         Assert.True(File.Exists(file) && File.ReadAllText(file).ReplaceLineEndings("\n") == schema,
-            $"{file} is not what the reader says; RAYCASTER_ACCEPT=1 dotnet test --filter {nameof(RubricReaderTests)} writes it anew");
+            $"{file} is not what the reader says; dotnet run --project tests/Documents writes it anew");
     }
 
     [Fact]

@@ -7,6 +7,8 @@ namespace RayCaster.Teaching.Tests.Marks;
 /// <summary>Writes the schema of rubrics from the descriptions that the reader gives of its keys, like the schema of scenes.</summary>
 internal static class RubricSchema
 {
+    public static string File { get; } = ProjectFolder.PathOf("docs/rubric.schema.json");
+
     private static readonly JsonSerializerOptions style =
         new() { WriteIndented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
@@ -42,7 +44,7 @@ internal static class RubricSchema
         {
             KeyKind.Number => NumberOf(key.Limits, "number"),
             KeyKind.Whole => NumberOf(key.Limits, "integer"),
-            KeyKind.Text => new JsonObject { ["type"] = "string" },
+            KeyKind.Text or KeyKind.FileName => new JsonObject { ["type"] = "string" },
             KeyKind.Texts => new JsonObject { ["type"] = "array", ["items"] = TextOf(key.Name) },
             KeyKind.Choice => new JsonObject { ["enum"] = new JsonArray([.. key.Choices.Select(word => (JsonNode)word)]) },
             KeyKind.Objects => new JsonObject { ["type"] = "array", ["items"] = item!.DeepClone() },

@@ -34,9 +34,8 @@ public class SphereTests
         Assert.Equal(6, Model.Of(sphere).Intersect(ray));
     }
 
-    /// <summary>Slide "Sphere – Analytical Solution": the roots of t² + 2 b t + c = 0 with b = (P − C)·d and c = (P − C)² − R².</summary>
     [Fact]
-    public void TheAnalyticSolutionOfTheSlideAgrees()
+    public void TheGeometricAndTheAnalyticalSolutionAgree()
     {
         var random = new Random(2);
         var hits = 0;
@@ -51,14 +50,19 @@ public class SphereTests
             if (Math.Abs(discriminant) < 1e-3) continue; // near the outline few digits are left in either
 
             var (near, far) = Cast.Line(shape, origin, d);
+            var analytical = shape.IntersectAnalytically(new Ray<Scalar>(origin, d));
             if (discriminant < 0)
             {
-                Assert.True(double.IsNaN(near) && double.IsNaN(far), $"{shape} from {origin} along {d}: {near}, {far}");
+                Assert.All(
+                    new double[] { near, far, analytical.Near, analytical.Far },
+                    t => Assert.True(double.IsNaN(t), $"{shape} from {origin} along {d}: {t}"));
                 continue;
             }
             hits++;
             Assert.Equal(-b - Math.Sqrt(discriminant), near, 1e-10);
             Assert.Equal(-b + Math.Sqrt(discriminant), far, 1e-10);
+            Assert.Equal(near, analytical.Near, 1e-10);
+            Assert.Equal(far, analytical.Far, 1e-10);
         }
         Assert.InRange(hits, 500, 19_500);
     }

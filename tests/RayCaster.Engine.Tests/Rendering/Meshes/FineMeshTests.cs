@@ -23,13 +23,6 @@ public class FineMeshTests
         }
     }
 
-    [Theory]
-    [Trait("kind", "campaign")] // more of the same
-    [InlineData(1)]
-    [InlineData(4)]
-    [InlineData(6)]
-    public void MoreSmallTrianglesComeOutToTheBit(int seed) => SmallTrianglesComeOutToTheBit(seed);
-
     /// <summary>A line range begins within a tile, so what is known of the tile's cells lies elsewhere.</summary>
     [Fact]
     public void SomeLinesOfAMeshAreThoseOfTheWholePicture()

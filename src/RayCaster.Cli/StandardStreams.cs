@@ -1,0 +1,44 @@
+namespace RayCaster.Cli;
+
+/// <summary>Standard output and standard error.</summary>
+internal static class StandardStreams
+{
+    /// <summary>Whether a write to standard output was begun.</summary>
+    public static bool HasOutput { get; private set; }
+
+    /// <summary>Writes a command's answer, in whole lines, to standard output.</summary>
+    public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Bytes(text)));
+
+    /// <exception cref="ProblemException">Standard output cannot be written.</exception>
+    public static void WriteOutput(Action<Stream> write)
+    {
+        HasOutput = true;
+        try
+        {
+            using var stream = Console.OpenStandardOutput();
+            write(stream);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new ProblemException($"cannot write to standard output: {(e is IOException ? e.Message : "it is closed")}");
+        }
+    }
+
+    /// <summary>Writes a message, in whole lines, to standard error. Errors of the write are ignored.</summary>
+    public static void WriteError(string text)
+    {
+        if (text.Length == 0) return;
+        try
+        {
+            using var stream = Console.OpenStandardError();
+            stream.Write(Bytes(text));
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+        }
+    }
+
+    /// <summary>The text with a line end, and without control characters: even the name of the current folder may contain some.</summary>
+    private static byte[] Bytes(string text) =>
+        Encoding.UTF8.GetBytes(PrintableText.Of(text is "" or [.., '\n'] ? text : text + Environment.NewLine, ofLines: true));
+}

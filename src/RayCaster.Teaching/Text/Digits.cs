@@ -1,0 +1,50 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Numbers for people: doubles with six significant digits and a true minus sign, counts, shares.</summary>
+public static class Digits
+{
+    private static readonly NumberFormatInfo format = new()
+    {
+        NegativeSign = "−",
+        PositiveInfinitySymbol = "∞",
+        NegativeInfinitySymbol = "−∞",
+    };
+
+    /// <summary>"−1.5", "∞", "1e-7".</summary>
+    public static string Of(double value) => Of(value, 6);
+
+    /// <summary>"(1, 2, −3)".</summary>
+    public static string Of(Vector3 v) => $"({Of(v.X)}, {Of(v.Y)}, {Of(v.Z)})";
+
+    /// <summary>"(1, 0.5, 0)": red, green, blue.</summary>
+    public static string Of(Color color) => Of(new Vector3(color.R, color.G, color.B));
+
+    /// <summary>Two numbers, with enough digits to show their difference.</summary>
+    public static (string A, string B) Apart(double a, double b)
+    {
+        var digits = 6;
+        while (a != b && Of(a, digits) == Of(b, digits) && digits < 17) digits++;
+        return (Of(a, digits), Of(b, digits));
+    }
+
+    /// <summary>"3 of 1,000 pixels (0.3 %)".</summary>
+    public static string Part(int part, int whole) => $"{Number(part)} of {Count(whole, "pixel")} ({Share(part, whole)})";
+
+    /// <summary>"1 pixel", "1,000 pixels".</summary>
+    public static string Count(long number, string what) => $"{Number(number)} {what}{(number == 1 ? "" : "s")}";
+
+    /// <summary>"1,000".</summary>
+    public static string Number(long number) => number.ToString("N0", CultureInfo.InvariantCulture);
+
+    /// <summary>A share in percent; "100 %" only for all, and "0 %" only for none.</summary>
+    public static string Share(int part, int whole)
+    {
+        if (part == whole) return "100 %";
+        var percent = 100.0 * part / whole;
+        return percent is > 0 and < 0.01 ? "less than 0.01 %" : $"{Math.Min(percent, 99.99).ToString("0.##", CultureInfo.InvariantCulture)} %";
+    }
+
+    /// <summary>0 for −0, and 1e-7 for 1E−07.</summary>
+    private static string Of(double value, int digits) => (value + 0).ToString($"G{digits}", format)
+        .Replace("E+0", "e").Replace("E+", "e").Replace("E−0", "e-").Replace("E−", "e-");
+}

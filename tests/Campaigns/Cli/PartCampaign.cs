@@ -1,0 +1,47 @@
+using static RayCaster.Cli.Tests.PartTests;
+
+namespace RayCaster.Cli.Tests;
+
+/// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
+public sealed class PartCampaign : IDisposable
+{
+    private readonly RayCasterProcess raycaster = new();
+
+    public void Dispose() => raycaster.Dispose();
+
+    [Fact]
+    public void SoAreThoseOfAMesh() => new PartTests().AssertStitched("mesh.json");
+
+    [SkippableFact]
+    public void WhatAKilledPartLeavesIsFinishedByRunningAgain()
+    {
+        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
+        string[] size = [Room, "-t", "1", "-s", "10000x3000"];
+        raycaster.Run([.. size, "--rows", "0..9"]);
+        using (var process = raycaster.Start([.. size, "--rows", "10..2989"]))
+        {
+            while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(1);
+            Assert.Equal(137, RayCasterProcess.Kill(process, "KILL"));
+        }
+        raycaster.Run([.. size, "--rows", "2990..2999"]).Run("stitch", ".", "--missing");
+        Assert.Equal((1, "10..2989\n"), (raycaster.ExitCode, raycaster.OutputText));
+
+        var said = "";
+        foreach (var rows in (string[])["0..9", "10..2989", "2990..2999"]) said += raycaster.Run([.. size, "--rows", rows, "--resume"]).Error;
+        Assert.Matches(
+            @"^room\.part-0000-0009\.png: exists already\nroom\.part-0010-2989\.png: lines .*\nroom\.part-2990-2999\.png: exists already\n$", said);
+        Assert.Equal(0, raycaster.Run("stitch", ".", "--missing").ExitCode);
+    }
+
+    [SkippableFact]
+    public void AStitchThatIsInterruptedLeavesTheOldPicture()
+    {
+        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
+        raycaster.Write("whole.png", "the old picture").Run(Room, "-s", "20000x3000", "--rows", "1/1", "-o", "a.png");
+        using var process = raycaster.Start("stitch", "a.png", "-o", "whole.png");
+        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(1);
+        Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
+        Assert.Equal(["a.png", "whole.png"], raycaster.Files);
+        Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("whole.png")));
+    }
+}

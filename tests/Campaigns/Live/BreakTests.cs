@@ -1,0 +1,56 @@
+namespace RayCaster.Live.Tests;
+
+/// <summary>A page whose program ends, starts again, or is suspended for a while.</summary>
+[Collection("browser")]
+public class BreakTests(Chromium chromium)
+{
+    [BrowserFact]
+    public async Task CtrlCEndsTheProgramWithAPageOpenAndThePageSaysSo()
+    {
+        using var folder = new TemporaryFolder();
+        using var live = LiveProcess.Start(folder.Write("scene.json", LivePage.Ball));
+        var (page, _) = await chromium.OpenAsync(live.Address);
+        live.Send("INT");
+        Assert.Equal(130, await live.ExitCodeAsync());
+        await page.GetByText("The program has ended").WaitForAsync();
+    }
+
+    /// <summary>As "dotnet watch" does after a change of the code.</summary>
+    [BrowserFact]
+    public async Task APageContinuesWithItsCameraAndPixelWhenTheProgramIsStartedAgain()
+    {
+        using var folder = new TemporaryFolder();
+        var scene = folder.Write("scene.json", LivePage.Ball);
+        var first = LiveProcess.Start(scene, 1, folder.Path);
+        var (page, _) = await chromium.OpenAsync(first.Address);
+        await page.FocusAsync("#stage");
+        await page.Keyboard.PressAsync("ArrowLeft");
+        await page.WaitForSelectorAsync("#camera-reset:not([disabled])");
+        var camera = await page.InnerTextAsync("#camera-json");
+        await page.Keyboard.PressAsync("Enter");
+        await page.WaitForSelectorAsync("#pixel-bytes");
+        first.Dispose();
+        await page.WaitForSelectorAsync("body.apart");
+
+        folder.Write("scene.json", LivePage.Ball.Replace("\"models\"", "\"background\": [0, 0, 1], \"models\"").Replace("1, 0.5, 0.1", "0, 0, 0"));
+        using var second = LiveProcess.Start(scene, 2, folder.Path);
+        Assert.Equal(first.Address, second.Address);
+        await page.WaitForSelectorAsync("body:not(.apart)");
+        await page.WaitForFunctionAsync("() => ['0 0 0', '0 0 255'].includes(document.getElementById('pixel-bytes').textContent)");
+        Assert.Equal(camera, await page.InnerTextAsync("#camera-json"));
+    }
+
+    /// <summary>A program that is suspended for longer than the server waits for a browser's answer, as while a laptop sleeps.</summary>
+    [BrowserFact]
+    public async Task APageContinuesAfterASleep()
+    {
+        using var folder = new TemporaryFolder();
+        using var live = LiveProcess.Start(folder.Write("scene.json", LivePage.Ball));
+        var (page, _) = await chromium.OpenAsync(live.Address);
+        live.Send("STOP");
+        folder.Write("scene.json", LivePage.Ball.Replace("\"width\": 40", "\"width\": 44"));
+        await Task.Delay(TimeSpan.FromSeconds(31));
+        live.Send("CONT");
+        await page.GetByText("Up to date: 44 × 30 pixels").WaitForAsync();
+    }
+}

@@ -1,0 +1,55 @@
+using RayCaster.Teaching.Tests.Mistakes;
+using static RayCaster.Teaching.Tests.Diagnoses.DiagnosisTests;
+
+namespace RayCaster.Teaching.Tests.Diagnoses;
+
+/// <summary>The wrong pictures are <see cref="EditedLab"/>'s.</summary>
+public class DiagnosisCampaign
+{
+    [Fact]
+    public void AFewPixelsThatNobodyWouldSeeThereDoNotMatch()
+    {
+        var picture = ScalarRenderer.Render(scene);
+        for (var i = 0; i < 16; i++) picture[50 + i % 4, 30 + i / 4] = (255, 0, 255);
+        Assert.Equal(Finding.NoneOfThese, Diagnosis.Of(scene, picture).Finding);
+    }
+
+    [Theory]
+    [InlineData("u-cross")]
+    [InlineData("nohalf")]
+    [InlineData("transpose")]
+    [InlineData("crlf")]
+    [InlineData("bgr")]
+    [InlineData("no-t0")]
+    [InlineData("circ-nosq")]
+    [InlineData("tri-cull")]
+    [InlineData("noclamp")]
+    [InlineData("att-no2")]
+    [InlineData("center")]
+    public void NamesOtherPlantedMistakesFirst(string id) => new DiagnosisTests().NamesThePlantedMistakeFirst(id);
+
+    [Theory]
+    [InlineData("tri-uv")]
+    [InlineData("cross-x")]
+    [InlineData("rows")]
+    public void NamesAMistakeInAMeshsPicture(string id)
+    {
+        var mesh = SceneFolder.Small("mesh", 4);
+        Assert.Contains(id, Named(Diagnosis.Of(mesh, MistakeCatalog.Draw(mesh, [MistakeCatalog.Named(id)!])).Suspects[0]));
+    }
+
+    [Theory]
+    [InlineData("slab-2axes", "slab-minmin")]
+    public void TwoMistakesOfABoxAreBothNamed(string one, string other) => new DiagnosisTests().TwoMistakesOfOneShapeAreBothNamed(one, other);
+
+    [Fact]
+    public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
+    {
+        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);
+        var suspects = Diagnosis.Of(scene, picture).Suspects;
+        var sets = suspects.Select(suspect => string.Join(' ', suspect.Mistakes.Select(mistake => mistake.Id).Order())).ToArray();
+        Assert.Equal(sets.Distinct(), sets);
+        Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "att-depth"));
+        Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "dir-unnorm"));
+    }
+}

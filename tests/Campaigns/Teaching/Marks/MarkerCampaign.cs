@@ -1,0 +1,91 @@
+using RayCaster.Teaching.Tests.Mistakes;
+using static RayCaster.Teaching.Tests.Marks.MarkerTests;
+using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
+
+namespace RayCaster.Teaching.Tests.Marks;
+
+/// <summary>Points for pictures that <see cref="EditedLab"/> draws.</summary>
+public class MarkerCampaign
+{
+    [Theory]
+    [InlineData("Aabb", "P <= B1", "P <= B0", "7")] // a ray along a slab misses it
+    public void AnotherSlipInAShapesOwnFormulaCostsThatShape(string file, string old, string @new, string lost) =>
+        new MarkerTests().ASlipInAShapesOwnFormulaCostsThatShape(file, old, @new, lost);
+
+    [Fact]
+    public void AFewWrongPixelsThatNothingExplainsLeaveTheirItemOpen()
+    {
+        var slip = new Planted("never along a slab", "", new Edit("Aabb", "B0 <= P", "B0 >= P"));
+        var marks = Mark(With(whole.Items, Scenes("1-planes", "3-boxes", "3-spheres", "4-all")), scene => EditedLab.Render(scene, slip));
+        Assert.Empty(Lost(marks).Except(["7"]));
+        Assert.Equal(["7 AABB"], marks.Items.Where(item => item.Open > 0).Select(item => item.Name));
+    }
+
+    [Theory]
+    [InlineData("v-cross", "att-depth", "4 5")]
+    [InlineData("u-cross", "nohalf", "4")]
+    [InlineData("no2", "att-none", "4 5")]
+    public void OtherMistakesThatChangeWholePicturesCostTheirItems(string mistake, string second, string lost) =>
+        new MarkerTests().TwoMistakesThatChangeWholePicturesCostTheirItems(mistake, second, lost);
+
+    [Theory]
+    [InlineData("near-root-only", "ok", "8")] // shows in one scene only
+    [InlineData("r-nosq", "ok", "8")]
+    [InlineData("att-no2", "plane-cull", "3 5")]
+    [InlineData("aspect-inv", "circ-nosq", "4 9")]
+    public void OtherMistakesCostTheirOwnItems(string mistake, string second, string lost) =>
+        new MarkerTests().AMistakeCostsItsOwnItemAndNoOther(mistake, second, lost);
+
+    [Fact]
+    public void AFaultOfMostPicturesThatNothingExplainsMayBeInTheVectors()
+    {
+        var slip = new Planted("a wrong letter in the scalar product", "", new Edit("Vector3", "a.Z * b.Z;", "a.Z * a.Z;"));
+        var marks = Mark(scene => EditedLab.Render(scene, slip));
+        Assert.Contains("1 Vectors", marks.Items.Where(item => item.Open > 0).Select(item => item.Name));
+    }
+
+    [Fact]
+    public void WhatNothingExplainsIsOpenAndFlaggedAndNotLost()
+    {
+        var random = new Random(1);
+        var marks = Mark(two, scene =>
+        {
+            var noise = new Picture(scene.Camera.Width, scene.Camera.Height);
+            random.NextBytes(noise.Rgb);
+            return noise;
+        });
+        Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
+        Assert.Empty(marks.Mistakes);
+        Assert.Equal("3-inside, 4-all: no known mistake explains this", Assert.Single(marks.LookYourself));
+    }
+
+    [Fact]
+    public void WhereAllOutlinesAreRightOnlyTheLightIsOpen()
+    {
+        var marks = Mark(two, scene =>
+        {
+            var picture = ScalarRenderer.Render(scene);
+            for (var i = 0; i < picture.Rgb.Length; i++) picture.Rgb[i] /= 2;
+            return picture;
+        });
+        Assert.Equal((18.0, "5"), (marks.Points, string.Join(' ', Lost(marks))));
+        Assert.Contains("all outlines are right, only the light is not", Assert.Single(marks.LookYourself));
+    }
+
+    [Fact]
+    public void WhereTheLightOfOneKindOfShapeIsWrongItsItemIsOpen()
+    {
+        var spheres = With(whole.Items, Scenes("3-spheres", "4-all").Select(Small));
+        var marks = new Marker(spheres).Mark(
+            "somebody", "", [.. spheres.Scenes.Select(scene => new SubmittedPicture(scene, Darkened(scene), null))]);
+        Assert.Contains("8", Lost(marks));
+
+        static Picture Darkened(MarkedScene scene)
+        {
+            var (picture, models) = (ScalarRenderer.Render(scene.Scene), new Renderer(scene.Scene).CastHits().Model);
+            for (var i = 0; i < picture.Rgb.Length; i++)
+                if (models[i / 3] is >= 0 and var model && scene.Scene.Models[model].Kind == "sphere") picture.Rgb[i] = (byte)(picture.Rgb[i] * 0.7);
+            return picture;
+        }
+    }
+}

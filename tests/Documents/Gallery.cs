@@ -1,0 +1,120 @@
+using System.Text;
+
+namespace RayCaster.Documents;
+
+/// <summary>docs/mistakes.md and its pictures, made from the catalogue.</summary>
+internal static class Gallery
+{
+    private const int SheetColumns = 10, ThumbWidth = 64, ThumbHeight = 40, SheetGap = 2;
+
+    private static readonly (Concerns Concerns, string Title)[] stages =
+    [
+        (Concerns.Camera, "From a pixel to its ray"),
+        (Concerns.Hit, "Which hit shows"),
+        (Concerns.Spheres, "Spheres"),
+        (Concerns.Planes, "Planes"),
+        (Concerns.Boxes, "Boxes"),
+        (Concerns.Circles, "Circles"),
+        (Concerns.Triangles, "Triangles, also those of meshes"),
+        (Concerns.Color, "From a hit to a colour"),
+        (Concerns.File, "From the pixels to the file"),
+    ];
+
+    /// <summary>The page.</summary>
+    public static string File { get; } = ProjectFolder.PathOf("docs/mistakes.md");
+
+    /// <summary>The sheet with all pictures.</summary>
+    public static string SheetFile { get; } = ProjectFolder.PathOf("docs/mistakes/all.png");
+
+    /// <summary>The picture of a mistake.</summary>
+    public static string PictureOf(Mistake mistake) => ProjectFolder.PathOf($"docs/mistakes/{mistake.Id}.png");
+
+    /// <summary>The mistakes in the order of the page.</summary>
+    public static IEnumerable<Mistake> InOrder => stages.SelectMany(stage => Of(stage.Concerns));
+
+    /// <summary>The text of the page.</summary>
+    public static string Page()
+    {
+        var initials = MistakeCatalog.All.ToDictionary(mistake => mistake, Initials);
+        var hidden = string.Join(" and ", MistakeCatalog.All.Where(mistake => initials[mistake] == "–").Select(mistake => $"`{mistake.Id}`"));
+        var page = new StringBuilder($"""
+            # {MistakeCatalog.All.Count} mistakes, and what they look like
+
+            Everybody who writes a ray caster makes some of these. In each picture the left half is right, and the right half shows the mistake.
+            To find yours, draw [scenes/mistakes/generic.json](../scenes/mistakes/generic.json) with your own program and run
+
+                dotnet run --project src/RayCaster.Cli -- diagnose scenes/mistakes/generic.json mine.png
+
+            `--hint question` (the default) or `--hint answer` says more than this page ([how it works](diagnosis.md)).
+            `dotnet run --project src/RayCaster.Cli -- scenes/room.json --mistake rows+bgr` draws a wrong picture.
+
+            The letters behind a mistake's name are the scenes of [scenes/mistakes](../scenes/mistakes) in which at least 20 pixels change by more
+            than 2 levels: **g**eneric, **p**ortrait, **i**nside, **a**xis, **b**ubble. If your program draws all five right, it has none of these
+            mistakes but perhaps {hidden}, which move a channel by one level.
+
+            ![All mistakes, one small picture each, in the order of this page; the first picture is right](mistakes/all.png)
+
+            `dotnet run --project tests/Documents` makes this page from the
+            [catalogue](../src/RayCaster.Teaching/Diagnoses/MistakeCatalog.cs).
+
+            """);
+        foreach (var (concerns, title) in stages)
+        {
+            page.AppendLine($"\n## {title}\n\nright, wrong | mistake | what you see\n---|---|---");
+            foreach (var mistake in Of(concerns))
+                page.AppendLine($"![{mistake.Id}](mistakes/{mistake.Id}.png) | `{mistake.Id}` ({initials[mistake]}): {Markdown(mistake.Cause)} "
+                    + $"| {Markdown(mistake.Hint.Symptom)}");
+        }
+        return page.ToString().ReplaceLineEndings("\n");
+    }
+
+    /// <summary>The picture with a small picture of each mistake; the right one first.</summary>
+    public static Picture Sheet()
+    {
+        Picture[] tiles = [Showcase.Whole[0].Tile(), .. InOrder.Select(mistake => Showcase.Of(mistake).Tile(mistake))];
+        var rows = (tiles.Length + SheetColumns - 1) / SheetColumns;
+        var sheet = Showcase.Blank(SheetColumns * (ThumbWidth + SheetGap) - SheetGap, rows * (ThumbHeight + SheetGap) - SheetGap);
+        for (var i = 0; i < tiles.Length; i++)
+        {
+            var thumb = Thumb(tiles[i]);
+            Showcase.Put(thumb, sheet, i % SheetColumns * (ThumbWidth + SheetGap) + (ThumbWidth - thumb.Width) / 2,
+                i / SheetColumns * (ThumbHeight + SheetGap) + (ThumbHeight - thumb.Height) / 2);
+        }
+        return sheet;
+    }
+
+    private static IEnumerable<Mistake> Of(Concerns concerns) => MistakeCatalog.All.Where(mistake => mistake.Concerns.HasFlag(concerns)
+        && stages.First(stage => mistake.Concerns.HasFlag(stage.Concerns)).Concerns == concerns);
+
+    /// <summary>The initials of the scenes that show a mistake.</summary>
+    private static string Initials(Mistake mistake)
+    {
+        var shown = Showcase.ShownIn(mistake).Select(name => name[0]).ToArray();
+        return shown.Length == 0 ? "–" : new(shown);
+    }
+
+    private static string Markdown(string text) => text.Replace("|", "\\|").Replace("<", "&lt;").Replace("*", "\\*");
+
+    /// <summary>The mean over the places of the large picture that each pixel of the small one covers.</summary>
+    private static Picture Thumb(Picture tile)
+    {
+        var scale = Math.Max((double)tile.Width / ThumbWidth, (double)tile.Height / ThumbHeight);
+        var thumb = new Picture((int)(tile.Width / scale), (int)(tile.Height / scale));
+        const int n = 4;
+        for (var y = 0; y < thumb.Height; y++)
+        {
+            for (var x = 0; x < thumb.Width; x++)
+            {
+                var (r, g, b) = (0, 0, 0);
+                for (var i = 0; i < n * n; i++)
+                {
+                    var (left, top) = ((int)((x + (i % n + 0.5) / n) * scale), (int)((y + (i / n + 0.5) / n) * scale));
+                    var pixel = tile[Math.Min(left, tile.Width - 1), Math.Min(top, tile.Height - 1)];
+                    (r, g, b) = (r + pixel.R, g + pixel.G, b + pixel.B);
+                }
+                thumb[x, y] = ((byte)(r / (n * n)), (byte)(g / (n * n)), (byte)(b / (n * n)));
+            }
+        }
+        return thumb;
+    }
+}
