@@ -50,7 +50,7 @@ internal sealed class EditSample
     private static bool IsNear(byte[] a, byte[] b, int pixel)
     {
         for (var i = 3 * pixel; i < 3 * pixel + 3; i++)
-            if (Math.Abs(a[i] - b[i]) > Evidence.Tolerance) return false;
+            if (Math.Abs(a[i] - b[i]) > PictureJudge.Tolerance) return false;
         return true;
     }
 }

@@ -9,8 +9,8 @@ internal sealed record EditGroup(double Unexplained, ImmutableArray<FormulaEdit>
 
 /// <summary>Finds the small edits of the slides' formulas that draw a wrong picture.</summary>
 /// <remarks>All edits are tried on a few pixels, the nearest on more, and the nearest of these on all of the evidence.</remarks>
-/// <param name="cancellation">Ends the search; then it has found nothing.</param>
-internal sealed class EditSearch(Evidence evidence, CancellationToken cancellation)
+/// <param name="budget">If it is spent, nothing is found.</param>
+internal sealed class EditSearch(Evidence evidence, SearchBudget? budget)
 {
     /// <summary>How many wrong pixels, and how many right ones, each round compares.</summary>
     private const int FewPixels = 24, MorePixels = 200, AllPixels = 1500;
@@ -51,7 +51,7 @@ internal sealed class EditSearch(Evidence evidence, CancellationToken cancellati
             var most = Math.Min(MayLeave * evidence.WrongCount, Math.Max(MayLeavePixels, MayLeaveOfPicture * evidence.PixelCount));
             return best.Unexplained * evidence.WrongCount <= most ? best : null;
         }
-        catch (OperationCanceledException)
+        catch (TimeoutException)
         {
             return null;
         }
@@ -74,7 +74,7 @@ internal sealed class EditSearch(Evidence evidence, CancellationToken cancellati
         foreach (var (_, edit) in closer.TakeWhile((edit, i) =>
             i < LastEdits || (i < MaxLastEdits && edit.Unexplained < closer[0].Unexplained + AlmostAsGood)))
         {
-            cancellation.ThrowIfCancellationRequested();
+            budget?.ThrowIfSpent();
             var drawn = all.Draw(edit);
             var same = groups.Find(group => EditSample.AreAlike(group.Drawn, drawn));
             if (same.Edits is not null) same.Edits.Add(edit);
@@ -128,7 +128,7 @@ internal sealed class EditSearch(Evidence evidence, CancellationToken cancellati
         var measured = new List<(double, FormulaEdit)>();
         foreach (var edit in edits)
         {
-            cancellation.ThrowIfCancellationRequested();
+            budget?.ThrowIfSpent();
             measured.Add((sample.Unexplained(sample.Draw(edit)), edit));
         }
         return Sorted(measured);
@@ -146,7 +146,7 @@ internal sealed class EditSearch(Evidence evidence, CancellationToken cancellati
         {
             foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(section => section != right[kind] && IsPossible(section)))
             {
-                cancellation.ThrowIfCancellationRequested();
+                budget?.ThrowIfSpent();
                 var other = program.With(section);
                 if (sample.Unexplained(sample.Draw(edit with { Beside = other })) is var left && left < best - AlmostAsGood)
                     (best, program, isBetter) = (left, other, true);

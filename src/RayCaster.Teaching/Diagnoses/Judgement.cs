@@ -44,9 +44,6 @@ internal sealed class Judgement(
     /// <summary>A mistake is mentioned at all if it leaves at most this share of the wrong pixels; two mistakes may leave less.</summary>
     private const double Mentioned = 0.8, MentionedPair = 0.4;
 
-    /// <summary>The search for an edit takes a second or two; on a very slow machine it gives up.</summary>
-    private static readonly TimeSpan TimeForEdits = TimeSpan.FromSeconds(8);
-
     /// <summary>How many of the nearest mistakes are mentioned if none explains the picture.</summary>
     private const int Shown = 3;
 
@@ -80,8 +77,7 @@ internal sealed class Judgement(
     /// <summary>A small edit of the slides' formulas that explains the picture; null if there is none.</summary>
     private Answer? Edited()
     {
-        using var time = new CancellationTokenSource(TimeForEdits);
-        if (new EditSearch(evidence, time.Token).Find() is not { } group) return null;
+        if (new EditSearch(evidence, prepared.Budget).Find() is not { } group) return null;
         var mistake = EditNaming.Of(group);
         return prepared.Possible?.Invoke(mistake) == false ? null : new(Finding.Mistake)
         {
