@@ -6,7 +6,7 @@ internal sealed class CompareCommand : Command
         Description:
           Says whether two pictures are the same, and where they differ. If a change of the
           whole picture explains the difference, names it: flipped, moved, red and blue
-          swapped, gamma, ...
+          swapped, ...
 
         Usage:
           raycaster compare <mine> <reference> [options]
@@ -20,7 +20,7 @@ internal sealed class CompareCommand : Command
                                  wrong, and rays decide which pixels are on outlines.
           -o, --output <file>    Writes mine, the reference and a heat map of the difference
                                  beside each other, .png or .ppm. Without it nothing is written.
-              --measures         Adds maximum, MAE, RMSE, PSNR and SSIM.
+              --measures         Adds maximum, MAE and RMSE.
               --json             Writes the answer as JSON to standard output.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
 
@@ -60,7 +60,7 @@ internal sealed class CompareCommand : Command
         var text = ComparisonText.Of(comparison, mine, reference);
         if (measures)
             text += comparison.Difference is { } difference
-                ? ComparisonText.Of(new Measures(difference))
+                ? ComparisonText.Measures(difference)
                 : "There are no measures for pictures of different sizes.\n";
         var heat = comparison.Difference is null ? "" : ", the difference as a heat map";
         if (output is not null) return text + $"{output}: mine, the reference{heat}\n";

@@ -40,7 +40,7 @@ internal sealed class HandOutCommand : Command
         if (line.Has(Option.Solution))
             return line.Has(Option.Open) ? throw ProblemException.Usage("with '--solution' no step is open: leave '--open' out") : default;
         if (line[Option.Open] is not { } text) return new(1, LabSteps.Count);
-        return LineRange.Parse(text.Contains("..") ? text : $"{text}..{text}") is { First: > 0, Last: <= LabSteps.Count } steps ? steps
+        return LineRange.Parse(text.Contains("..") ? text : $"{text}..{text}") is { First: > 0 } steps && steps.Last <= LabSteps.Count ? steps
             : throw ProblemException.Usage(
                 $"'{text}' names no steps: write one from 1 to {LabSteps.Count}, or the first and the last as in 1..4");
     }

@@ -123,9 +123,7 @@ internal static class Messages
         Outcome.UnderBias => "nearer than bias",
         Outcome.BeforeNear => "nearer than zNear",
         Outcome.BeyondFar => "beyond zFar",
-        Outcome.Outside or Outcome.PassesBy => "the rays pass it by",
-        Outcome.Parallel => "the rays run along it",
-        _ => "its formula gives no number (NaN)",
+        _ => "the rays miss it",
     };
 
     private static double[] Numbers(Vector3 v) => [v.X, v.Y, v.Z];

@@ -59,7 +59,7 @@ public sealed class CompareTests : IDisposable
     {
         app.Run("compare", Mine(Flip), Mine(name: "right.png"));
         Assert.Equal(1, app.ExitCode);
-        Assert.Contains("\nIt becomes identical when it is flipped top to bottom.\n", app.OutputText);
+        Assert.Contains("\nFlipped top to bottom it is right: are rows written upside down?\n", app.OutputText);
     }
 
     [Fact]
@@ -83,7 +83,7 @@ public sealed class CompareTests : IDisposable
     public void AWrongPixelIsToldBothWays()
     {
         app.Run("compare", Mine(picture => picture[3, 2] = (1, 2, 3)), Mine(name: "right.png"));
-        Assert.Contains("\n  In the middle of the widest wrong place: column 3, line 2 from the top (row 317 from the bottom): " +
+        Assert.Contains("\n  In the middle of the widest wrong area: column 3, line 2 from the top (row 317 from the bottom): " +
             "(1, 2, 3) instead of (0, ", app.OutputText);
     }
 
@@ -117,7 +117,7 @@ public sealed class CompareTests : IDisposable
     public void MeasuresAreOneLine()
     {
         app.Run("compare", Mine(), Mine(name: "right.png"), "--measures");
-        Assert.EndsWith("\nMeasures, in levels of 255: maximum 0, MAE 0, RMSE 0; PSNR infinite, SSIM 1\n", app.OutputText);
+        Assert.EndsWith("\nMeasures, in levels of 255: maximum 0, MAE 0, RMSE 0\n", app.OutputText);
     }
 
     [Fact]
@@ -133,14 +133,7 @@ public sealed class CompareTests : IDisposable
         Assert.Equal(9, answer.GetProperty("scene").GetProperty("models").GetArrayLength());
         var first = answer.GetProperty("wrongMiddle");
         Assert.Equal(319, first.GetProperty("line").GetInt32() + first.GetProperty("row").GetInt32());
-        Assert.InRange(answer.GetProperty("measures").GetProperty("ssim").GetDouble(), 0, 0.99);
-    }
-
-    [Fact]
-    public void AnInfiniteRatioIsNullInJson()
-    {
-        app.Run("compare", Mine(), Mine(name: "right.png"), "--json");
-        Assert.Equal(JsonValueKind.Null, JsonDocument.Parse(app.Output).RootElement.GetProperty("measures").GetProperty("psnr").ValueKind);
+        Assert.InRange(answer.GetProperty("measures").GetProperty("rmse").GetDouble(), 1, 255);
     }
 
     [Fact]

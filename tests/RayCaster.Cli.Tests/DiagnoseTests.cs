@@ -30,7 +30,7 @@ public sealed class DiagnoseTests : IDisposable
         raycaster.Run("diagnose", scene, "wrong.png");
         Assert.Equal((1, ""), (raycaster.ExitCode, raycaster.Error));
         Assert.StartsWith("wrong.png is not the picture of scene.json: ", raycaster.OutputText);
-        Assert.Contains(" differ by more than 2 levels.\n", raycaster.OutputText);
+        Assert.Contains(" differ by more than 1 level.\n", raycaster.OutputText);
         Assert.Contains("Most likely: rows", raycaster.OutputText);
         Assert.EndsWith("\n\nMore help: --hint answer\n", raycaster.OutputText);
 

@@ -30,7 +30,7 @@ public class DefinitionTests
 
     [Fact]
     public void TheBodiesOfAStepAreThoseThatTheHandOutOpensWithIt() =>
-        Assert.All(Todo.Bodies, body => Assert.Equal(body.Step, LabSteps.StepOf(body.Slide)));
+        Assert.All(Todo.Bodies, body => Assert.Equal(body.Step, Slides.StepOf(body.Slide)));
 
     [Fact]
     public void NothingIsLeftToDo() => Assert.Equal("", Todo.Report());

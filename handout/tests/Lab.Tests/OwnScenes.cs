@@ -12,6 +12,6 @@ public class OwnScenes
         if (!Directory.Exists(folder)) return;
         foreach (var picture in Directory.EnumerateFiles(folder, "*.png"))
             if (Path.ChangeExtension(picture, ".json") is var scene && File.Exists(scene))
-                PictureAssert.Equal(scene, picture, levels: 1, share: 0.01);
+                PictureAssert.Equal(scene, picture);
     }
 }

@@ -23,7 +23,7 @@ internal static partial class Bodies
         return Body().Replace(text, body =>
         {
             var (slide, code) = (body.Groups["slide"].Value, body.Groups["line"].Captures.Select(line => line.Value).ToArray());
-            var step = LabSteps.StepOf(slide);
+            var step = Slides.StepOf(slide);
             if (step == 0) throw new ProblemException($"{file}: error: no step has the slide \"{slide}\"");
             if (!isOpen(step)) return string.Concat(code.Where(line => !line.Contains(Stub)));
             var stub = string.Concat(code.Where(line => line.Contains(Stub)).Select(line => line.Replace(Stub, "")));

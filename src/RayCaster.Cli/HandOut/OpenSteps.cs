@@ -5,10 +5,6 @@ namespace RayCaster.Cli;
 /// <summary>Adapts the texts of a hand-out to the steps that its students write: README.md says which ones, CI tests no other.</summary>
 internal static partial class OpenSteps
 {
-    /// <summary>The steps' names in CI.</summary>
-    private static readonly string[] names =
-        ["vectors", "ray", "plane", "camera", "shading", "zNear, zFar, bias", "box", "sphere", "circle", "triangle"];
-
     /// <summary>Whether a file depends on the steps that are open.</summary>
     public static bool Concern(string path) => path is "README.md" or ".github/workflows/classroom.yml" or ".gitlab-ci.yml";
 
@@ -28,7 +24,7 @@ internal static partial class OpenSteps
             .Replace("{runners}", string.Join(',', tested.Select(step => $"step{step}")))
             .Replace("{steps}", string.Join(", ", tested));
 
-        static string Of(int step, string part) => part.Replace("{step}", $"{step}").Replace("{name}", names[step - 1]);
+        static string Of(int step, string part) => part.Replace("{step}", $"{step}").Replace("{name}", Slides.Steps[step - 1].Name);
     }
 
     [GeneratedRegex(@"^## Step (?<step>\d+): .*\S", RegexOptions.Multiline)]

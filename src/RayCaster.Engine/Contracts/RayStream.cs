@@ -107,11 +107,11 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     /// <summary>The same in floats, of as many pixels as these packets hold.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public F NearestInFloatsAt<F>(int pixel) where F : struct, IFloatPacket<F> => F.Load(t, pixel);
+    public FloatPacket NearestInFloatsAt(int pixel) => FloatPacket.Load(t, pixel);
 
     /// <summary>The indices of the models + 1, as ints in place of floats.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public F ColorIndicesAt<F>(int pixel) where F : struct, IFloatPacket<F> => F.LoadColorIndices(model, pixel);
+    public FloatPacket ColorIndicesAt(int pixel) => FloatPacket.LoadColorIndices(model, pixel);
 
     /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -16,8 +16,8 @@ internal sealed class MeshPainter
     private readonly Model model;
     private readonly int background; // its bytes
     private readonly float[] squares = new float[Tile.MaxSide]; // of the columns' slopes
-    private readonly uint[] doubts = new uint[Tile.MaxSide * Tile.MaxSide / FloatBytes.Count]; // of each packet
-    private readonly byte[] rowEnds = new byte[Tile.MaxSide * 3 * FloatBytes.Count]; // of packets that the tile cuts
+    private readonly uint[] doubts = new uint[Tile.MaxSide * Tile.MaxSide / FloatPacket.Count]; // of each packet
+    private readonly byte[] rowEnds = new byte[Tile.MaxSide * 3 * FloatPacket.Count]; // of packets that the tile cuts
     private Tile tile;
     private byte[] rgb = [];
     private int first, step;
@@ -55,18 +55,17 @@ internal sealed class MeshPainter
     {
         (this.tile, this.rgb, this.first, this.step) = (tile, rgb, first, step);
         for (var i = 0; i < tile.Width; i++) squares[i] = (float)Square((tile.Column + i - screen.CenterX) / screen.Scale);
-        if (FloatBytes.IsWide) Paint<WideFloatPacket>(occluderDepth, candidateDepth, exactT);
-        else Paint<FloatPacket>(occluderDepth, candidateDepth, exactT);
+        Paint(occluderDepth, candidateDepth, exactT);
 
-        if (tile.Width % FloatBytes.Count is > 0 and var left)
+        if (tile.Width % FloatPacket.Count is > 0 and var left)
             for (var row = 0; row < tile.Height; row++)
-                rowEnds.AsSpan(row * 3 * FloatBytes.Count, 3 * left).CopyTo(rgb.AsSpan(first + row * step + 3 * (tile.Width - left)));
+                rowEnds.AsSpan(row * 3 * FloatPacket.Count, 3 * left).CopyTo(rgb.AsSpan(first + row * step + 3 * (tile.Width - left)));
         Doubts.Clear();
-        var packets = (tile.Width + FloatBytes.Count - 1) / FloatBytes.Count;
+        var packets = (tile.Width + FloatPacket.Count - 1) / FloatPacket.Count;
         for (var i = 0; i < packets * tile.Height; i++)
         {
             for (var lanes = doubts[i]; lanes != 0; lanes &= lanes - 1)
-                Doubts.Add(i / packets * TilePixels.Stride + i % packets * FloatBytes.Count + BitOperations.TrailingZeroCount(lanes));
+                Doubts.Add(i / packets * TilePixels.Stride + i % packets * FloatPacket.Count + BitOperations.TrailingZeroCount(lanes));
         }
     }
 
@@ -83,28 +82,28 @@ internal sealed class MeshPainter
     /// <remarks>A ray is √(1 + u² + v²) long where it is 1 deep and moves u across and v upwards: t = unit · √(1 + u² + v²) / inverse
     /// depth.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private void Paint<F>(float[] occluderDepth, float[] candidateDepth, double[]? exactT) where F : struct, IFloatPacket<F>
+    private void Paint(float[] occluderDepth, float[] candidateDepth, double[]? exactT)
     {
-        var (red, green, blue) = (Lanes.Broadcast<F>(model.Color.R), Lanes.Broadcast<F>(model.Color.G), Lanes.Broadcast<F>(model.Color.B));
-        var unit = Lanes.Broadcast<F>(screen.Unit);
-        var slack = Lanes.Broadcast<F>(Error);
+        var (red, green, blue) = ((FloatPacket)model.Color.R, (FloatPacket)model.Color.G, (FloatPacket)model.Color.B);
+        var unit = (FloatPacket)screen.Unit;
+        var slack = (FloatPacket)Error;
         var packet = 0;
         for (var row = 0; row < tile.Height; row++)
         {
-            var upwards = Lanes.Broadcast<F>(1 + Square((tile.Row + row - screen.CenterY) / screen.Scale));
-            for (var i = 0; i < tile.Width; i += F.Count, packet++)
+            var upwards = (FloatPacket)(1 + Square((tile.Row + row - screen.CenterY) / screen.Scale));
+            for (var i = 0; i < tile.Width; i += FloatPacket.Count, packet++)
             {
                 var at = row * TilePixels.Stride + i;
-                var inFront = F.Load(candidateDepth, at);
-                var tTimesW = unit * F.Sqrt(upwards + F.Load(squares, i));
-                var (brightest, darkest) = (scene.Attenuation(tTimesW / inFront), scene.Attenuation(tTimesW / F.Load(occluderDepth, at)));
-                var most = F.Pixels(
+                var inFront = FloatPacket.Load(candidateDepth, at);
+                var tTimesW = unit * FloatPacket.Sqrt(upwards + FloatPacket.Load(squares, i));
+                var (brightest, darkest) = (scene.Attenuation(tTimesW / inFront), scene.Attenuation(tTimesW / FloatPacket.Load(occluderDepth, at)));
+                var most = FloatPacket.Pixels(
                     Color.Level(brightest * red) + slack, Color.Level(brightest * green) + slack, Color.Level(brightest * blue) + slack);
-                var least = F.Pixels(
+                var least = FloatPacket.Pixels(
                     Color.Level(darkest * red) - slack, Color.Level(darkest * green) - slack, Color.Level(darkest * blue) - slack);
-                var (to, offset) = i + F.Count <= tile.Width ? (rgb, first + row * step + 3 * i) : (rowEnds, row * 3 * F.Count);
-                var doubt = F.WriteRange(least, most, inFront, background, to, offset);
-                for (var k = 0; exactT is not null && k < F.Count; k += Packet.Count)
+                var (to, offset) = i + FloatPacket.Count <= tile.Width ? (rgb, first + row * step + 3 * i) : (rowEnds, row * 3 * FloatPacket.Count);
+                var doubt = FloatPacket.WriteRange(least, most, inFront, background, to, offset);
+                for (var k = 0; exactT is not null && k < FloatPacket.Count; k += Packet.Count)
                     doubt |= Packet.Bits(Packet.Load(exactT, at + k) < double.PositiveInfinity) << k;
                 doubts[packet] = doubt;
             }

@@ -3,7 +3,7 @@ using System.Runtime.Intrinsics.X86;
 namespace RayCaster.Engine;
 
 /// <summary>Converts channels' levels from floats to bytes. A byte is certain where both ends of a level's range have the same whole part.</summary>
-internal static partial class FloatBytes
+internal static class FloatBytes
 {
     /// <summary>The rounding error of a range's ends: levels are below 256, so half a float's unit is 2⁻¹⁷.</summary>
     public const double RoundingOfTheEnds = 7.7e-6;
@@ -12,26 +12,21 @@ internal static partial class FloatBytes
     /// the slope 2⁻²⁴ of less than 256, which is 2⁻¹⁶.</summary>
     public const double RoundingOfALine = 3.9e-5;
 
-    /// <summary>Whether this machine computes with <see cref="WideFloatPacket"/>.</summary>
-    public static bool IsWide => Avx512BW.IsSupported;
+    /// <summary>Whether this machine computes with <see cref="FloatPacket"/>.</summary>
+    public static bool IsSupported => Avx2.IsSupported && Fma.IsSupported;
 
-    /// <summary>Whether it computes with <see cref="FloatPacket"/>, or the wide one.</summary>
-    public static bool IsSupported => IsWide || (Avx2.IsSupported && Fma.IsSupported);
-
-    /// <summary>How many pixels of a row its packets hold.</summary>
-    public static int Count => IsWide ? WideFloatPacket.Count : FloatPacket.Count;
-
-    /// <summary>Three bytes of each of 16 pixels, without the fourth; those after the 48 are meaningless.</summary>
+    /// <summary>The whole parts of three channels, packed into one int.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<byte> InARow(Vector512<int> pixels)
+    public static Vector256<int> Packed(Vector256<float> r, Vector256<float> g, Vector256<float> b) =>
+        Vector256.ConvertToInt32Native(r) | (Vector256.ConvertToInt32Native(g) << 8) | (Vector256.ConvertToInt32Native(b) << 16);
+
+    /// <summary>Writes three bytes of each pixel.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Store(Vector256<int> pixels, byte[] rgb, int offset)
     {
-        var within = Vector512.Create((byte)
-            0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255,
-            0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255,
-            0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255,
-            0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
-        var between = Vector512.Create(0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
-        return Avx512F.PermuteVar16x32(Avx512BW.Shuffle(pixels.AsByte(), within).AsInt32(), between).AsByte();
+        var bytes = InARow(pixels);
+        bytes.GetLower().StoreTo(rgb, offset);
+        bytes.GetUpper().GetLower().StoreTo(rgb, offset + Vector256<byte>.Count / 2);
     }
 
     /// <summary>Three bytes of each of 8 pixels, without the fourth; those after the 24 are meaningless.</summary>

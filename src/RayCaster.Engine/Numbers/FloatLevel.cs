@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>The range of a channel's level as a function of t, which is linear where neither the light nor the level is clamped.</summary>
-internal readonly partial struct FloatLevel
+internal readonly struct FloatLevel
 {
     private readonly float slope, least, width;
 
@@ -14,6 +14,14 @@ internal readonly partial struct FloatLevel
         var slack = error * -perT + FloatBytes.RoundingOfALine;
         (slope, least, width) = ((float)perT, (float)(atZero - slack), (float)(2 * slack));
     }
+
+    /// <summary>The level is certainly not less than this.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector256<float> Least(Vector256<float> t) => Vector256.FusedMultiplyAdd(t, Vector256.Create(slope), Vector256.Create(least));
+
+    /// <summary>The level is certainly not more than this.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector256<float> Most(Vector256<float> least) => least + Vector256.Create(width);
 
     /// <summary>The change of the level for one unit of t.</summary>
     public static double SlopeOf(double channel, double fade) => ((double)Color.Level<Scalar>(0) - Color.Level<Scalar>(channel)) / fade;

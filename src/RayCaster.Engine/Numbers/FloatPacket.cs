@@ -1,10 +1,11 @@
 namespace RayCaster.Engine;
 
-// The build makes WideFloatPacket of this file, with vectors of twice the length (RayCaster.Engine.csproj).
-
-/// <summary>Floats side by side.</summary>
+/// <summary>
+/// Floats of eight pixels side by side; as a mask all bits of a lane set for true, none for false. A formula over it is much faster than over
+/// doubles, and <see cref="ErrorBound"/> bounds its error.
+/// </summary>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly struct FloatPacket(Vector256<float> lanes) : IFloatPacket<FloatPacket>
+internal readonly struct FloatPacket(Vector256<float> lanes) : IReal<FloatPacket>
 {
     public readonly Vector256<float> Lanes = lanes;
 
@@ -63,10 +64,12 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IFloatPacket<Floa
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Load(float[] numbers, int first) => new(numbers.Load256(first));
 
+    /// <summary>Loads and rounds.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Load(double[] numbers, int first) =>
         new(Vector256.Narrow(Packet.Load(numbers, first).Lanes, Packet.Load(numbers, first + Packet.Count).Lanes));
 
+    /// <summary>Indices + 1 as ints, in offset of floats.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket LoadColorIndices(double[] indices, int first)
     {
@@ -74,6 +77,8 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IFloatPacket<Floa
         return new((Vector256.Create(lower, upper) + Vector256<int>.One).AsSingle());
     }
 
+    /// <summary>The colours at some colorIndices, in steps.</summary>
+    /// <param name="colors"><see cref="FloatColors.Packed"/>.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static (FloatPacket R, FloatPacket G, FloatPacket B) ColorsAt(RawSpan<long> colors, FloatPacket colorIndices)
     {
@@ -85,9 +90,14 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IFloatPacket<Floa
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<FloatPacket> Divide(Vector3<FloatPacket> a, FloatPacket b) => (FloatPacket)1 / b * a;
 
+    /// <summary>The whole parts of three channels' levels: three bytes for each pixel, in offset of its float.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Pixels(FloatPacket r, FloatPacket g, FloatPacket b) => new(FloatBytes.Packed(r.Lanes, g.Lanes, b.Lanes).AsSingle());
 
+    /// <summary>Writes the bytes of some pixels of <see cref="Pixels"/> with the least levels, and says which differ from those with the
+    /// greatest.</summary>
+    /// <param name="candidateDepth">0 for pixels without a hit, as a float or as an int.</param>
+    /// <returns>A bit for each uncertain pixel.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint WriteRange(FloatPacket least, FloatPacket most, FloatPacket candidateDepth, int background, byte[] rgb, int offset)
     {
@@ -96,6 +106,8 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IFloatPacket<Floa
         return (uint)(Vector256.Equals(pixels, most.Lanes.AsInt32()) | isMiss).ExtractMostSignificantBits() ^ 0xFF;
     }
 
+    /// <summary>Writes the bytes of hits.</summary>
+    /// <returns>A bit for each pixel with an uncertain byte.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint Write(in FloatLevels levels, byte[] rgb, int offset)
     {

@@ -17,7 +17,7 @@ internal sealed class FloatPainter : IShapeVisitor
     private readonly Camera camera;
     private readonly FloatRays rays;
     private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
-    private readonly uint[] doubts = new uint[Tile.MaxStrip * Tile.MaxSide / FloatBytes.Count]; // a bit for each pixel of each packet
+    private readonly uint[] doubts = new uint[Tile.MaxStrip * Tile.MaxSide / FloatPacket.Count]; // a bit for each pixel of each packet
     private CoveredTile covered;
     private Tile part;
     private byte[] rgb = [];
@@ -35,16 +35,16 @@ internal sealed class FloatPainter : IShapeVisitor
     public bool Paint(in CoveredTile covered, byte[] rgb, int first, int step)
     {
         (this.covered, part, this.rgb, this.first, this.step) = (covered, covered.Part, rgb, first, step);
-        if (part.Width % FloatBytes.Count != 0 || !covered.View.Accept(this)) return false;
+        if (part.Width % FloatPacket.Count != 0 || !covered.View.Accept(this)) return false;
 
-        var packets = part.Width / FloatBytes.Count;
+        var packets = part.Width / FloatPacket.Count;
         var some = doubts.AsSpan(0, packets * part.Height);
         for (var place = 0; some.IndexOfAnyExcept(0u) is >= 0 and var next; place++, some = some[(next + 1)..])
         {
             place += next;
             for (var left = some[next]; left != 0; left &= left - 1)
             {
-                var (row, column) = (place / packets, place % packets * FloatBytes.Count + BitOperations.TrailingZeroCount(left));
+                var (row, column) = (place / packets, place % packets * FloatPacket.Count + BitOperations.TrailingZeroCount(left));
                 Write(column, row, rgb.AsSpan(first + row * step + 3 * column, 3));
             }
         }
@@ -70,8 +70,7 @@ internal sealed class FloatPainter : IShapeVisitor
         var error = Error(shape, index, GoodError / steepest);
         if (!(error * steepest < MaxError)) return false;
         var levels = new FloatLevels(color, camera.FadeDistance, error);
-        if (FloatBytes.IsWide) Paint<P, WideFloatPacket>(shape, levels);
-        else Paint<P, FloatPacket>(shape, levels);
+        Paint<P>(shape, levels);
         return true;
     }
 
@@ -93,20 +92,20 @@ internal sealed class FloatPainter : IShapeVisitor
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private void Paint<P, F>(P shape, FloatLevels levels) where P : struct, IPrimitive where F : struct, IFloatPacket<F>
+    private void Paint<P>(P shape, FloatLevels levels) where P : struct, IPrimitive
     {
-        Vector3<F> origin = camera.Position;
+        Vector3<FloatPacket> origin = camera.Position;
         var (rgb, doubts) = (this.rgb, this.doubts);
         var isNear = covered.IsNear; // a local stays in a register
-        var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / F.Count);
+        var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / FloatPacket.Count);
         for (int row = 0, next = 0; row < part.Height; row++)
         {
-            var upwards = rays.Upwards.At<F>(part.Row - rays.Strip.Row + row);
+            var upwards = rays.Upwards.At(part.Row - rays.Strip.Row + row);
             var place = first + row * step;
-            for (var packet = 0; packet < packets; packet++, next++, place += 3 * F.Count)
+            for (var packet = 0; packet < packets; packet++, next++, place += 3 * FloatPacket.Count)
             {
-                var direction = camera.Direction(columns.Load<F>(firstColumn + packet * F.Count), upwards);
-                var crossings = shape.Intersect(new Ray<F>(origin, direction));
+                var direction = camera.Direction(columns.Load(firstColumn + packet * FloatPacket.Count), upwards);
+                var crossings = shape.Intersect(new Ray<FloatPacket>(origin, direction));
                 var t = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.DepthPerT(direction));
                 doubts[next] = t.Write(levels, rgb, place);
             }

@@ -42,12 +42,12 @@ internal sealed class FloatRays(Camera camera)
 
         /// <summary>Those of some columns.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector3<F> Load<F>(int first) where F : struct, IFloatPacket<F> => new(F.Load(x, first), F.Load(y, first), F.Load(z, first));
+        public Vector3<FloatPacket> Load(int first) => new(FloatPacket.Load(x, first), FloatPacket.Load(y, first), FloatPacket.Load(z, first));
 
         /// <summary>That of a row, in each lane.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector3<F> At<F>(int row) where F : struct, IFloatPacket<F> =>
-            new(Lanes.Broadcast<F>(x[row]), Lanes.Broadcast<F>(y[row]), Lanes.Broadcast<F>(z[row]));
+        public Vector3<FloatPacket> At(int row) =>
+            new(x[row], y[row], z[row]);
 
         public void Set(int first, in Vector3<Packet> lower, in Vector3<Packet> upper)
         {

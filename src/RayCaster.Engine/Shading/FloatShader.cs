@@ -31,30 +31,25 @@ internal sealed class FloatShader
         FloatBytes.IsSupported && new FloatShader(scene, light, most, threads) is { error: < MaxError } shader ? shader : null;
 
     /// <summary>Whether it can shade a stream of this form.</summary>
-    public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % FloatBytes.Count == 0;
+    public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % FloatPacket.Count == 0;
 
     /// <inheritdoc cref="HitShader.Shade(RayStream, byte[], int, int)"/>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
     {
-        if (FloatBytes.IsWide) Shade<WideFloatPacket>(rays, exact, rgb, first, step);
-        else Shade<FloatPacket>(rays, exact, rgb, first, step);
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Shade<F>(RayStream rays, HitShader exact, byte[] rgb, int first, int step) where F : struct, IFloatPacket<F>
-    {
         var packed = colors.Packed;
-        var slack = Lanes.Broadcast<F>(error);
-        for (var i = 0; i < rays.Length; i += F.Count)
+        var slack = (FloatPacket)error;
+        for (var i = 0; i < rays.Length; i += FloatPacket.Count)
         {
-            var colorIndices = rays.ColorIndicesAt<F>(i);
-            var light = scene.Attenuation(rays.NearestInFloatsAt<F>(i)) * Lanes.Broadcast<F>(colors.Step);
-            var color = F.ColorsAt(packed, colorIndices);
+            var colorIndices = rays.ColorIndicesAt(i);
+            var light = scene.Attenuation(rays.NearestInFloatsAt(i)) * (FloatPacket)colors.Step;
+            var color = FloatPacket.ColorsAt(packed, colorIndices);
             var (r, g, b) = (Color.Level(light * color.R), Color.Level(light * color.G), Color.Level(light * color.B));
             var offset = first + i / rays.Width * step + 3 * (i % rays.Width);
-            var (least, most) = (F.Pixels(r - slack, g - slack, b - slack), F.Pixels(r + slack, g + slack, b + slack));
-            var isUnsure = F.WriteRange(least, most, colorIndices, background, rgb, offset) != 0; // never the background, which is not attenuated
-            if (isUnsure) exact.Shade(rays, i, rgb.AsSpan(offset, 3 * F.Count));
+            var (least, most) = (FloatPacket.Pixels(r - slack, g - slack, b - slack), FloatPacket.Pixels(r + slack, g + slack, b + slack));
+            // The background is never unsure: it is not attenuated.
+            var isUnsure = FloatPacket.WriteRange(least, most, colorIndices, background, rgb, offset) != 0;
+            if (isUnsure) exact.Shade(rays, i, rgb.AsSpan(offset, 3 * FloatPacket.Count));
         }
     }
 }

@@ -4,51 +4,51 @@ namespace RayCaster.Teaching;
 /// <param name="Turn">How the picture must be turned or mirrored.</param>
 /// <param name="Right">By how many pixels it must be moved to the right after that.</param>
 /// <param name="Down">By how many lines it must be moved down.</param>
-/// <param name="Colors">The change of its colours that must be undone; null for none.</param>
+/// <param name="Channels">The letters of RGB in the order in which its pixels have them.</param>
 /// <param name="Bytes">By how many bytes all its bytes must be moved towards the end of the file.</param>
 /// <param name="SidesSwapped">Whether its bytes are in the right order, but width and height are swapped.</param>
 internal sealed record Change(
-    Turn Turn = Turn.None, int Right = 0, int Down = 0, ColorChange? Colors = null, int Bytes = 0, bool SidesSwapped = false)
+    Turn Turn = Turn.None, int Right = 0, int Down = 0, string Channels = "RGB", int Bytes = 0, bool SidesSwapped = false)
 {
     /// <summary>How complex the change is. Of changes with the same effect, the simplest is reported.</summary>
     internal int Complexity =>
         (Turn == Turn.None ? 0 : 100) + (Right == 0 && Down == 0 ? 0 : 100 + Math.Abs(Right) + Math.Abs(Down))
-        + (Colors is null ? 0 : 100) + (Bytes == 0 ? 0 : 100 + Math.Abs(Bytes));
+        + (Channels == "RGB" ? 0 : 100) + (Bytes == 0 ? 0 : 100 + Math.Abs(Bytes));
 
-    /// <summary>The change in words that follow "when".</summary>
-    public string Description =>
-        SidesSwapped ? "its width and height are swapped and its bytes left as they are: the header names them the wrong way round"
-        : Bytes < 0 ? $"all bytes are moved by {-Bytes} towards the beginning: the header is followed by bytes that do not belong there"
-        : Bytes > 0 ? $"all bytes are moved by {Bytes} towards the end: bytes after the header are missing"
-        : string.Join(" and ", ((string?[])[Turning, Moving, Colors?.Description]).OfType<string>());
-
-    private string? Turning => Turn switch
-    {
-        Turn.None => null,
-        Turn.TopBottom => "it is flipped top to bottom",
-        Turn.LeftRight => "it is mirrored left to right",
-        Turn.Half => "it is turned by 180°",
-        Turn.Transposed => "it is transposed (columns for lines)",
-        Turn.Clockwise => "it is turned by 90° clockwise",
-        Turn.CounterClockwise => "it is turned by 90° counter-clockwise",
-        _ => "it is transposed (columns for lines) and turned by 180°",
-    };
-
-    private string? Moving
-    {
-        get
+    /// <summary>The change in words, as the beginning of a sentence on the changed picture.</summary>
+    public string Description => string.Join(" and ", ((string?[])
+    [
+        Turn switch
         {
-            var right = $"{Digits.Count(Math.Abs(Right), "pixel")} to the {(Right > 0 ? "right" : "left")}";
-            var down = $"{Digits.Count(Math.Abs(Down), "line")} {(Down > 0 ? "down" : "up")}";
-            return (Right, Down) switch
-            {
-                (0, 0) => null,
-                (_, 0) => $"it is moved {right}",
-                (0, _) => $"it is moved {down}",
-                _ => $"it is moved {right} and {down}",
-            };
-        }
-    }
+            Turn.None => null,
+            Turn.TopBottom => "flipped top to bottom",
+            Turn.LeftRight => "mirrored left to right",
+            Turn.Half => "turned by 180°",
+            Turn.Transposed => "transposed",
+            Turn.Clockwise => "turned by 90° clockwise",
+            Turn.CounterClockwise => "turned by 90° counter-clockwise",
+            _ => "transposed and turned by 180°",
+        },
+        Right == 0 ? null : $"moved {Digits.Count(Math.Abs(Right), "pixel")} to the {(Right > 0 ? "right" : "left")}",
+        Down == 0 ? null : $"moved {Digits.Count(Math.Abs(Down), "line")} {(Down > 0 ? "down" : "up")}",
+        Channels == "RGB" ? null : $"read as {Channels}",
+        Bytes == 0 ? null : $"with its bytes moved by {Math.Abs(Bytes)} towards the {(Bytes > 0 ? "end" : "beginning")}",
+        SidesSwapped ? "with width and height swapped in its header" : null,
+    ]).OfType<string>());
+
+    /// <summary>The usual cause of such a picture, as a question.</summary>
+    public string Question => this switch
+    {
+        { SidesSwapped: true } => "does the program write the height first?",
+        { Bytes: < 0 } => "does the header end with bytes that do not belong there?",
+        { Bytes: > 0 } => "does the program write too few bytes after the header?",
+        { Turn: Turn.TopBottom } => "are rows written upside down?",
+        { Turn: Turn.LeftRight } => "are columns written from the right?",
+        { Turn: Turn.Half } => "are rows and columns both written from the wrong end?",
+        { Turn: not Turn.None } => "are rows and columns swapped?",
+        { Channels: not "RGB" } => "are red, green and blue written in another order?",
+        _ => "does a loop or an index begin too early or too late?",
+    };
 
     /// <summary>
     /// Corrects a picture. A pixel that nothing moves to gets the reference's colour; so does a byte that may come from the right one.
@@ -62,28 +62,26 @@ internal sealed record Change(
             mine.Rgb.AsSpan(Math.Max(0, -Bytes), mine.Rgb.Length - Math.Abs(Bytes)).CopyTo(rgb.AsSpan(Math.Max(0, Bytes)));
             return new(reference.Width, reference.Height, rgb);
         }
-        var pixels = new MendedPixels(this, mine, reference);
+        var pixels = new PixelMapping(this, mine, reference);
         return Picture.Of(reference.Width, reference.Height, (x, y) => pixels.At(x, y) ?? reference[x, y]);
     }
 }
 
-/// <summary>The pixels of a picture in which a change is undone that moves no bytes.</summary>
-internal readonly struct MendedPixels(Change change, Picture mine, Picture reference)
+/// <summary>The pixels of a picture after a change that moves no bytes.</summary>
+internal readonly struct PixelMapping(Change change, Picture mine, Picture reference)
 {
-    private readonly TurnedPlaces places = TurnedPlaces.Of(change.Turn, mine.Width, mine.Height);
-    private readonly ToneTable tones = change.Colors?.Tones ?? ToneTable.Same;
-    private readonly (int R, int G, int B) order = change.Colors?.Places ?? (0, 1, 2);
-    private readonly Picture mine = mine, reference = reference;
-    private readonly int right = change.Right, down = change.Down;
+    private readonly TurnedIndices indices = TurnedIndices.Of(change.Turn, mine.Width, mine.Height);
+    private readonly (int R, int G, int B) order = (change.Channels.IndexOf('R'), change.Channels.IndexOf('G'), change.Channels.IndexOf('B'));
+    private readonly byte[] rgb = mine.Rgb;
+    private readonly (int Right, int Down, int Width, int Height) area = (change.Right, change.Down, reference.Width, reference.Height);
 
     /// <summary>A pixel as it becomes; null where nothing moves to.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (byte R, byte G, byte B)? At(int x, int y)
     {
-        var (fromX, fromY) = (x - right, y - down);
-        if ((uint)fromX >= (uint)reference.Width || (uint)fromY >= (uint)reference.Height) return null;
-        var from = mine.Rgb.AsSpan((places.Start + fromX * places.Right + fromY * places.Down) * 3, 3);
-        var to = reference.Rgb.AsSpan((y * reference.Width + x) * 3, 3);
-        return (tones.Undo(from[order.R], to[0]), tones.Undo(from[order.G], to[1]), tones.Undo(from[order.B], to[2]));
+        var (fromX, fromY) = (x - area.Right, y - area.Down);
+        if ((uint)fromX >= (uint)area.Width || (uint)fromY >= (uint)area.Height) return null;
+        var from = rgb.AsSpan((indices.Start + fromX * indices.Right + fromY * indices.Down) * 3, 3);
+        return (from[order.R], from[order.G], from[order.B]);
     }
 }

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>A comparison for other programs: one JSON object, every number by its name.</summary>
 public static class ComparisonJson
 {
-    /// <summary>The text. Lines count from the top, rows from the bottom; an infinite PSNR is null.</summary>
+    /// <summary>The text. Lines count from the top, rows from the bottom.</summary>
     /// <param name="warning">Why what it says of the scene may be wrong; left out if null.</param>
     public static string Of(PictureComparison comparison, string mine, string reference, string? warning = null)
     {
@@ -19,7 +19,6 @@ public static class ComparisonJson
             d?.Wrong,
             d?.OffByOne,
             d?.OneDarker,
-            WrongByChannel = d is null ? null : new { Red = d.WrongByChannel.R, Green = d.WrongByChannel.G, Blue = d.WrongByChannel.B },
             WrongMiddle = d?.WrongMiddle is var (x, y) ? Middle(d, x, y) : null,
             WrongArea = d?.WrongArea is var (left, top, right, bottom) ? new
             {
@@ -30,7 +29,7 @@ public static class ComparisonJson
                 FirstRow = d.Mine.Height - 1 - bottom,
                 LastRow = d.Mine.Height - 1 - top,
             } : null,
-            Measures = d is null ? null : Measures(new(d)),
+            Measures = d is null ? null : Measures(d),
             Recognised = r is null ? null : Recognised(r),
             Scene = comparison.ByModels is { } models ? Models(comparison.Scene!, models) : null,
         });
@@ -47,37 +46,26 @@ public static class ComparisonJson
         Reference = d.Reference[x, y],
     };
 
-    private static object Measures(Measures m) => new
+    private static object Measures(PictureDifference d) => new
     {
-        m.Maximum,
-        Mae = m.MeanAbsoluteError,
-        Rmse = m.RootMeanSquareError,
-        Psnr = double.IsFinite(m.PeakSignalToNoiseRatio) ? m.PeakSignalToNoiseRatio : JsonText.Null,
-        Ssim = m.StructuralSimilarity,
+        Maximum = d.Largest,
+        Mae = d.MeanAbsoluteError,
+        Rmse = d.RootMeanSquareError,
     };
 
-    private static object Recognised(Recognition r)
+    private static object Recognised(Recognition r) => new
     {
-        var colors = r.Change.Colors;
-        return new
-        {
-            AgreesWhen = r.Change.Description,
-            Turn = r.Change.Turn.ToString(),
-            r.Change.Right,
-            r.Change.Down,
-            r.Change.Bytes,
-            r.Change.SidesSwapped,
-            Channels = colors is { IsOrder: true } ? colors.Order : null,
-            Inverted = colors == ColorChange.Inverted ? true : (bool?)null,
-            Srgb = colors == ColorChange.Srgb ? true : (bool?)null,
-            colors?.Exponent,
-            colors?.Factor,
-            colors?.Offset,
-            Verdict = ComparisonText.Of(r.Likeness),
-            r.Difference.Wrong,
-            r.Difference.OffByOne,
-        };
-    }
+        AgreesWhen = r.Change.Description,
+        Turn = r.Change.Turn.ToString(),
+        r.Change.Right,
+        r.Change.Down,
+        r.Change.Bytes,
+        r.Change.SidesSwapped,
+        r.Change.Channels,
+        Verdict = ComparisonText.Of(r.Likeness),
+        r.Difference.Wrong,
+        r.Difference.OffByOne,
+    };
 
     private static object Models(Scene scene, SceneDifference s) => new
     {

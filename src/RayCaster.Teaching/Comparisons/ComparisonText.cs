@@ -27,26 +27,22 @@ public static class ComparisonText
             Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but only 1 % may be.\n" + Rounding(d) +
                 (d.Wrong > 0 ? $"  Besides, {Outlines(d)}, which is allowed.\n" : ""),
             _ => $"{mine} is wrong: {Digits.Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n" +
-                Places(comparison, d, mine),
+                Where(comparison, d, mine),
         };
     }
 
-    /// <summary>The measures in one line.</summary>
-    public static string Of(Measures m) => string.Create(CultureInfo.InvariantCulture,
-        $"Measures, in levels of 255: maximum {m.Maximum}, MAE {m.MeanAbsoluteError:0.#####}, RMSE {m.RootMeanSquareError:0.#####}; " +
-        $"PSNR {(m.Maximum == 0 ? "infinite" : $"{m.PeakSignalToNoiseRatio.ToString("0.####", CultureInfo.InvariantCulture)} dB")}, " +
-        $"SSIM {m.StructuralSimilarity:0.######}\n");
+    /// <summary>The largest difference and two means in one line.</summary>
+    public static string Measures(PictureDifference d) => string.Create(CultureInfo.InvariantCulture,
+        $"Measures, in levels of 255: maximum {d.Largest}, MAE {d.MeanAbsoluteError:0.#####}, RMSE {d.RootMeanSquareError:0.#####}\n");
 
-    private static string Places(PictureComparison comparison, PictureDifference d, string mine)
+    private static string Where(PictureComparison comparison, PictureDifference d, string mine)
     {
         var ((x, y), area) = (d.WrongMiddle!.Value, d.WrongArea!.Value);
         var last = d.Mine.Height - 1;
-        var (red, green, blue) = d.WrongByChannel;
-        return $"  In the middle of the widest wrong place: column {x}, line {y} from the top (row {last - y} from the bottom): " +
+        return $"  In the middle of the widest wrong area: column {x}, line {y} from the top (row {last - y} from the bottom): " +
             $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n" +
             $"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n" +
-            $"  Red differs in {Digits.Number(red)} of them, green in {Digits.Number(green)}, blue in {Digits.Number(blue)}.\n" +
             (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}" : "") +
             OneColor(comparison, mine) + Recognized(comparison) +
             (comparison.ByModels is { } models ? ModelsText.Of(comparison, models, mine) : "");
@@ -58,16 +54,17 @@ public static class ComparisonText
     private static string Recognized(PictureComparison comparison)
     {
         if (comparison.Recognition is not { } r) return "";
-        var when = $"when {r.Change.Description}";
         var d = r.Difference;
-        return r.Likeness switch
+        var rest = r.Likeness switch
         {
-            Likeness.Identical => $"It becomes identical {when}.\n",
-            Likeness.WithinRounding => $"It becomes right within rounding {when}.\n",
-            Likeness.OutlinesOnly => $"It becomes right but for {Digits.Count(d.Wrong, "pixel")} on outlines {when}.\n",
-            Likeness.RoundedOtherwise => $"It becomes right but for rounding {when}; then {OffByOne(d)}.\n{Rounding(d)}",
-            _ => $"It becomes nearly right {when}: then {Digits.Part(d.Wrong, d.Pixels)} are wrong.\n",
+            Likeness.Identical or Likeness.WithinRounding => "right",
+            Likeness.OutlinesOnly => $"right but for {Digits.Count(d.Wrong, "pixel")} on outlines",
+            Likeness.RoundedOtherwise => $"right but for rounding, where {OffByOne(d)}",
+            _ => $"nearly right, but for {Digits.Part(d.Wrong, d.Pixels)}",
         };
+        var change = r.Change.Description;
+        return $"{char.ToUpperInvariant(change[0])}{change[1..]} it is {rest}: {r.Change.Question}\n" +
+            (r.Likeness == Likeness.RoundedOtherwise ? Rounding(d) : "");
     }
 
     private static string Rounding(PictureDifference d)

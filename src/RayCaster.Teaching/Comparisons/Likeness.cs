@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>How well a picture agrees with the one that it should be, from right to wrong.</summary>
+/// <summary>How well a picture agrees with the right one, from right to wrong.</summary>
 public enum Likeness
 {
     /// <summary>Every byte is equal.</summary>
@@ -20,18 +20,9 @@ public enum Likeness
     Wrong,
 }
 
-/// <summary>Decides which <see cref="Likeness"/> a difference is.</summary>
+/// <summary>What a <see cref="Likeness"/> means.</summary>
 public static class Likenesses
 {
     /// <summary>Whether the picture is right: two correct programs can differ by as much.</summary>
     public static bool IsSame(this Likeness verdict) => verdict <= Likeness.OutlinesOnly;
-
-    /// <param name="holdAllWrong">Whether all pixels that differ by more than rounding are on outlines.</param>
-    internal static Likeness Of(PictureDifference difference, Func<PictureDifference, bool> holdAllWrong)
-    {
-        if (difference.Largest == 0) return Likeness.Identical;
-        if (difference.Wrong > 0 && !holdAllWrong(difference)) return Likeness.Wrong;
-        if (difference.OffByOne > difference.Pixels / 100) return Likeness.RoundedOtherwise;
-        return difference.Wrong == 0 ? Likeness.WithinRounding : Likeness.OutlinesOnly;
-    }
 }

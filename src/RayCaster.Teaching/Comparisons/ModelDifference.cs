@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching;
 
 /// <summary>How a wrong picture shows one model, or the background.</summary>
-/// <param name="Model">The model's place in the scene; −1 for the background.</param>
+/// <param name="Model">The model's index in the scene; −1 for the background.</param>
 /// <param name="Pixels">How many pixels show it in the scene's own picture.</param>
 /// <param name="Wrong">How many of them differ by more than rounding.</param>
 internal sealed record ModelDifference(int Model, string Name, int Pixels, int Wrong)
@@ -17,7 +17,7 @@ internal sealed record ModelDifference(int Model, string Name, int Pixels, int W
     public Color Color { get; init; }
 
     /// <summary>
-    /// What its wrong pixels show instead, the most frequent first: a model's place, or −1 for the background, and the number of pixels whose
+    /// What its wrong pixels show instead, the most frequent first: a model's index, or −1 for the background, and the number of pixels whose
     /// colour fits only that.
     /// </summary>
     public IReadOnlyList<(int Model, int Pixels)> Shows { get; init; } = [];

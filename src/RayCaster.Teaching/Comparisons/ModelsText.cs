@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>A comparison in words, model by model.</summary>
 internal static class ModelsText
 {
-    private const int MostSentences = 6, MostRows = 20;
+    private const int MaxSentences = 6, MaxRows = 20;
 
     /// <summary>Which models are wrong and how, or why they cannot be compared.</summary>
     public static string Of(PictureComparison comparison, SceneDifference scene, string mine)
@@ -26,11 +26,11 @@ internal static class ModelsText
     {
         var width = scene.Models.Select(model => model.Name.Length).Append(5).Max();
         ModelDifference[] wrong = [.. scene.Models.Where(model => model.Wrong > 0)];
-        var rows = wrong.Take(MostRows).Select(model =>
+        var rows = wrong.Take(MaxRows).Select(model =>
             $"  {model.Name.PadRight(width)}  {Digits.Number(model.Pixels),10}  {Digits.Number(model.Wrong),10}" +
             $"  {Digits.Share(model.Wrong, model.Pixels)}\n");
         return $"\n  {"model".PadRight(width)}      pixels       wrong\n" + string.Concat(rows) +
-            (wrong.Length > MostRows ? $"  and {wrong.Length - MostRows} more\n" : "") +
+            (wrong.Length > MaxRows ? $"  and {wrong.Length - MaxRows} more\n" : "") +
             (wrong.Length < scene.Models.Count ? "  all others: none wrong\n" : "") + "\n";
     }
 
@@ -45,7 +45,7 @@ internal static class ModelsText
         var agree = meant.Count != 1 ? ""
             : edges == 0 ? "; all others agree" : $"; all others agree, but for {Digits.Count(edges, "pixel")}";
         return meant.Select(model => Sentence(scene, model) ?? (meant.Count == 1 ? $"{PartOf(model)} are wrong" : null))
-            .OfType<string>().Take(MostSentences).Select(sentence => $"{sentence}{agree}.");
+            .OfType<string>().Take(MaxSentences).Select(sentence => $"{sentence}{agree}.");
     }
 
     /// <summary>The models to report. A model with only a few wrong pixels beside a wrong model is left out: these are edges or ties.</summary>

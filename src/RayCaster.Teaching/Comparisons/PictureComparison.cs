@@ -15,11 +15,9 @@ public sealed class PictureComparison
             Difference = new(mine, reference);
             if (Scene is not null) ByModels = new(Scene, Difference, threads);
         }
-        Func<PictureDifference, bool> holdAllWrong = ByModels is { IsReferenceOwn: true }
-            ? new SceneOutlines(Scene!).HoldAllWrong
-            : PictureOutlines.HoldAllWrong;
-        Likeness = Difference is null ? Likeness.Wrong : Likenesses.Of(Difference, holdAllWrong);
-        if (Likeness == Likeness.Wrong) Recognition = new ChangeFinder(mine, reference, Difference, holdAllWrong).Find();
+        var judge = new PictureJudge(reference, ByModels is { IsReferenceOwn: true } ? Scene : null);
+        Likeness = Difference is null ? Likeness.Wrong : judge.Judge(Difference);
+        if (Likeness == Likeness.Wrong) Recognition = new ChangeFinder(mine, reference, Difference, judge).Find();
     }
 
     /// <summary>The picture in question.</summary>

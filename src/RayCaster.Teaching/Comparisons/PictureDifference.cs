@@ -15,7 +15,7 @@ public sealed class PictureDifference
                 $"a picture of {mine.Width} x {mine.Height} pixels beside one of {reference.Width} x {reference.Height}", nameof(mine));
         (Mine, Reference) = (mine, reference);
         levels = new byte[mine.Width * mine.Height];
-        for (var pixel = 0; pixel < levels.Length; pixel++) Look(pixel);
+        for (var pixel = 0; pixel < levels.Length; pixel++) Count(pixel);
         Largest = Array.FindLastIndex(count, pixels => pixels > 0);
     }
 
@@ -37,8 +37,11 @@ public sealed class PictureDifference
     /// <summary>Pixels in which a channel differs by more than 1 level.</summary>
     public int Wrong => CountBeyond(1);
 
-    /// <summary>The same for each channel.</summary>
-    public (int R, int G, int B) WrongByChannel { get; private set; }
+    /// <summary>The mean of the absolute differences of all channels, in levels (MAE).</summary>
+    public double MeanAbsoluteError => Mean(Math.Abs);
+
+    /// <summary>The root of the mean of the squared differences of all channels, in levels (RMSE).</summary>
+    public double RootMeanSquareError => Math.Sqrt(Mean(d => d * d));
 
     /// <summary>The largest difference of a channel anywhere.</summary>
     public int Largest { get; }
@@ -57,15 +60,18 @@ public sealed class PictureDifference
     /// <summary>How many pixels differ by more than so many levels in a channel.</summary>
     public int CountBeyond(int levels) => count.Skip(levels + 1).Sum();
 
-    /// <summary>The largest difference of a pixel's three channels, by its place in reading order.</summary>
+    /// <summary>The largest difference of a pixel's three channels, by its index in reading order.</summary>
     public int LevelsAt(int pixel) => levels[pixel];
 
     /// <summary>The largest difference of two colours' three channels.</summary>
     internal static int Levels((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
         Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
 
+    private double Mean(Func<int, int> measure) =>
+        Mine.Rgb.Zip(Reference.Rgb, (a, b) => (long)measure(a - b)).Sum() / (double)Mine.Rgb.Length;
+
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void Look(int pixel)
+    private void Count(int pixel)
     {
         var (a, b) = (Mine.At(pixel), Reference.At(pixel));
         var largest = Levels(a, b);
@@ -74,11 +80,8 @@ public sealed class PictureDifference
         if (largest == 1 && a.R <= b.R && a.G <= b.G && a.B <= b.B) OneDarker++;
         if (largest <= 1) return;
 
-        var ((red, green, blue), (y, x)) = (WrongByChannel, Math.DivRem(pixel, Mine.Width));
-        WrongByChannel = (red + IsWrong(a.R, b.R), green + IsWrong(a.G, b.G), blue + IsWrong(a.B, b.B));
+        var (y, x) = Math.DivRem(pixel, Mine.Width);
         WrongArea = WrongArea is var (left, top, right, _) ? (Math.Min(left, x), top, Math.Max(right, x), y) : (x, y, x, y);
-
-        static int IsWrong(byte a, byte b) => Math.Abs(a - b) > 1 ? 1 : 0;
     }
 
     /// <summary>The middle one of the pixels that are farthest from right ones, in steps that may be diagonal.</summary>
@@ -89,8 +92,8 @@ public sealed class PictureDifference
         for (var i = 0; i < away.Length; i++) away[i] = levels[i] > 1 ? 1 + Least(i, -1) : 0;
         for (var i = away.Length - 1; i >= 0; i--) away[i] = Math.Min(away[i], 1 + Least(i, 1));
         var farthest = away.Max();
-        int[] places = [.. Enumerable.Range(0, away.Length).Where(i => away[i] == farthest)];
-        var middle = places[places.Length / 2];
+        int[] all = [.. Enumerable.Range(0, away.Length).Where(i => away[i] == farthest)];
+        var middle = all[all.Length / 2];
         return (middle % width, middle / width);
 
         // The least of the four neighbours before a pixel, or after it; beyond the border all is right.

@@ -4,10 +4,10 @@ namespace RayCaster.Teaching;
 internal sealed class SceneDifference
 {
     /// <summary>The most models that are drawn alone, to find which one a wrong pixel shows.</summary>
-    private const int MostTried = 32;
+    private const int MaxTried = 32;
 
     /// <summary>The most models that are left out one by one, to find whether they are missing.</summary>
-    private const int MostLeftOut = 8;
+    private const int MaxLeftOut = 8;
 
     /// <summary>The share of pixels that an explanation must cover; pixels on outlines are uncertain.</summary>
     private const double Nearly = 0.99;
@@ -29,7 +29,6 @@ internal sealed class SceneDifference
         IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
         IsReferenceOwn = IsOwn(ReferenceToOwn) && !IsMineOwn;
         others = new(hits.Width, hits.Height);
-        Models = IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
     }
 
     public PictureDifference ReferenceToOwn { get; }
@@ -42,7 +41,12 @@ internal sealed class SceneDifference
 
     /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not that
     /// picture.</summary>
-    public IReadOnlyList<ModelDifference> Models { get; }
+    public IReadOnlyList<ModelDifference> Models => field ??= IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
+
+    /// <summary>The model without which the scene gives the picture, but for one wrong pixel in twenty; null for none.</summary>
+    public int? MissingModel => PixelsOf.Where(pixels => pixels.Key >= 0).Select(CountWrong)
+        .Where(model => difference.Wrong > 0 && model.Wrong >= 0.95 * difference.Wrong && IsMissing(model))
+        .Select(model => (int?)model.Model).FirstOrDefault();
 
     /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
     public IReadOnlyList<int> ModelAt => hits.Model;
@@ -53,13 +57,7 @@ internal sealed class SceneDifference
 
     private List<ModelDifference> FindModels()
     {
-        List<ModelDifference> models =
-        [
-            .. PixelsOf.Select(shows => new ModelDifference(shows.Key, ModelName.Of(scene, shows.Key), shows.Count(), shows.Count(IsWrong))
-            {
-                Color = shows.Key < 0 ? scene.Background : scene.Models[shows.Key].Color,
-            }),
-        ];
+        List<ModelDifference> models = [.. PixelsOf.Select(CountWrong)];
         models.Sort((a, b) => (-a.Share, -a.Wrong, a.Model).CompareTo((-b.Share, -b.Wrong, b.Model)));
 
         var shown = Shown(models);
@@ -67,13 +65,19 @@ internal sealed class SceneDifference
         for (var i = 0; i < models.Count && models[i].Wrong > 0; i++)
         {
             var model = models[i] with { Shows = [.. shown[models[i].Model]] };
-            if (model is { Model: >= 0, Share: >= Nearly / 2 } && leftOut++ < MostLeftOut)
+            if (model is { Model: >= 0, Share: >= Nearly / 2 } && leftOut++ < MaxLeftOut)
                 model = model with { IsMissing = IsMissing(model) };
             if (!model.IsMissing && model.Share >= Nearly / 2) model = model with { OtherColor = OtherColor(model) };
             models[i] = model;
         }
         return models;
     }
+
+    private ModelDifference CountWrong(IGrouping<int, int> pixels) =>
+        new(pixels.Key, ModelName.Of(scene, pixels.Key), pixels.Count(), pixels.Count(IsWrong))
+        {
+            Color = pixels.Key < 0 ? scene.Background : scene.Models[pixels.Key].Color,
+        };
 
     /// <summary>What the wrong pixels of each model show, the most frequent first: another model that alone fits, and in how many pixels.</summary>
     private ILookup<int, (int Model, int Pixels)> Shown(List<ModelDifference> models)
@@ -84,7 +88,7 @@ internal sealed class SceneDifference
         foreach (var i in wrong)
             if (hits.Model[i] >= 0) Try(i, -1, background);
 
-        foreach (var model in models.Where(model => model.Model >= 0).OrderByDescending(model => model.Pixels).Take(MostTried))
+        foreach (var model in models.Where(model => model.Model >= 0).OrderByDescending(model => model.Pixels).Take(MaxTried))
         {
             var alone = scene with { Models = [scene.Models[model.Model]] };
             new Renderer(alone, threads).CastHits(others);
@@ -133,7 +137,7 @@ internal sealed class SceneDifference
 
     private double LightAt(int pixel, int model) => model < 0 ? 1 : scene.Attenuation<Scalar>(hits.T[pixel]);
 
-    private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > 1;
+    private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > PictureJudge.Tolerance;
 
-    private bool Shows(int pixel, (byte, byte, byte) color) => PictureDifference.Levels(difference.Mine.At(pixel), color) <= 1;
+    private bool Shows(int pixel, (byte, byte, byte) color) => PictureJudge.IsNear(difference.Mine.At(pixel), color);
 }

@@ -10,15 +10,15 @@ internal enum Turn
     Transposed, Clockwise, CounterClockwise, AntiTransposed, // these swap width and height
 }
 
-/// <summary>Where a pixel of a turned picture comes from, as a place in reading order: Start + x · Right + y · Down.</summary>
-/// <param name="Start">The place that the upper left pixel comes from.</param>
-internal readonly record struct TurnedPlaces(int Start, int Right, int Down)
+/// <summary>Where a pixel of a turned picture comes from, as an index in reading order: Start + x · Right + y · Down.</summary>
+/// <param name="Start">The index that the upper left pixel comes from.</param>
+internal readonly record struct TurnedIndices(int Start, int Right, int Down)
 {
     public static bool SwapsSides(Turn turn) => turn >= Turn.Transposed;
 
     /// <param name="width">Its width before the turn.</param>
     /// <param name="height">Its height before the turn.</param>
-    public static TurnedPlaces Of(Turn turn, int width, int height)
+    public static TurnedIndices Of(Turn turn, int width, int height)
     {
         var last = width * height - 1;
         return turn switch

@@ -121,7 +121,7 @@ internal static class ColorMistakes
             "Is there anything between the channel and × 255?",
             "No gamma: the channel between 0 and 1, times 255, rounded.")
             .Or(from gamma in (double[])[2.2, 1.8] select (FormattableString.Invariant($"a gamma of {gamma}"), Gamma(1 / gamma)))
-            .Or("the gamma of sRGB", lab => lab.Clamp.Becomes(clamp => channel => ColorChange.SrgbOf(clamp(channel))))
+            .Or("the gamma of sRGB", lab => lab.Clamp.Becomes(clamp => channel => SrgbOf(clamp(channel))))
             .Or("a gamma of 2 the wrong way: each channel squared", Gamma(2))
             .Or("a gamma of 2.2 the wrong way", Gamma(2.2)),
         new Mistake("ppm-255", Concerns.Color, Slides.Template, "255 forgotten: each channel cut to 0 or 1 before it is multiplied",
@@ -154,4 +154,7 @@ internal static class ColorMistakes
 
     /// <summary>The lowest eight bits of the whole part; 0 for no number.</summary>
     private static byte Wrapped(double level) => unchecked((byte)(int)level);
+
+    /// <summary>What sRGB (IEC 61966-2-1) stores for a linear channel.</summary>
+    private static double SrgbOf(double c) => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055;
 }

@@ -5,7 +5,7 @@ namespace RayCaster.Teaching;
 /// pairs of them, and chooses the nearest.
 /// </summary>
 /// <remarks>
-/// The picture of another program is never equal to the last bit: a channel may be off by two levels, and rays may pass through the pixels'
+/// The picture of another program is never equal to the last bit: a channel may be off by a level, and rays may pass through the pixels'
 /// centres instead of their corners. The distance is the number of pixels that differ: small faults and other algebra disturb it less than a
 /// mean of differences.
 /// </remarks>
@@ -22,9 +22,6 @@ public sealed class Diagnosis
 
     /// <summary>How many pixels are drawn with each mistake, at most.</summary>
     private const int Pixels = 6000;
-
-    /// <summary>In larger scenes no models are left out one by one to find a missing one.</summary>
-    private const int MostMissing = 32;
 
     private readonly SceneDiagnosis prepared;
     private readonly Evidence evidence;
@@ -55,8 +52,14 @@ public sealed class Diagnosis
         answer = new(Finding.NoneOfThese);
         if (TooManyModels) return;
 
-        (MissingModel, var leftByMissingModel) = FindMissingModel();
-        answer = new Judgement(prepared, evidence, done, likely, leftByMissingModel).Decide();
+        var byModels = evidence.HasRightSize ? new SceneDifference(scene, new(picture, right), prepared.Threads) : null;
+        double? leftByMissingModel = null;
+        if (byModels?.MissingModel is { } missing)
+        {
+            MissingModel = ModelName.Of(scene, missing);
+            leftByMissingModel = evidence.Misfit(new(scene with { Models = [.. scene.Models.Where((_, i) => i != missing)] })).Unexplained;
+        }
+        answer = new Judgement(prepared, evidence, done, likely, byModels, leftByMissingModel).Decide();
         if (plain is null) return;
         // several mistakes would explain one colour by chance
         answer = answer with { Suspects = [.. Suspects.Where(suspect => suspect is { Mistakes.Count: 1, NotYet.Count: 0 })] };
@@ -110,21 +113,6 @@ public sealed class Diagnosis
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public static Diagnosis Of(Scene scene, Picture picture) => new SceneDiagnosis(scene).Judge(picture);
-
-    /// <summary>The missing model, and what is left unexplained if nothing else is wrong; nulls if there is none.</summary>
-    private (string? Name, double? Left) FindMissingModel()
-    {
-        if (prepared.Scene.Models.Count > MostMissing) return default;
-        for (var i = 0; i < prepared.Scene.Models.Count; i++)
-        {
-            var without = new Lab(prepared.Scene with { Models = [.. prepared.Scene.Models.Where((_, place) => place != i)] });
-            if (!Explains(without, 0.1) || !Explains(without, 1)) continue;
-            return (ModelName.Of(prepared.Scene, i), evidence.Misfit(without).Unexplained);
-        }
-        return default;
-
-        bool Explains(Lab lab, double share) => evidence.Misfit(lab, share).Unexplained <= Judgement.Explained * WrongCount;
-    }
 
     /// <summary>
     /// Whether a mistake is all that is wrong, outlines too: a box that loses its edge to 0 · ∞ is not forgiven. A mistake of the camera may by

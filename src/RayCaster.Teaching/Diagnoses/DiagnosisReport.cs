@@ -13,7 +13,7 @@ public static class DiagnosisReport
             return text.ToString();
         }
         text.AppendLine($"{picture} is not the picture of {scene}: {Digits.Part(diagnosis.WrongCount, diagnosis.PixelCount)} " +
-            $"differ by more than {Evidence.Tolerance} levels.");
+            $"differ by more than {PictureJudge.Tolerance} level.");
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
             text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(IsRestRight(diagnosis) ? " The rest is right." : "")}");

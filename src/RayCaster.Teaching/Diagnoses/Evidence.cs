@@ -6,9 +6,6 @@ namespace RayCaster.Teaching;
 /// </summary>
 internal sealed class Evidence
 {
-    /// <summary>A channel that is off by so many levels is not wrong: one for truncating, one for the last bits of a float.</summary>
-    public const int Tolerance = 2;
-
     /// <summary>About how many triangles are tried in the first look and in the last, if each ray must try every triangle of a mesh.</summary>
     private const int LeastTests = 50_000, MostTests = 1_000_000;
 
@@ -17,9 +14,6 @@ internal sealed class Evidence
 
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.1;
-
-    /// <summary>The share of pixels that may be wrong on outlines beside those of <see cref="OutlineCount"/>.</summary>
-    private const double StrayPixels = 1e-4;
 
     /// <summary>If a greater share of the pixels is wrong, those on outlines do not matter.</summary>
     private const double FewPixels = 0.03;
@@ -40,16 +34,18 @@ internal sealed class Evidence
         (Scene, Picture, Right) = (scene, picture, right);
         most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // the time stays
         var difference = HasRightSize ? new PictureDifference(picture, right) : null;
+        var judge = new PictureJudge(right, scene);
         List<int> wrong = [], other = [];
-        for (var i = 0; i < PixelCount; i++) (difference is null || difference.LevelsAt(i) > Tolerance ? wrong : other).Add(i);
+        for (var i = 0; i < PixelCount; i++) (difference is null || difference.LevelsAt(i) > PictureJudge.Tolerance ? wrong : other).Add(i);
         DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
-        if (forgiveOutlines && HasRightSize && wrong.Count <= FewPixels * PixelCount)
+        if (forgiveOutlines && difference is not null && wrong.Count <= FewPixels * PixelCount)
         {
-            var outlines = new SceneOutlines(scene);
-            OutlineCount = wrong.RemoveAll(i => outlines.MayShow(picture.At(i), i, Tolerance));
+            OutlineCount = wrong.Count;
+            wrong = [.. judge.WrongPixels(difference)];
+            OutlineCount -= wrong.Count;
         }
         WrongCount = wrong.Count;
-        IsOnlyOutlines = HasRightSize && WrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(ShowsNeighbour);
+        IsOnlyOutlines = difference is not null && judge.AreStray(difference, wrong);
         wrongPixels = Spread(wrong, most);
         otherPixels = Spread(other, most);
     }
@@ -59,7 +55,7 @@ internal sealed class Evidence
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
         ILookup<bool, int> isExplained = whole.wrongPixels.Take(Affordable(most, first)).Concat(whole.otherPixels.Take(Affordable(most, first)))
-            .ToLookup(pixel => At(pixel) is var (x, y) && IsNear(first[x, y], Picture[x, y]));
+            .ToLookup(pixel => At(pixel) is var (x, y) && PictureJudge.IsNear(first[x, y], Picture[x, y]));
         (wrongPixels, otherPixels) = ([.. isExplained[false]], [.. isExplained[true]]);
         WrongCount = (int)whole.Misfit(first).Unexplained;
     }
@@ -131,7 +127,7 @@ internal sealed class Evidence
         var step = Math.Max(1, one.Colors.Count / Math.Max(1, Affordable(one.Colors.Count, lab)));
         var left = one.Colors.Count / step / 2000;
         for (var k = 0; k < one.Colors.Count; k += step)
-            if (At(one.Colors[k].Pixel) is var (x, y) && !IsNear(one.Colors[k].Color, lab[x, y]) && --left < 0) return false;
+            if (At(one.Colors[k].Pixel) is var (x, y) && !PictureJudge.IsNear(one.Colors[k].Color, lab[x, y]) && --left < 0) return false;
         return true;
     }
 
@@ -184,10 +180,10 @@ internal sealed class Evidence
                 lab.IsSpared = true;
                 var spared = PictureDifference.Levels(lab[x, y], Picture[x, y]);
                 lab.IsSpared = false;
-                if (spared > Tolerance && difference <= Tolerance) unexplained += Chance;
+                if (spared > PictureJudge.Tolerance && difference <= PictureJudge.Tolerance) unexplained += Chance;
                 difference = Math.Min(difference, spared);
             }
-            if (difference > Tolerance) unexplained++;
+            if (difference > PictureJudge.Tolerance) unexplained++;
             error += difference / 255.0;
         }
         return new Misfit(unexplained, error) * ((double)stoodFor / count);
@@ -201,11 +197,7 @@ internal sealed class Evidence
 
     private bool CanDraw(Lab lab) => (lab.Width, lab.Height) == (Picture.Width, Picture.Height) && !lab.TakesTooLong;
 
-    private bool IsDrawnBy(Lab lab, int pixel) => At(pixel) is var (x, y) && IsNear(lab[x, y], Picture[x, y]);
-
-    private static bool IsNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) => PictureDifference.Levels(a, b) <= Tolerance;
-
-    private bool ShowsNeighbour(int pixel) => At(pixel) is var (x, y) && Right.ShowsAround(x, y, Picture[x, y]);
+    private bool IsDrawnBy(Lab lab, int pixel) => At(pixel) is var (x, y) && PictureJudge.IsNear(lab[x, y], Picture[x, y]);
 
     /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
     private static int[] Spread(List<int> all, int most)

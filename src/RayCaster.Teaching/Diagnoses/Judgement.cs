@@ -15,9 +15,11 @@ internal sealed record Answer(Finding Finding)
 /// <summary>Decides which of the trials that a search has compared are named, and what is said if none is.</summary>
 /// <param name="done">What the program certainly draws.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
+/// <param name="byModels">The picture, model by model; null if it has another size.</param>
 /// <param name="leftByMissingModel">What is left unexplained if one model is missing; null if no missing model explains the picture.</param>
 internal sealed class Judgement(
-    SceneDiagnosis prepared, Evidence evidence, IReadOnlyCollection<string> done, Predicate<Mistake>? likely, double? leftByMissingModel)
+    SceneDiagnosis prepared, Evidence evidence, IReadOnlyCollection<string> done, Predicate<Mistake>? likely,
+    SceneDifference? byModels, double? leftByMissingModel)
 {
     /// <summary>A certain cause leaves at most this share of the wrong pixels unexplained.</summary>
     public const double Explained = 0.05;
@@ -99,8 +101,7 @@ internal sealed class Judgement(
         // Two mistakes of the camera may make the picture of another angle of view, or by chance nearly so: the more exact of both is named.
         var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Concerns == Concerns.Camera);
         if ((best.Misfit.Unexplained <= Nearly * wrong && !isOfCamera) || leftByMissingModel is not null || evidence.IsOnlyOutlines
-            || !evidence.HasRightSize) return ([], false);
-        var byModels = new SceneDifference(prepared.Scene, new(evidence.Picture, prepared.Right), prepared.Threads);
+            || byModels is null) return ([], false);
         var most = best.Misfit * (best.Named.Count < 2 ? NumberForOne : isOfCamera ? 1 : NumberForPair);
         var (misfit, certain) = LikelyCause.Certain(prepared, byModels, evidence);
         if (certain is not null && misfit.CompareTo(most) < 0) return ([certain], true);

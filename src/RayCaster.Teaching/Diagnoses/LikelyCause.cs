@@ -68,7 +68,7 @@ internal static class LikelyCause
         for (var k = 0; k < looked; k++)
         {
             var shown = picture.At(places[k]);
-            if (PictureDifference.Levels(shown, background) > Evidence.Tolerance
+            if (!PictureJudge.IsNear(shown, background)
                 && !scene.Models.Any(model => Unfinished.IsShadeOf(shown, model.Color))) strange++;
         }
         if (strange > looked / 2)
@@ -93,7 +93,7 @@ internal static class LikelyCause
             for (var x = 1; x < right.Width - 1; x++)
             {
                 var here = right[x, y];
-                if (PictureDifference.Levels(picture[x, y], here) <= Evidence.Tolerance) continue;
+                if (PictureJudge.IsNear(picture[x, y], here)) continue;
                 wrong++;
                 if (IsOther(x - 1, y) || IsOther(x + 1, y) || IsOther(x, y - 1) || IsOther(x, y + 1)) outlines++;
 
@@ -117,7 +117,7 @@ internal static class LikelyCause
         {
             var (y, x) = Math.DivRem(i, right.Width);
             var shown = picture[x, y];
-            if (PictureDifference.Levels(shown, right[x, y]) <= Evidence.Tolerance) continue;
+            if (PictureJudge.IsNear(shown, right[x, y])) continue;
             wrong++;
             var (kind, color) = models[i] < 0 ? ("background", scene.Background) : (scene.Models[models[i]].Kind, scene.Models[models[i]].Color);
             if (Unfinished.IsShadeOf(shown, color) || IsTooBrightShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
@@ -153,7 +153,7 @@ internal static class LikelyCause
         while (bottom < picture.Height && IsBlack(right, bottom)) bottom++;
         var difference = new PictureDifference(picture, right);
         var (first, rest) = (top * picture.Width, (bottom - top) * picture.Width);
-        if (Enumerable.Range(first, rest).Count(i => difference.LevelsAt(i) > Evidence.Tolerance) > Explained * rest) return null;
+        if (Enumerable.Range(first, rest).Count(i => difference.LevelsAt(i) > PictureJudge.Tolerance) > Explained * rest) return null;
         return (top, picture.Height - bottom) switch
         {
             ( >= LeastLines, 0) => Says($"Its {top} upper lines are black"),

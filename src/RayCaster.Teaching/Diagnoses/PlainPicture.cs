@@ -32,14 +32,14 @@ internal static class PlainPicture
     public static bool IsOneShade(Scene scene, Picture picture) => picture.IsOneColor && IsColored(scene, picture[0, 0]);
 
     private static bool IsColored(Scene scene, (byte, byte, byte) shown) =>
-        !IsBlack(shown) && PictureDifference.Levels(shown, scene.Background.ToBytes()) > Evidence.Tolerance;
+        !IsBlack(shown) && !PictureJudge.IsNear(shown, scene.Background.ToBytes());
 
-    private static bool IsBlack((byte R, byte G, byte B) shown) => PictureDifference.Levels(shown, default) <= Evidence.Tolerance;
+    private static bool IsBlack((byte R, byte G, byte B) shown) => PictureJudge.IsNear(shown, default);
 
     private static bool IsWhite((byte R, byte G, byte B) shown) => Math.Min(shown.R, Math.Min(shown.G, shown.B)) == byte.MaxValue;
 
     private static bool IsGrey((byte R, byte G, byte B) shown) =>
-        Math.Max(shown.R, Math.Max(shown.G, shown.B)) - Math.Min(shown.R, Math.Min(shown.G, shown.B)) <= Evidence.Tolerance;
+        Math.Max(shown.R, Math.Max(shown.G, shown.B)) - Math.Min(shown.R, Math.Min(shown.G, shown.B)) <= PictureJudge.Tolerance;
 
     private static int Count(Picture picture, Func<(byte, byte, byte), bool> isSo) =>
         Enumerable.Range(0, picture.Count).Count(place => isSo(picture.At(place)));

@@ -164,7 +164,7 @@ public sealed record SceneFitness(
         private static bool Differ(int pairs, int least, Func<int, ((byte, byte, byte) A, (byte, byte, byte) B)> pair)
         {
             for (var k = 0; k < pairs && least > 0; k++)
-                if (pair(k) is var (a, b) && PictureDifference.Levels(a, b) > Evidence.Tolerance) least--;
+                if (pair(k) is var (a, b) && !PictureJudge.IsNear(a, b)) least--;
             return least <= 0;
         }
     }

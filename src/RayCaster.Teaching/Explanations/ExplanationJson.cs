@@ -48,14 +48,14 @@ public static class ExplanationJson
 
     private static object Model(ModelExplanation model) => new
     {
-        model.Trial.Index,
+        model.Fate.Index,
         model.Name,
-        Type = model.Trial.Model.Kind,
-        Verdict = model.Trial.Outcome.Verdict(),
+        Type = model.Fate.Model.Kind,
+        Verdict = model.Fate.Outcome.Verdict(),
         model.Reason,
-        Slide = ShapeKind.Of(model.Trial.Model.Kind)?.Slide,
+        Slide = Slides.OfShape(model.Fate.Model.Kind),
         model.Beside,
-        Mesh = model.Trial is { Triangles: { } triangles, Triangle: var triangle } ? Mesh(triangles, triangle) : null,
+        Mesh = model.Fate is { Triangles: { } triangles, Triangle: var triangle } ? Mesh(triangles, triangle) : null,
         model.Steps,
         Slabs = model.Slabs.Count > 0 ? model.Slabs : null,
         model.Weights,
@@ -75,7 +75,7 @@ public static class ExplanationJson
     {
         Triangles = triangles.Total,
         Triangle = triangle ?? JsonText.Null,
-        triangles.Missed,
+        Missed = triangles[Outcome.Misses],
         Behind = triangles[Outcome.Behind],
         UnderBias = triangles[Outcome.UnderBias],
         BeforeNear = triangles[Outcome.BeforeNear],
@@ -91,7 +91,7 @@ public static class ExplanationJson
         UnderBias = others[Outcome.UnderBias],
         BeforeNear = others[Outcome.BeforeNear],
         BeyondFar = others[Outcome.BeyondFar],
-        others.Missed,
+        Missed = others[Outcome.Misses],
     };
 
     private static object Hit(PixelExplanation pixel, int index) => new
@@ -100,7 +100,7 @@ public static class ExplanationJson
         Name = pixel.NameOf(index),
         T = pixel.Ray.HitParameter,
         Point = pixel.Ray.At(pixel.Ray.HitParameter),
-        Hides = pixel.Trials.Where(trial => trial.Outcome == Outcome.Hidden).Select(trial => new { Model = trial.Index, trial.T }),
+        Hides = pixel.Fates.Where(fate => fate.Outcome == Outcome.Hidden).Select(fate => new { Model = fate.Index, fate.T }),
     };
 
     private static object Color(PixelExplanation pixel) => new

@@ -53,18 +53,18 @@ public sealed class ExplanationText
         foreach (var model in pixel.Models) Model(model);
         if (others.Total > 0)
             Line(2, $"{Digits.Count(others.Total, "other model")}: " +
-                Counted([(others[Outcome.Hidden], "hidden by a nearer one"), .. Refused(others), (others.Missed, "passed by")]));
+                Counted([(others[Outcome.Hidden], "hidden by a nearer one"), .. Refused(others), (others[Outcome.Misses], "missed")]));
     }
 
     private void Model(ModelExplanation model)
     {
-        Line(2, $"{model.Name} ({model.Trial.Model.Kind}): {model.Reason}");
+        Line(2, $"{model.Name} ({model.Fate.Model.Kind}): {model.Reason}");
         if (model.Beside is { } beside) Line(6, $"It shows in the next pixel: {beside}.");
-        if (model.Trial is { Triangles: { } triangles, Triangle: var triangle })
+        if (model.Fate is { Triangles: { } triangles, Triangle: var triangle })
         {
             var which = triangles[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest";
             Line(6, $"{Digits.Count(triangles.Total, "triangle")} tried: " +
-                Counted([(triangles.Missed, "passed by"), .. Refused(triangles), (triangles[Outcome.Shows], "hit")]) +
+                Counted([(triangles[Outcome.Misses], "missed"), .. Refused(triangles), (triangles[Outcome.Shows], "hit")]) +
                 (triangle is null ? "" : $"; number {triangle}, from 0, is {which}:"));
         }
         Slabs(model.Slabs);
@@ -115,7 +115,7 @@ public sealed class ExplanationText
     {
         Outcome.Shows => "shows",
         Outcome.Hidden => "counts, but is hidden",
-        >= Outcome.Outside => "no crossing",
+        Outcome.Misses => "no crossing",
         _ => "does not count",
     };
 

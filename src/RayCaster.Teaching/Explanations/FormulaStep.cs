@@ -2,7 +2,7 @@ namespace RayCaster.Teaching;
 
 /// <summary>A step of a formula with the numbers of one pixel. Its properties are its fields in the JSON.</summary>
 /// <param name="Name">Its name on the slide.</param>
-/// <param name="Formula">How it is computed, as written in the code.</param>
+/// <param name="Formula">How it is computed, in the notation of the slides.</param>
 /// <param name="Numbers">The formula with this pixel's numbers; named steps before it stand as their values.</param>
 /// <param name="Value">The result: a double, a <see cref="Vector3"/>, or for a test a bool.</param>
 internal sealed record FormulaStep(string Name, string Formula, string Numbers, object Value)
@@ -16,12 +16,12 @@ internal sealed record FormulaStep(string Name, string Formula, string Numbers, 
         var (found, seen) = (new List<StepName>(), new HashSet<object>(ReferenceEqualityComparer.Instance));
         foreach (var result in results) Walk(result.Term);
         return [.. found.OrderBy(step => step.Number)
-            .Select(step => new FormulaStep(step.Name, step.Formula, writer.Of(step.Terms), ValueOf(step.Terms)))];
+            .Select(step => new FormulaStep(step.Text, step.Formula, writer.Of(step.Terms), ValueOf(step.Terms)))];
 
         void Walk(Term term)
         {
             if (!seen.Add(term) || !RuntimeHelpers.TryEnsureSufficientExecutionStack()) return;
-            if (term.Step is not { } step)
+            if (term.Name is not { } step)
             {
                 foreach (var part in term.Parts) Walk(part);
                 return;
@@ -31,6 +31,7 @@ internal sealed record FormulaStep(string Name, string Formula, string Numbers, 
             found.Add(step);
         }
     }
+
     private static object ValueOf(Term[] terms) =>
         terms is [var x, var y, var z] ? new Vector3(x.Value, y.Value, z.Value) : terms[0].IsTest ? terms[0].Value != 0 : terms[0].Value;
 }

@@ -6,14 +6,14 @@ internal sealed class ModelExplanation
     private readonly PixelExplanation pixel;
 
     /// <param name="pixel">Its ray, its winner and its neighbours are known.</param>
-    public ModelExplanation(PixelExplanation pixel, Trial trial)
+    public ModelExplanation(PixelExplanation pixel, RayFate fate)
     {
-        (this.pixel, Trial, Shape) = (pixel, trial, trial.Shape);
+        (this.pixel, Fate, Shape) = (pixel, fate, fate.Shape);
         var ray = new Ray<Derivation>(
             ((Vector3<Derivation>)pixel.Ray.Origin).As("P", ""), ((Vector3<Derivation>)pixel.Ray.Direction).As("d", ""));
         if (Shape?.Intersect(ray) is { } derived)
         {
-            (var corners, Slabs) = (Corners(ray), SlabExplanation.Of(Shape, derived));
+            (var corners, Slabs) = (Corners(), SlabExplanation.Of(Shape, derived));
             var writer = new TermText(
                 [.. corners.Select(step => step.Value).OfType<Vector3>().SelectMany(v => (double[])[v.X, v.Y, v.Z]),
                  .. Slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
@@ -22,15 +22,15 @@ internal sealed class ModelExplanation
         }
         else if (Shape is not null) Crossings = [OfPlainDoubles()];
 
-        Reason = trial.Outcome.Counts() ? Fate(trial.T)
-            : Shape is null ? "the ray passes all its triangles by"
+        Reason = fate.Outcome.Counts() ? ReasonOfHit(fate.T)
+            : Shape is null ? "the ray misses all its triangles"
             : string.Join("; ", Crossings.Select(crossing => crossing.Reason).Distinct());
     }
 
-    public Trial Trial { get; }
+    public RayFate Fate { get; }
 
     /// <summary>Its name, or its path in the scene file.</summary>
-    public string Name => pixel.NameOf(Trial.Index);
+    public string Name => pixel.NameOf(Fate.Index);
 
     public string Reason { get; }
 
@@ -47,17 +47,17 @@ internal sealed class ModelExplanation
     public IReadOnlyList<double>? Weights => Shape is Model<Triangle> ? Reasons.Weights(Steps) : null;
 
     /// <summary>Which neighbouring pixels show the model, which this pixel does not show, in words; null if none does.</summary>
-    public string? Beside => Trial.Index != pixel.Winner
-        && string.Join(", ", pixel.Neighbours.Where(beside => beside.Model == Trial.Index).Select(beside => beside.Where)) is { Length: > 0 } where
+    public string? Beside => Fate.Index != pixel.Winner
+        && string.Join(", ", pixel.Neighbours.Where(beside => beside.Model == Fate.Index).Select(beside => beside.Where)) is { Length: > 0 } where
             ? where : null;
 
     /// <summary>What is explained: of a mesh one triangle; null where the ray crosses none.</summary>
     private Model? Shape { get; }
 
     /// <summary>What becomes of a crossing that counts.</summary>
-    private string Fate(double t)
+    private string ReasonOfHit(double t)
     {
-        if (Trial.Outcome == Outcome.Shows) return "the nearest that counts: the pixel shows it";
+        if (Fate.Outcome == Outcome.Shows) return "the nearest that counts: the pixel shows it";
         var (shown, nearest) = (pixel.NameOf(pixel.Winner), pixel.Ray.HitParameter);
         if (t == nearest) return $"a tie: {shown} has the same t and stands earlier in the scene";
         var (a, b) = Digits.Apart(nearest, t);
@@ -75,8 +75,8 @@ internal sealed class ModelExplanation
             {
                 Outcome.Shows when crossings is [{ Outcome: Outcome.Shows or Outcome.Hidden }] =>
                     (Outcome.NotNeeded, "the crossing before it counts already"),
-                Outcome.Shows => (Trial.Outcome, Fate(t)),
-                Outcome.NoNumber => (Outcome.NoNumber, Reasons.NoCrossing(Shape!, Steps, Slabs, term)),
+                Outcome.Shows => (Fate.Outcome, ReasonOfHit(t)),
+                Outcome.Misses => (Outcome.Misses, Reasons.NoCrossing(Shape!, Steps, Slabs, term)),
                 var refused => (refused, Reasons.Of(refused, t, pixel)),
             };
             var isStep = term.Chosen.Operation is Operation.Name;
@@ -89,30 +89,31 @@ internal sealed class ModelExplanation
     /// <summary>The crossing of a scalar shape.</summary>
     private CrossingExplanation OfPlainDoubles()
     {
-        var t = Trial.T;
-        var reason = Trial.Outcome.Counts() ? Fate(t)
-            : !Trial.Outcome.IsMiss() ? Reasons.Of(Trial.Outcome, t, pixel)
+        var t = Fate.T;
+        var reason = Fate.Outcome.Counts() ? ReasonOfHit(t)
+            : Fate.Outcome != Outcome.Misses ? Reasons.Of(Fate.Outcome, t, pixel)
             : double.IsFinite(t) ? "its Intersect gives no hit, though this t counts"
             : "its Intersect finds no crossing";
-        return new(t, t * pixel.Ray.DepthPerT, Trial.Outcome, reason);
+        return new(t, t * pixel.Ray.DepthPerT, Fate.Outcome, reason);
     }
 
-    /// <summary>
-    /// A triangle's corners as seen along the ray. The triangle's formula does not name them: with one more name there, the compiler would no
-    /// longer inline the operators when it draws.
-    /// </summary>
-    private IReadOnlyList<FormulaStep> Corners(Ray<Derivation> ray)
+    /// <summary>A triangle's corners as seen along the ray, in which its formula computes w, u and v.</summary>
+    private IReadOnlyList<FormulaStep> Corners()
     {
-        if (Shape is not Model<Triangle> { Primitive: var (A, B, C) }) return [];
-        var along = new RaySpace<Derivation>(ray);
-        var a = along.Transform(A).As("a");
-        var b = along.Transform(B).As("b");
-        var c = along.Transform(C).As("c");
-        return FormulaStep.LeadingTo(a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z);
+        if (Shape is not Model<Triangle> { Primitive: var triangle }) return [];
+        var along = new RaySpace<Scalar>(new(pixel.Ray.Origin, pixel.Ray.Direction));
+        return [Corner('A', triangle.A), Corner('B', triangle.B), Corner('C', triangle.C)];
+
+        FormulaStep Corner(char name, Vector3 point)
+        {
+            var p = along.Transform(point);
+            var seen = new Vector3(p.X, p.Y, p.Z);
+            return new($"{char.ToLowerInvariant(name)}", $"{name} seen along the ray", Digits.Of(seen), seen);
+        }
     }
 }
 
-/// <summary>One place where a ray crosses a model, or would cross it.</summary>
+/// <summary>A crossing of a ray and a model, or what would be one.</summary>
 /// <param name="T">The ray parameter; NaN where there is no crossing.</param>
 /// <param name="Z">What zNear and zFar are compared with.</param>
 /// <param name="Numbers">How t is computed from the named steps of the formula; empty where it is one of them.</param>

@@ -26,26 +26,17 @@ public enum Outcome
     /// <summary>z &gt; zFar.</summary>
     BeyondFar,
 
-    /// <summary>No crossing: a condition of the formula is false. The ray is outside of the circle, the triangle, or a box's slabs.</summary>
-    Outside,
-
-    /// <summary>No crossing: the formula takes the root of a negative number. Also for meshes, and for models without a formula.</summary>
-    PassesBy,
-
-    /// <summary>No crossing: the formula divides by 0, so the ray is parallel to the surface.</summary>
-    Parallel,
-
-    /// <summary>No crossing: the formula gives NaN for another reason. Its numbers are out of range, or it is wrong.</summary>
-    NoNumber,
+    /// <summary>No crossing: the formula gives NaN or infinity.</summary>
+    Misses,
 }
 
 /// <summary>Decides which crossings count, and puts outcomes into groups.</summary>
 internal static class Outcomes
 {
     /// <summary>Why a crossing does not count; <see cref="Outcome.Shows"/> if it does, whatever else is in the scene.</summary>
-    /// <param name="t">The crossing; where it is NaN or infinite, the outcome is <see cref="Outcome.NoNumber"/>.</param>
+    /// <param name="t">The crossing; NaN or infinite for none.</param>
     public static Outcome Of(double t, Ray ray) =>
-        !double.IsFinite(t) ? Outcome.NoNumber
+        !double.IsFinite(t) ? Outcome.Misses
         : t < 0 ? Outcome.Behind
         : ray.ClipRange.IsAhead<Scalar>(t).Value == 0 ? Outcome.UnderBias
         : ray.ClipRange.IsBeyondNear<Scalar>(t * ray.DepthPerT).Value == 0 ? Outcome.BeforeNear
@@ -54,13 +45,11 @@ internal static class Outcomes
 
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;
 
-    public static bool IsMiss(this Outcome outcome) => outcome >= Outcome.Outside;
-
     /// <summary>The group, for other programs: shows, hidden, notNeeded, refused or missed.</summary>
-    public static string Verdict(this Outcome outcome) => outcome.Counts() ? Word(outcome) : outcome.IsMiss() ? "missed" : "refused";
+    public static string Verdict(this Outcome outcome) => outcome.Counts() ? Word(outcome) : outcome == Outcome.Misses ? "missed" : "refused";
 
-    /// <summary>Why a crossing does not count, for other programs: none, behind, underBias, beforeNear, beyondFar or noNumber.</summary>
-    public static string Refusal(this Outcome outcome) => outcome.Counts() ? "none" : Word(outcome.IsMiss() ? Outcome.NoNumber : outcome);
+    /// <summary>Why a crossing does not count, for other programs: none, behind, underBias, beforeNear, beyondFar or misses.</summary>
+    public static string Refusal(this Outcome outcome) => outcome.Counts() ? "none" : Word(outcome);
 
     private static string Word(Outcome outcome) => JsonNamingPolicy.CamelCase.ConvertName(outcome.ToString());
 }
@@ -68,7 +57,7 @@ internal static class Outcomes
 /// <summary>How many models, triangles or rays have each outcome.</summary>
 public class Tally
 {
-    private readonly long[] counts = new long[Enum.GetValues<Outcome>().Length];
+    private readonly long[] counts = new long[(int)Outcome.Misses + 1];
 
     /// <summary>The number of those with an outcome.</summary>
     public long this[Outcome outcome]
@@ -78,6 +67,4 @@ public class Tally
     }
 
     internal long Total => counts.Sum();
-
-    internal long Missed => counts[(int)Outcome.Outside..].Sum();
 }

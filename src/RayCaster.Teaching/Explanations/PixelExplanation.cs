@@ -9,8 +9,8 @@ public sealed class PixelExplanation
     /// <summary>If there are more models, only those that matter for the pixel are explained one by one.</summary>
     private const int ManyModels = 12;
 
-    /// <summary>Of many models, so many hidden ones and so many that nearly count are explained.</summary>
-    private const int OfEachKind = 3;
+    /// <summary>Of many models, so many are explained besides those that show here or in a neighbouring pixel.</summary>
+    private const int NearestCount = 6;
 
     /// <summary>Explains a pixel.</summary>
     /// <param name="column">c, from the left, from 0.</param>
@@ -26,10 +26,10 @@ public sealed class PixelExplanation
         Ray = ScalarRenderer.Cast(scene, column, Row);
         Winner = IndexOf(Ray.HitModel);
         Neighbours = [.. FindNeighbours()];
-        Trials = [.. scene.Models.Select((model, i) => Trial.Of(model, i, Ray))];
-        var explained = Trials.Count <= ManyModels ? Trials : NearMisses();
-        Models = [.. explained.Select(trial => new ModelExplanation(this, trial))];
-        foreach (var trial in Trials.Except(explained)) Others[trial.Outcome]++;
+        Fates = [.. scene.Models.Select((model, i) => RayFate.Of(model, i, Ray))];
+        var explained = Fates.Count <= ManyModels ? Fates : NearMisses();
+        Models = [.. explained.Select(fate => new ModelExplanation(this, fate))];
+        foreach (var fate in Fates.Except(explained)) Others[fate.Outcome]++;
         (ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
     }
 
@@ -51,14 +51,14 @@ public sealed class PixelExplanation
     /// <summary>The ray with its nearest hit.</summary>
     internal Ray Ray { get; }
 
-    /// <summary>The place in the scene of the model that the pixel shows; null for the background.</summary>
+    /// <summary>The index in the scene of the model that the pixel shows; null for the background.</summary>
     internal int? Winner { get; }
 
     /// <summary>What the pixels beside it show.</summary>
     internal IReadOnlyList<Neighbour> Neighbours { get; }
 
     /// <summary>Of all models, in the scene's order.</summary>
-    internal IReadOnlyList<Trial> Trials { get; }
+    internal IReadOnlyList<RayFate> Fates { get; }
 
     /// <summary>The models in the scene's order; of more than <see cref="ManyModels"/> those that matter for the pixel.</summary>
     internal IReadOnlyList<ModelExplanation> Models { get; }
@@ -94,37 +94,23 @@ public sealed class PixelExplanation
         }
     }
 
-    /// <summary>The model that shows; the nearest hidden models; the models whose crossings nearly count; and the models that a neighbouring
-    /// pixel shows. In the scene's order.</summary>
-    private IReadOnlyList<Trial> NearMisses()
+    /// <summary>The model that shows, those that neighbouring pixels show, and the others whose crossings are nearest to the camera. In the scene's
+    /// order.</summary>
+    private IReadOnlyList<RayFate> NearMisses()
     {
-        var hidden = Trials.Where(trial => trial.Outcome == Outcome.Hidden).OrderBy(trial => trial.T);
-        var refused = Trials.Where(trial => !trial.Outcome.Counts() && !trial.Outcome.IsMiss()).OrderBy(Lacking);
         HashSet<int?> chosen =
         [
             Winner,
             .. Neighbours.Select(neighbour => neighbour.Model),
-            .. hidden.Take(OfEachKind).Concat(refused.Take(OfEachKind)).Select(trial => (int?)trial.Index),
+            .. Fates.Where(fate => fate.Outcome is not (Outcome.Shows or Outcome.Misses)).OrderBy(fate => Math.Abs(fate.T)).Take(NearestCount)
+                .Select(fate => (int?)fate.Index),
         ];
-        return [.. Trials.Where(trial => chosen.Contains(trial.Index))];
-    }
-
-    /// <summary>How far a crossing is from counting.</summary>
-    private double Lacking(Trial trial)
-    {
-        var (t, z, camera) = (trial.T, trial.T * Ray.DepthPerT, Scene.Camera);
-        return trial.Outcome switch
-        {
-            Outcome.Behind => -t,
-            Outcome.UnderBias => camera.Bias - t,
-            Outcome.BeforeNear => camera.ZNear - z,
-            _ => z - camera.ZFar,
-        };
+        return [.. Fates.Where(fate => chosen.Contains(fate.Index))];
     }
 }
 
 /// <summary>What a neighbouring pixel shows.</summary>
 /// <param name="Where">left, right, above or below.</param>
-/// <param name="Model">The model's place in the scene; null for the background.</param>
+/// <param name="Model">The model's index in the scene; null for the background.</param>
 /// <param name="T">The t of its hit; +∞ for none.</param>
 internal sealed record Neighbour(string Where, int Column, int Line, int? Model, double T);

@@ -18,23 +18,23 @@ internal static class PixelNotes
         if (pixel.Winner is null) yield return "no model is hit: the pixel shows the background, which is not attenuated";
         foreach (var neighbour in pixel.Neighbours)
             if (neighbour.Model != pixel.Winner)
-                yield return $"an outline: the pixel {Place(neighbour)} shows {pixel.NameOf(neighbour.Model)}";
+                yield return $"an outline: the pixel {Where(neighbour)} shows {pixel.NameOf(neighbour.Model)}";
     }
 
-    private static string Place(Neighbour neighbour) =>
+    private static string Where(Neighbour neighbour) =>
         $"{(neighbour.Where is "left" or "right" ? $"to the {neighbour.Where}" : neighbour.Where)} (column {neighbour.Column}, " +
         $"line {neighbour.Line})";
 
     private static IEnumerable<string> Ties(PixelExplanation pixel)
     {
         var t = pixel.Ray.HitParameter;
-        foreach (var trial in pixel.Trials)
+        foreach (var fate in pixel.Fates)
         {
-            if (trial.Outcome != Outcome.Hidden) continue;
-            if (trial.T == t)
-                yield return $"a tie: {pixel.NameOf(pixel.Winner)} and {pixel.NameOf(trial.Index)} have the same t; the first in the scene shows";
-            else if (trial.T - t <= AlmostEqual * t)
-                yield return $"almost a tie: t of {pixel.NameOf(pixel.Winner)} and of {pixel.NameOf(trial.Index)} " +
+            if (fate.Outcome != Outcome.Hidden) continue;
+            if (fate.T == t)
+                yield return $"a tie: {pixel.NameOf(pixel.Winner)} and {pixel.NameOf(fate.Index)} have the same t; the first in the scene shows";
+            else if (fate.T - t <= AlmostEqual * t)
+                yield return $"almost a tie: t of {pixel.NameOf(pixel.Winner)} and of {pixel.NameOf(fate.Index)} " +
                     "differ in the last digits only; another program may show either";
         }
     }
@@ -45,14 +45,14 @@ internal static class PixelNotes
             foreach (var slab in model.Slabs)
                 if (slab.HoldsRay)
                     yield return $"{model.Name}: the ray runs in a face of the {slab.Axis} slab, " +
-                        "where (B − P) / d is 0 / 0; the face belongs to the slab, so the ray is in it for ever";
+                        "where (B − P) / d is 0 / 0; the face belongs to the slab, so the ray is always in it";
     }
 
     private static IEnumerable<string> Light(PixelExplanation pixel)
     {
-        var (t, reach) = (pixel.Ray.HitParameter, pixel.Scene.Camera.FadeDistance);
-        if (pixel.Winner is not null && t >= reach)
-            yield return $"all light is lost: {Reasons.Compare("t", t, "≥", "2 |T − P|", reach)}, so the attenuation is 0";
+        var (t, fadeDistance) = (pixel.Ray.HitParameter, pixel.Scene.Camera.FadeDistance);
+        if (pixel.Winner is not null && t >= fadeDistance)
+            yield return $"all light is lost: {Reasons.Compare("t", t, "≥", "2 |T − P|", fadeDistance)}, so the attenuation is 0";
         if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })
             yield return $"a channel is more than 1 and is clamped: the colour is {Digits.Of(pixel.Color)}";
     }

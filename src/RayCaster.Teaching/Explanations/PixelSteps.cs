@@ -21,7 +21,9 @@ internal static class PixelSteps
     public static IReadOnlyList<FormulaStep> OfRay(Camera camera, int column, int row)
     {
         var d = camera.Direction(((Derivation)column).As("c", ""), ((Derivation)row).As("r", ""));
-        return FormulaStep.LeadingTo(d.X, d.Y, d.Z);
+        var steps = FormulaStep.LeadingTo(d.X, d.Y, d.Z);
+        var pixel = steps.FirstOrDefault(step => step.Name == "pixel")?.Formula; // the slide has no name for it
+        return [.. steps.Select(step => step with { Formula = step.Formula.Replace("pixel normalised", $"({pixel}) normalised") })];
     }
 
     /// <summary>The steps from the hit to the channels' levels, and the colour before it is clamped.</summary>

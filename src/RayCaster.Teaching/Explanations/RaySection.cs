@@ -9,7 +9,7 @@ public static class RaySection
     private const int Around = 720, Ahead = 400;
 
     /// <summary>The most lines that are drawn of a mesh.</summary>
-    private const int MostLines = 4000;
+    private const int MaxLines = 4000;
 
     /// <summary>The drawing for an explanation, an object for JSON. Points are (u, v), near and far the u of the clip planes; they are null where
     /// zNear and zFar are distances, whose sections are circles. Models stand in the explanation's order; crossings lie at t · direction.
@@ -39,7 +39,7 @@ public static class RaySection
                 Bottom = Math.Min(0, endV) - 0.2 * length,
                 Top = Math.Max(0, endV) + 0.2 * length,
             },
-            Models = pixel.Models.Select(explained => explained.Trial.Model)
+            Models = pixel.Models.Select(explained => explained.Fate.Model)
                 .Select(model => new { Color = Hex(model.Color.ToBytes()), Lines = fan.Cut(model) }),
         };
     }
@@ -92,7 +92,7 @@ public static class RaySection
         private List<double[][]> Cut(Mesh mesh)
         {
             var (n, lines) = (u % v, new List<double[][]>());
-            for (var i = 0; i < mesh.TriangleCount && lines.Count < MostLines; i++)
+            for (var i = 0; i < mesh.TriangleCount && lines.Count < MaxLines; i++)
             {
                 var (a, b, c) = (mesh[i].A - origin, mesh[i].B - origin, mesh[i].C - origin);
                 var ends = new List<double[]>();

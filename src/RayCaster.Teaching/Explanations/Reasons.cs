@@ -26,7 +26,7 @@ internal static class Reasons
             Model<Plane> => "d·n = 0: the ray runs along the plane",
             Model<Circle> when Find(steps, "t") is not double t || !double.IsFinite(t) => "d·n = 0: the ray runs along the circle's plane",
             Model<Circle> { Primitive.Radius: var R } => Beyond(R, "|X − C|", Find(steps, "CX"), "outside the circle"),
-            Model<Sphere> { Primitive.Radius: var R } => Beyond(R, "|D|", Find(steps, "D"), "the ray passes the sphere by"),
+            Model<Sphere> { Primitive.Radius: var R } => Beyond(R, "|D|", Find(steps, "D"), "the ray misses the sphere"),
             Model<Aabb> when (Find(steps, "t_min"), Find(steps, "t_max")) is (double tMin, double tMax) =>
                 $"{Compare("t_min", tMin, ">", "t_max", tMax)}: {BesideSlabs(slabs, tMin, tMax)}",
             Model<Triangle> => Weights(steps) is [var w, var u, var v] ? Outside(w, u, v) : "d·n = 0: the triangle is seen edge-on",
@@ -56,7 +56,7 @@ internal static class Reasons
     private static string BesideSlabs(IReadOnlyList<SlabExplanation> slabs, double tMin, double tMax)
     {
         var (entered, left) = (slabs.FirstOrDefault(slab => slab.Enters == tMin), slabs.FirstOrDefault(slab => slab.Leaves == tMax));
-        return entered is null || left is null ? "the ray passes the box by"
+        return entered is null || left is null ? "the ray misses the box"
             : entered == left ? $"the ray runs beside the {entered.Axis} slab, never in it"
             : $"it leaves the {left.Axis} slab before it enters the {entered.Axis} slab";
     }

@@ -1,3 +1,5 @@
+using static RayCaster.Teaching.PictureJudge;
+
 namespace RayCaster.Teaching;
 
 /// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour. Its properties are its
@@ -9,47 +11,45 @@ namespace RayCaster.Teaching;
 public sealed record ReferenceExplanation(
     (byte R, byte G, byte B) Bytes, (int R, int G, int B) Difference, bool Agrees, IReadOnlyList<string> Causes)
 {
-    private const int MostCauses = 6;
+    private const int MaxCauses = 6;
 
     /// <summary>Compares a pixel with another picture.</summary>
     /// <param name="reference">The other picture, of the same size.</param>
     public static ReferenceExplanation Of(PixelExplanation pixel, Picture reference)
     {
         var (mine, other) = (pixel.Bytes, reference[pixel.Column, pixel.Line]);
-        var agrees = AreNear(mine, other);
+        var agrees = IsNear(mine, other);
         return new(other, (other.R - mine.R, other.G - mine.G, other.B - mine.B), agrees,
-            agrees ? [] : [.. FindCauses(pixel, other).Take(MostCauses).Select(cause => "the other picture's colour is " + cause)]);
+            agrees ? [] : [.. FindCauses(pixel, other).Take(MaxCauses).Select(cause => "the other picture's colour is " + cause)]);
     }
 
     private static IEnumerable<string> FindCauses(PixelExplanation pixel, (byte R, byte G, byte B) other)
     {
         var scene = pixel.Scene;
-        if (pixel.Winner is not null && AreNear(scene.Background.ToBytes(), other)) yield return "the background's: there the ray hits nothing";
+        if (pixel.Winner is not null && IsNear(scene.Background.ToBytes(), other)) yield return "the background's: there the ray hits nothing";
 
-        foreach (var trial in pixel.Trials)
+        foreach (var fate in pixel.Fates)
         {
-            var model = new ModelExplanation(pixel, trial);
+            var model = new ModelExplanation(pixel, fate);
             foreach (var crossing in model.Crossings)
             {
                 var t = crossing.Untested ?? crossing.T;
-                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !AreNear(scene.Shade(t, trial.Model).ToBytes(), other)) continue;
-                yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {Fate(crossing)}";
+                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !IsNear(scene.Shade(t, fate.Model).ToBytes(), other)) continue;
+                yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {FateOf(crossing)}";
             }
-            if (AreNear(trial.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
+            if (IsNear(fate.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
         }
         foreach (var neighbour in pixel.Neighbours)
             if (neighbour.Model != pixel.Winner && neighbour.Model is { } shown
-                && AreNear(scene.Shade(neighbour.T, scene.Models[shown]).ToBytes(), other))
+                && IsNear(scene.Shade(neighbour.T, scene.Models[shown]).ToBytes(), other))
                 yield return $"that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
     }
 
-    private static string Fate(CrossingExplanation crossing) => crossing.Outcome switch
+    private static string FateOf(CrossingExplanation crossing) => crossing.Outcome switch
     {
         Outcome.NotNeeded => "is not needed, for the one before it counts",
         Outcome.Hidden => $"is {crossing.Reason}",
-        >= Outcome.Outside => $"is none, for {crossing.Reason}",
+        Outcome.Misses => $"is none, for {crossing.Reason}",
         _ => $"does not count, for {crossing.Reason}",
     };
-
-    private static bool AreNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) => PictureDifference.Levels(a, b) <= 1;
 }

@@ -27,11 +27,11 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
 
     public Term C => c!;
 
-    /// <summary>The name and the source text of a step; null for other terms.</summary>
-    public StepName? Step { get; init; }
+    /// <summary>The name and the formula of a step; null for other terms.</summary>
+    public StepName? Name { get; init; }
 
     /// <summary>A step's name in a sentence: L, or L.x for a vector's coordinate; null for other terms.</summary>
-    public string? Label => Step is null ? null : Step.Terms.Length == 1 ? Step.Name : $"{Step.Name}.{"xyz"[Array.IndexOf(Step.Terms, this)]}";
+    public string? Label => Name is null ? null : Name.Terms.Length == 1 ? Name.Text : $"{Name.Text}.{"xyz"[Array.IndexOf(Name.Terms, this)]}";
 
     /// <summary>Whether it is the result of a test, true or false, or a name for one.</summary>
     public bool IsTest => operation is >= Operation.Less and <= Operation.Or || (operation is Operation.Name && A.IsTest);
@@ -72,31 +72,18 @@ internal sealed class StepName
     /// <param name="values">What gets the name: a number, or the three of a vector.</param>
     public StepName(string name, string formula, params Term[] values)
     {
-        (Name, Formula) = (name, Tidy(formula));
-        Terms = Array.ConvertAll(values, value => new Term(Operation.Name, value.Value, value) { Step = this });
+        (Text, Formula) = (name, Notation.Of(formula));
+        Terms = Array.ConvertAll(values, value => new Term(Operation.Name, value.Value, value) { Name = this });
     }
 
     /// <summary>A number that grows in the order in which steps are computed.</summary>
     public long Number { get; } = Interlocked.Increment(ref count);
 
-    public string Name { get; }
+    public string Text { get; }
 
-    /// <summary>As in the code, on one line and without the brackets around it.</summary>
+    /// <summary>In the notation of the slides; empty for given numbers.</summary>
     public string Formula { get; }
 
     /// <summary>The values under this name.</summary>
     public Term[] Terms { get; }
-
-    private static string Tidy(string formula)
-    {
-        var text = string.Join(' ', formula.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
-        return text.StartsWith('(') && IsOpenToItsEnd(text) ? Tidy(text[1..^1]) : text;
-    }
-
-    /// <summary>Whether the first bracket is closed by the last character only.</summary>
-    private static bool IsOpenToItsEnd(string text)
-    {
-        var depth = 0;
-        return text.SkipLast(1).All(c => (depth += c switch { '(' => 1, ')' => -1, _ => 0 }) > 0);
-    }
 }

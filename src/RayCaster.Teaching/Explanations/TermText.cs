@@ -35,6 +35,7 @@ internal sealed class TermText(HashSet<double>? known = null)
             Operation.Multiply => Infix(term.A, " · ", term.B, Product, rank, leads),
             Operation.Divide => Infix(term.A, " / ", term.B, Product, rank, leads),
             Operation.Negate => Bracketed($"−{Text(term.A, Whole, leads: false)}", leads ? Sign : Condition, Math.Max(rank, Sum)),
+            Operation.SquareRoot when DotProduct(term.A) is var (v, w) && v.Is(w) => $"|{Inner(v)}|",
             Operation.SquareRoot => $"√({Inner(term.A)})",
             Operation.Min => $"min({Inner(term.A)}, {Inner(term.B)})",
             Operation.Max => $"max({Inner(term.A)}, {Inner(term.B)})",
@@ -100,7 +101,7 @@ internal sealed class TermText(HashSet<double>? known = null)
         public bool IsVector => !IsOne && IsAlike && X.Operation switch
         {
             Operation.Constant => true,
-            Operation.Name => X.Step == Y.Step && Y.Step == Z.Step,
+            Operation.Name => X.Name == Y.Name && Y.Name == Z.Name,
             Operation.Negate => A.IsVector,
             Operation.Add or Operation.Subtract => A.IsVector && B.IsVector,
             Operation.Multiply or Operation.Divide => A.IsVector != B.IsVector && (A.IsOne || B.IsOne),
@@ -108,5 +109,7 @@ internal sealed class TermText(HashSet<double>? known = null)
         };
 
         public bool Is(Operation operation) => IsAlike && X.Operation == operation;
+
+        public bool Is(Three other) => (X, Y, Z) == (other.X, other.Y, other.Z);
     }
 }

@@ -16,7 +16,7 @@ internal static class Why
 
     private static IEnumerable<string> FindFailure(Term mask, string? formula = null) => mask.Operation switch
     {
-        Operation.Name => FindFailure(mask.A, mask.Step!.Formula),
+        Operation.Name => FindFailure(mask.A, mask.Name!.Formula),
         Operation.And or Operation.Or => mask.Parts.Where(part => part.Value == 0).SelectMany(part => FindFailure(part)),
         Operation.Less or Operation.Greater or Operation.LessOrEqual or Operation.GreaterOrEqual =>
             double.IsNaN(mask.A.Value) ? Find(mask.A) : double.IsNaN(mask.B.Value) ? Find(mask.B) : [Failure(mask, formula)],

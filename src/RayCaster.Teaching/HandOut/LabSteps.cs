@@ -4,7 +4,7 @@ namespace RayCaster.Teaching;
 public static class LabSteps
 {
     /// <summary>How many steps there are.</summary>
-    public const int Count = 10;
+    public static int Count => Slides.Steps.Count;
 
     /// <summary>The first step with rays; before it, the lab draws a gradient.</summary>
     public const int FirstPicture = 4;
@@ -14,25 +14,9 @@ public static class LabSteps
 
     private const int Shading = 5;
 
-    /// <summary>The step, from 1, in which students write the code of a slide; 0 for a slide without code.</summary>
-    public static int StepOf(string slide) => slide switch
-    {
-        Slides.Vectors => 1,
-        "Ray" => 2,
-        Slides.RayPlane => 3,
-        Slides.Camera or Slides.PixelTranslation or Slides.RayCasting => 4,
-        Slides.Shading => Shading,
-        Slides.ClipPlanes or Slides.Bias => Clipping,
-        Slides.BoxParameters or Slides.BoxTest => 7,
-        Slides.Sphere or Slides.SphereAnalytical => 8,
-        Slides.Circle => 9,
-        Slides.Triangle => 10,
-        _ => 0,
-    };
-
     /// <summary>Whether a mistake is one of the code of a step: of its slide or of the shape that is written in it.</summary>
-    public static bool IsOf(Mistake mistake, int step) => StepOf(mistake.Slide) == step
-        || ShapeKind.All.Any(kind => (mistake.Concerns & kind.Formula) != 0 && kind.Step == step);
+    public static bool IsOf(Mistake mistake, int step) => Slides.StepOf(mistake.Slide) == step
+        || ShapeKind.All.Any(kind => (mistake.Concerns & kind.Formula) != 0 && Slides.StepOf(kind.Slide) == step);
 
     /// <summary>
     /// The part of a scene that the lab can draw after a step: the models whose formulas are written. Before the step of zNear, zFar and bias,
@@ -72,7 +56,7 @@ public static class LabSteps
     internal static IEnumerable<string> KindsOf(Scene scene, int step) =>
         scene.Models.Where(model => StepOf(model) == step).Select(model => model.Kind).Distinct();
 
-    private static int StepOf(Model model) => ShapeKind.Of(model.Kind)?.Step ?? Count;
+    private static int StepOf(Model model) => Slides.OfShape(model.Kind) is { } slide ? Slides.StepOf(slide) : Count;
 
     /// <summary>Each model in its full colour, without attenuation.</summary>
     private static Picture Unshaded(Scene scene)

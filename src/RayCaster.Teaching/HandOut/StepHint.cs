@@ -3,8 +3,8 @@ namespace RayCaster.Teaching;
 /// <summary>The message of a failing picture test of the lab: only what the picture shows.</summary>
 public static class StepHint
 {
-    /// <summary>The most mistakes that are named besides the first, of those that draw the same picture.</summary>
-    private const int MostTwins = 2;
+    /// <summary>How many mistakes are named besides the first, of those that draw the same picture.</summary>
+    private const int MaxTwins = 2;
 
     /// <summary>Lines of text, indented.</summary>
     /// <param name="picture">The student's picture, in the scene's size.</param>
@@ -13,20 +13,23 @@ public static class StepHint
     /// test of no step.
     /// </param>
     public static string Of(Scene scene, Picture picture, int step, HintLevel level) =>
-        string.Join("\n", Lines(scene, Judge(scene, picture, step), step, level).Select(line => "  " + line));
+        Of(scene, Judge(scene, picture, step), step, level);
+
+    internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
+        string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 
     internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
         ? Diagnosis.Of(scene, picture)
-        : new SceneDiagnosis(scene, possible: mistake => LabSteps.StepOf(mistake.Slide) <= step)
+        : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
             .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 
     private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
     {
         if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
         // light, zNear and zFar may not be written yet
-        Mistake[] mistakes = [.. suspect.Mistakes.Where(mistake => step == 0 || LabSteps.StepOf(mistake.Slide) <= step)];
+        Mistake[] mistakes = [.. suspect.Mistakes.Where(mistake => step == 0 || Slides.StepOf(mistake.Slide) <= step)];
         if (mistakes.Length == 0) return ["Only a few pixels are wrong: too few to name a mistake.", .. OfStep(step, level)];
-        var twins = suspect.Twins.Where(twin => LabSteps.IsOf(twin, step)).Take(MostTwins);
+        var twins = suspect.Twins.Where(twin => LabSteps.IsOf(twin, step)).Take(MaxTwins);
         return mistakes.SelectMany(mistake => OfMistake(mistake, suspect.HasSymptoms, level))
             .Concat(level == HintLevel.Symptom ? [] : twins.SelectMany(twin => OfMistake(twin, false, level)));
     }
@@ -56,18 +59,5 @@ public static class StepHint
     }
 
     private static IEnumerable<string> OfStep(int step, HintLevel level) =>
-        level > HintLevel.Symptom && QuestionOf(step) is { } question ? [$"Ask yourself: {question}"] : [];
-
-    /// <summary>What to ask oneself where no single mistake can be named.</summary>
-    private static string? QuestionOf(int step) => step switch
-    {
-        4 => "Take the ray of one pixel: what are d, the nearest t and the model that is hit there?",
-        5 => "What is 1 − t / (2 |T − P|) at t = 0, and at the target? Does your program compute that?",
-        6 => "Take a hit that should show: which is false of t > bias, zNear ≤ z and z ≤ zFar?",
-        7 => "Take a ray to a face that is wrong: what are t0 and t1 of each slab, t_min and t_max? What if d is negative?",
-        8 => "Take a ray through the centre: what are tca, D and thc? What if the camera is inside?",
-        9 => "Take a ray through C: what is t, and how long is X − C?",
-        10 => "Take a ray through the middle of a triangle: what are t, u and v?",
-        _ => null,
-    };
+        level > HintLevel.Symptom && step > 0 && Slides.Steps[step - 1].Question is { } question ? [$"Ask yourself: {question}"] : [];
 }

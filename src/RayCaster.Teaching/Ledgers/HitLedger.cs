@@ -7,16 +7,16 @@ namespace RayCaster.Teaching;
 public sealed class HitLedger
 {
     /// <summary>The most rays that a sample has.</summary>
-    public const int MostSampled = 65_536;
+    public const int MaxSampled = 65_536;
 
     /// <summary>So many evaluations of a formula take about a second. If more are needed, only a sample of the rays is judged.</summary>
-    private const long MostFormulas = 8_000_000;
+    private const long MaxFormulas = 8_000_000;
 
     /// <summary>Finding the triangles of a mesh that a ray may cross takes about as long as so many formulas.</summary>
     private const long FormulasOfTree = 32;
 
-    /// <summary>So many models and triangles are judged within a few seconds, mostly within one.</summary>
-    private const long MostPartsOfQuick = 500_000;
+    /// <summary>So many shapes are judged within a few seconds, mostly within one.</summary>
+    private const long MaxShapesOfQuick = 500_000;
 
     private HitLedger(Scene scene) =>
         (Scene, Models) = (scene, [.. scene.Models.Select((_, i) => new LedgerEntry(ModelName.Typed(scene, i)))]);
@@ -41,7 +41,7 @@ public sealed class HitLedger
     /// <summary>The colour of all hits; null if they have several.</summary>
     internal (byte R, byte G, byte B)? OnlyColor { get; private set; }
 
-    /// <summary>Judges all rays. In a large picture or a scene of many models, judges a grid of at most <see cref="MostSampled"/> rays.</summary>
+    /// <summary>Judges all rays. In a large picture or a scene of many models, judges a grid of at most <see cref="MaxSampled"/> rays.</summary>
     public static HitLedger Take(Scene scene, CancellationToken cancellation = default)
     {
         var camera = scene.Camera;
@@ -61,7 +61,7 @@ public sealed class HitLedger
     }
 
     /// <summary>Whether judging a scene is quick enough to be done without a request. All triangles of meshes are counted.</summary>
-    public static bool IsQuick(Scene scene) => scene.ShapeCount <= MostPartsOfQuick;
+    public static bool IsQuick(Scene scene) => scene.ShapeCount <= MaxShapesOfQuick;
 
     /// <summary>The table, and in words what is unusual.</summary>
     public string Report() => LedgerTable.Of(this) + string.Concat(LedgerVerdict.Of(this).Select(sentence => sentence + "\n"));
@@ -72,7 +72,7 @@ public sealed class HitLedger
         var (nearest, shown) = (double.PositiveInfinity, -1);
         for (var i = 0; i < Models.Count; i++)
         {
-            var outcome = Trial.Judge(Scene.Models[i], ray, out var t);
+            var outcome = RayFate.Judge(Scene.Models[i], ray, out var t);
             if (outcome == Outcome.Shows && t < nearest)
             {
                 if (shown >= 0) Models[shown][Outcome.Hidden]++;
@@ -94,8 +94,8 @@ public sealed class HitLedger
     /// <summary>The distance between judged rays, in columns and rows.</summary>
     private static int StepOf(Camera camera, long cost)
     {
-        if ((double)camera.Width * camera.Height * cost <= MostFormulas) return 1;
-        var rays = Math.Clamp(MostFormulas / cost, 256, MostSampled);
+        if ((double)camera.Width * camera.Height * cost <= MaxFormulas) return 1;
+        var rays = Math.Clamp(MaxFormulas / cost, 256, MaxSampled);
         var step = 1;
         while ((camera.Width + step - 1L) / step * ((camera.Height + step - 1L) / step) > rays) step++;
         return step;

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>What became of the rays, for one model. Each ray is counted once.</summary>
 public sealed class LedgerEntry(string label) : Tally
 {
-    /// <summary>The model's name, or its place in the scene file and its kind.</summary>
+    /// <summary>The model's name, or its path in the scene file and its kind.</summary>
     internal string Label => label;
 
     /// <summary>The rays that hit the model; in some of their pixels a nearer model hides it.</summary>
@@ -23,9 +23,9 @@ public sealed class LedgerEntry(string label) : Tally
     {
         get
         {
-            var reason = Commonest(Outcome.UnderBias, Outcome.BeyondFar);
+            var reason = ((Outcome[])[Outcome.UnderBias, Outcome.BeforeNear, Outcome.BeyondFar]).MaxBy(outcome => this[outcome]);
             if (this[Outcome.Behind] > 2 * this[reason]) reason = Outcome.Behind;
-            return this[reason] > 0 ? reason : Commonest(Outcome.Outside, Outcome.NoNumber);
+            return this[reason] > 0 ? reason : Outcome.Misses;
         }
     }
 
@@ -35,8 +35,4 @@ public sealed class LedgerEntry(string label) : Tally
         if (outcome == Outcome.BeforeNear) GreatestBeforeNear = Math.Max(GreatestBeforeNear, z);
         if (outcome == Outcome.BeyondFar) LeastBeyondFar = Math.Min(LeastBeyondFar, z);
     }
-
-    /// <summary>The outcome with the most rays; among equals, the first.</summary>
-    private Outcome Commonest(Outcome first, Outcome last) =>
-        Enum.GetValues<Outcome>().Where(outcome => outcome >= first && outcome <= last).MaxBy(outcome => this[outcome]);
 }

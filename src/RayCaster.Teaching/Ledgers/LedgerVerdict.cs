@@ -6,20 +6,19 @@ namespace RayCaster.Teaching;
 internal static class LedgerVerdict
 {
     /// <summary>If more models do not show, only so many are named.</summary>
-    private const int MostNamed = 10;
+    private const int MaxNamed = 10;
 
     public static IEnumerable<string> Of(HitLedger ledger)
     {
         if (ledger.Models.Count == 0) return ["The scene holds no models: every pixel shows the background."];
-        string[] sentences =
-            [.. ledger.Hits == 0 ? OfNoHits(ledger) : OfLight(ledger).Concat(OfHiddenModels(ledger)), .. OfNoNumbers(ledger)];
+        string[] sentences = [.. ledger.Hits == 0 ? OfNoHits(ledger) : OfLight(ledger).Concat(OfHiddenModels(ledger))];
         return sentences.Length > 0 ? sentences : ["Nothing odd: every model shows."];
     }
 
     private static IEnumerable<string> OfNoHits(HitLedger ledger)
     {
-        var groups = ledger.Models.GroupBy(entry => entry.Reason == Outcome.PassesBy ? Outcome.Outside : entry.Reason) // they look the same
-            .OrderBy(group => group.Key).Select(group => (Reason: group.Key, Entries: group.ToList())).ToList();
+        var groups = ledger.Models.GroupBy(entry => entry.Reason).OrderBy(group => group.Key)
+            .Select(group => (Reason: group.Key, Entries: group.ToList())).ToList();
         var parts = groups.Select(group => group.Entries is [var only]
             ? $"{only.Label} {Phrase(group.Reason, true)}"
             : $"{Digits.Count(group.Entries.Count, "model")} {Phrase(group.Reason, false)}");
@@ -41,7 +40,7 @@ internal static class LedgerVerdict
             Outcome.BeyondFar =>
                 Invariant($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {group.Min(entry => entry.LeastBeyondFar):G7} ") +
                 "and more. Make zFar greater.",
-            Outcome.Outside => PercentHit(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
+            Outcome.Misses => PercentHit(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
                 ? Invariant($"They lie beside the picture: aim target at them (it is {camera.Target}), ") +
                     Invariant($"or make fovY greater (it is {camera.FovY:G7} degrees).")
                 : Invariant($"The camera looks past them: it stands at {camera.Position} and looks towards {camera.Target}. ") +
@@ -99,20 +98,12 @@ internal static class LedgerVerdict
         var missing = 0;
         foreach (var entry in ledger.Models)
         {
-            if (entry[Outcome.Shows] > 0 || missing++ >= MostNamed) continue;
+            if (entry[Outcome.Shows] > 0 || missing++ >= MaxNamed) continue;
             yield return entry.Hits > 0
                 ? $"{entry.Label} does not show: it is hit by {Digits.Count(entry.Hits, "ray")}, but something nearer hides it there."
                 : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}.";
         }
-        if (missing > MostNamed) yield return $"Nor do {Digits.Number(missing - MostNamed)} more.";
-    }
-
-    private static IEnumerable<string> OfNoNumbers(HitLedger ledger)
-    {
-        foreach (var entry in ledger.Models)
-            if (entry[Outcome.NoNumber] > ledger.Rays / 2)
-                yield return $"The formula of {entry.Label} gives no number (NaN) for {Digits.Number(entry[Outcome.NoNumber])} of " +
-                    $"{Digits.Count(ledger.Rays, "ray")}: are its numbers far out of range, or is infinity taken from infinity?";
+        if (missing > MaxNamed) yield return $"Nor do {Digits.Number(missing - MaxNamed)} more.";
     }
 
     private static string Phrase(Outcome reason, bool isOne)

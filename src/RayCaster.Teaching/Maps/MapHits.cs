@@ -69,7 +69,7 @@ internal sealed class MapHits(Scene scene, HitMap hits)
         return ray.At(model.Intersect(ray) ?? double.NaN);
     }
 
-    /// <param name="x">The column; a fraction is a place beside the pixel's own.</param>
+    /// <param name="x">The column; with a fraction, beside the pixel's own ray.</param>
     private Vector3 Direction(double x, double y)
     {
         var d = camera.Direction<Scalar>(x, camera.Height - 1 - y);

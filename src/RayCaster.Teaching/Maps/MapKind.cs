@@ -26,7 +26,7 @@ public static class MapKinds
     public static readonly string[] Names = [.. Enum.GetNames<MapKind>().Select(name => name.ToLowerInvariant())];
 
     /// <summary>The kind with a name; null if there is none.</summary>
-    public static MapKind? Named(string name) => Array.IndexOf(Names, name) is >= 0 and var place ? (MapKind)place : null;
+    public static MapKind? Named(string name) => Array.IndexOf(Names, name) is >= 0 and var index ? (MapKind)index : null;
 
     /// <summary>The name of a kind.</summary>
     public static string Name(this MapKind kind) => Names[(int)kind];

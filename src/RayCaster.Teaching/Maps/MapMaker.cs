@@ -4,19 +4,19 @@ namespace RayCaster.Teaching;
 public static class MapMaker
 {
     /// <summary>The most pixels of a map. Making it needs up to about 35 bytes of memory for each pixel.</summary>
-    public const int MostPixels = 100_000_000;
+    public const int MaxPixels = 100_000_000;
 
     /// <summary>Casts all rays of a scene and makes a map of their hits.</summary>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
-    /// <exception cref="ProblemException">The map has more pixels than <see cref="MostPixels"/>, or does not fit into this machine's
+    /// <exception cref="ProblemException">The map has more pixels than <see cref="MaxPixels"/>, or does not fit into this machine's
     /// memory.</exception>
     public static NumberMap Make(Scene scene, MapKind kind, int? threads = null)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         var pixels = (long)width * height;
-        if (pixels > MostPixels)
+        if (pixels > MaxPixels)
             throw new ProblemException(FormattableString.Invariant(
-                $"a map of {width} × {height} has {pixels:N0} pixels; the limit is {MostPixels:N0}, for all of it is in memory at once"));
+                $"a map of {width} × {height} has {pixels:N0} pixels; the limit is {MaxPixels:N0}, for all of it is in memory at once"));
         try
         {
             var hits = new MapHits(scene, new Renderer(scene, threads).CastHits());

@@ -67,7 +67,7 @@ internal static class FeedbackPage
             var evidence = submitted.Evidence;
             page.Element("p",
                 FormattableString.Invariant($"{100.0 * evidence.WrongCount / evidence.PixelCount:0.##} % of the pixels ") +
-                $"differ by more than {Evidence.Tolerance} levels. " +
+                $"differ by more than {PictureJudge.Tolerance} level. " +
                 "Your picture is left of the line, the right picture right of it:", "small");
             page.Html($"""
                 <div class="slid"><div class="pair">

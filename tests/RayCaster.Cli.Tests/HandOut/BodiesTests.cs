@@ -71,7 +71,7 @@ public class BodiesTests
     [Fact]
     public void EachStepHasABody() => Assert.Equal(Enumerable.Range(1, LabSteps.Count), HandOutFiles.All()
         .Where(file => file.Path.StartsWith("src/Lab/")).SelectMany(file => SlidesOf(Encoding.UTF8.GetString(file.Content)))
-        .Select(LabSteps.StepOf).Distinct().Order());
+        .Select(Slides.StepOf).Distinct().Order());
 
     [Fact]
     public void OnlyTheOpenStepsHaveStubs()
@@ -96,7 +96,7 @@ public class BodiesTests
             // END SOLUTION
         }
 
-        """, Bodies.With("Circle.cs", File, step => step == LabSteps.StepOf("Ray")));
+        """, Bodies.With("Circle.cs", File, step => step == Slides.StepOf("Ray")));
 
     [Fact]
     public void TheLabHasNoConditionalCode() => // a beginner need not know it, and it would be handed out

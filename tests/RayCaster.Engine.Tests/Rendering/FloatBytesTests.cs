@@ -17,7 +17,7 @@ public class FloatBytesTests
             var t = (float)(reach * random.NextDouble() * 0.999);
             double level = Color.Level<Scalar>((1 - t / reach) * channel);
             var line = new FloatLevel(channel, reach, 0);
-            var ofLeast = line.Least(Vector512.Create(t));
+            var ofLeast = line.Least(Vector256.Create(t));
             var (least, most) = (ofLeast[0], line.Most(ofLeast)[0]);
             Assert.True(least <= level && level <= most, $"{level} is not between {least} and {most}");
             closest = Math.Min(closest, Math.Min(level - least, most - level));

@@ -16,13 +16,11 @@ public class FloatColorsTests
             (light[i], light[i + 1], light[i + 2]) = (1.5 * random.NextDouble(), random.NextDouble(), i % 7 == 0 ? 0 : 1.5);
         var rough = new FloatColors(light, light.Max());
 
-        var lanes = new int[16];
-        for (var first = 0; first <= models; first += 16)
+        var lanes = new int[8];
+        for (var first = 0; first <= models; first += 8)
         {
             for (var i = 0; i < lanes.Length; i++) lanes[i] = Math.Min(first + i, models);
-            var (r, g, b) = FloatColors.At(rough.Packed, Vector512.Create(lanes));
-            var (lowR, lowG, lowB) = FloatColors.At(rough.Packed, Vector256.Create(lanes));
-            Assert.Equal((r.GetLower(), g.GetLower(), b.GetLower()), (lowR, lowG, lowB));
+            var (r, g, b) = FloatColors.At(rough.Packed, Vector256.Create(lanes));
             for (var i = 0; i < lanes.Length; i++)
             {
                 var color = light.AsSpan(3 * lanes[i], 3);

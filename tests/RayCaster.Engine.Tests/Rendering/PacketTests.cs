@@ -2,7 +2,7 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine.Tests.Rendering;
 
-/// <summary>A formula over a packet gives each lane the bits that it gives a single double.</summary>
+/// <summary>A formula over a packet of either width gives each lane the bits that it gives a single double.</summary>
 public class PacketTests
 {
     private const int Shapes = 4000;
@@ -51,6 +51,8 @@ public class PacketTests
                     directions[lane] = special.Choose(3) == 0 ? special.Direction() : special.Towards(origins[lane], special.Mix(aims));
                 }
                 var packet = primitive.Intersect(new Ray<Packet>(Pack(origins), Pack(directions)));
+                var wide = primitive.Intersect(new Ray<WidePacket>(Twice(Pack(origins)), Twice(Pack(directions))));
+                Assert.True(AreTwice(packet.Near, wide.Near) && AreTwice(packet.Far, wide.Far), $"{primitive}: the wide packet differs");
                 for (var lane = 0; lane < Packet.Count; lane++)
                 {
                     var scalar = primitive.Intersect(new Ray<Scalar>(origins[lane], directions[lane]));
@@ -66,6 +68,13 @@ public class PacketTests
         }
         Assert.True(hits > Shapes * PacketsPerShape / 10, $"only {hits} of the rays cross the shape: they test little");
     }
+
+    private static Vector3<WidePacket> Twice(Vector3<Packet> v) => new(Twice(v.X), Twice(v.Y), Twice(v.Z));
+
+    private static WidePacket Twice(Packet p) => new(Vector512.Create(p.Lanes, p.Lanes));
+
+    private static bool AreTwice(Packet narrow, WidePacket wide) =>
+        Enumerable.Range(0, WidePacket.Count).All(lane => Same(narrow.Lanes[lane % Packet.Count], wide.Lanes[lane]));
 
     /// <summary>Equal bits, where all NaNs are one: a NaN's sign and payload never reach a picture.</summary>
     private static bool Same(double a, double b) =>

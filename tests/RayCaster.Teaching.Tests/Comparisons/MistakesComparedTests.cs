@@ -7,15 +7,14 @@ namespace RayCaster.Teaching.Tests.Comparisons;
 public class MistakesComparedTests
 {
     [Theory]
-    [InlineData("rows", "It becomes identical when it is flipped top to bottom.")]
-    [InlineData("v-cross", "when it is flipped top to bottom and it is moved 1 line up.")]
-    [InlineData("cols", "It becomes identical when it is mirrored left to right.")]
-    [InlineData("u-only", "when it is mirrored left to right and it is moved 1 pixel to the right.")]
-    [InlineData("u-cross", "when it is turned by 180° and it is moved 1 pixel to the right and 1 line up.")]
-    [InlineData("bgr", "It becomes identical when red and blue are swapped.")]
-    [InlineData("gamma", "when gamma is undone: it shows c^0.5 instead of c (gamma 2;")]
-    [InlineData("whswap", "when its width and height are swapped and its bytes left as they are")]
-    [InlineData("crlf", "when all bytes are moved by 1 towards the beginning")]
+    [InlineData("rows", "Flipped top to bottom it is right: are rows written upside down?")]
+    [InlineData("v-cross", "Flipped top to bottom and moved 1 line up it is right")]
+    [InlineData("cols", "Mirrored left to right it is right: are columns written from the right?")]
+    [InlineData("u-only", "Mirrored left to right and moved 1 pixel to the right it is right")]
+    [InlineData("u-cross", "Turned by 180° and moved 1 pixel to the right and moved 1 line up it is right")]
+    [InlineData("bgr", "Read as BGR it is right: are red, green and blue written in another order?")]
+    [InlineData("whswap", "With width and height swapped in its header it is right")]
+    [InlineData("crlf", "With its bytes moved by 1 towards the beginning it is right")]
     [InlineData("round", "one level darker: truncated instead of rounded?")]
     [InlineData("pix-int", "Every pixel of")]
     public void AreRecognised(string mistake, string text)

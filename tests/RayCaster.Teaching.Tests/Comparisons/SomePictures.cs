@@ -25,10 +25,6 @@ internal static class SomePictures
     public static Picture Map(this Picture picture, Func<(byte R, byte G, byte B), (byte, byte, byte)> change) =>
         Make(picture.Width, picture.Height, (x, y) => change(picture[x, y]));
 
-    /// <summary>The same with every channel changed; c goes from 0 to 1, and so does the result after clamping.</summary>
-    public static Picture MapChannels(this Picture picture, Func<double, double> change) =>
-        picture.Map(p => (Level(change(p.R / 255.0)), Level(change(p.G / 255.0)), Level(change(p.B / 255.0))));
-
     /// <summary>The same with a few pixels changed.</summary>
     public static Picture With(this Picture picture, Action<Picture> change)
     {

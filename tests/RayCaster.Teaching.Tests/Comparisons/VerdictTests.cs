@@ -28,6 +28,13 @@ public class VerdictTests
     public void ButNotWhatNoNeighbourShows() => Assert.Equal(Likeness.Wrong, VerdictOn(picture => picture[10, 40] = (200, 0, 0)));
 
     [Fact]
+    public void NorWherePixelsBesideItAreLikeIt() => // scattered over the shaded ground
+        Assert.Equal(Likeness.Wrong, VerdictOn(picture =>
+        {
+            for (var x = 2; x < 90; x += 5) picture[x, 60] = ((byte)(picture[x, 60].R + 2), picture[x, 60].G, picture[x, 60].B);
+        }));
+
+    [Fact]
     public void NorInABlockOfFour() => Assert.Equal(Likeness.Wrong, VerdictOn(picture =>
     {
         for (var i = 0; i < 4; i++) picture[10 + i % 2, 40 + i / 2] = picture[9, 40];

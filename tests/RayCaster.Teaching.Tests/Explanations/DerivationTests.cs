@@ -35,7 +35,7 @@ public class DerivationTests
         var t = new Plane(new(-5, 0, 0), new(1, 0, 0)).Intersect(Along(-1, 0, 0)).Near;
         Assert.Equal(25, t.Value);
         var step = Assert.Single(FormulaStep.LeadingTo(t));
-        Assert.Equal(("t", "(Point - ray.Origin) * Normal / (ray.Direction * Normal)"), (step.Name, step.Formula));
+        Assert.Equal(("t", "(Q − P) · n / (d · n)"), (step.Name, step.Formula));
         Assert.Equal("((−5, 0, 0) − (20, 0, 0)) · (1, 0, 0) / ((−1, 0, 0) · (1, 0, 0))", step.Numbers);
     }
 

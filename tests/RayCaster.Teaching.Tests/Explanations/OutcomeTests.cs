@@ -4,8 +4,8 @@ public class OutcomeTests
 {
     [Theory]
     [InlineData(3, Outcome.Shows)]
-    [InlineData(double.NaN, Outcome.NoNumber)]
-    [InlineData(double.PositiveInfinity, Outcome.NoNumber)]
+    [InlineData(double.NaN, Outcome.Misses)]
+    [InlineData(double.PositiveInfinity, Outcome.Misses)]
     [InlineData(-0.1, Outcome.Behind)]
     [InlineData(0, Outcome.UnderBias)]
     [InlineData(1e-6, Outcome.UnderBias)]

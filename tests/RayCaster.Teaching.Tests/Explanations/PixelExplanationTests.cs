@@ -33,7 +33,7 @@ public class PixelExplanationTests
     public void ARefusedCrossingSaysWhy(double distance, double zNear, Outcome outcome, string reason)
     {
         var model = Explain(Model.Of(new Plane(new(-distance, 0, 0), new(1, 0, 0))), zNear);
-        Assert.Equal((outcome, reason), (model.Trial.Outcome, model.Reason));
+        Assert.Equal((outcome, reason), (model.Fate.Outcome, model.Reason));
         Assert.Equal(outcome, Assert.Single(model.Crossings).Outcome);
     }
 
@@ -43,7 +43,7 @@ public class PixelExplanationTests
 
     [Fact]
     public void ASphereThatIsPassedByTellsHowFar() =>
-        Assert.Equal("|D| = 2.5 > R = 2: the ray passes the sphere by", Explain(Model.Of(new Sphere(new(-5, 2.5, 0), 2))).Reason);
+        Assert.Equal("|D| = 2.5 > R = 2: the ray misses the sphere", Explain(Model.Of(new Sphere(new(-5, 2.5, 0), 2))).Reason);
 
     [Fact]
     public void ACircleThatIsPassedByTellsHowFar() =>
@@ -71,7 +71,7 @@ public class PixelExplanationTests
     public void AShapeOfOnesOwnIsExplainedByItsOwnFormula()
     {
         var model = Explain(Model.Of(new Ring(new(-5, 0.5, 0), new(1, 0, 0), 1, 2)));
-        Assert.Equal(("ring", "missed"), (model.Trial.Model.Kind, model.Trial.Outcome.Verdict()));
+        Assert.Equal(("ring", "missed"), (model.Fate.Model.Kind, model.Fate.Outcome.Verdict()));
         Assert.EndsWith("= 0.25 ≥ 1 is false", model.Reason);
         Assert.Equal("t", Assert.Single(model.Steps).Name);
         Assert.Equal(5, model.Crossings[0].Untested);
@@ -81,9 +81,9 @@ public class PixelExplanationTests
     public void AModelInPlainDoublesTellsItsTAndWhereItWouldBeHitUnclipped()
     {
         var seen = Explain(new Cylinder(new(-5, 0, 0), 1, 4));
-        Assert.Equal((Outcome.Shows, 4.0), (seen.Trial.Outcome, Assert.Single(seen.Crossings).T));
+        Assert.Equal((Outcome.Shows, 4.0), (seen.Fate.Outcome, Assert.Single(seen.Crossings).T));
         var clipped = Explain(new Cylinder(new(-5, 0, 0), 1, 4), zNear: 20);
-        Assert.Equal(("refused", 4.0), (clipped.Trial.Outcome.Verdict(), Assert.Single(clipped.Crossings).T));
+        Assert.Equal(("refused", 4.0), (clipped.Fate.Outcome.Verdict(), Assert.Single(clipped.Crossings).T));
         Assert.StartsWith("z = 4 < zNear = 20", clipped.Reason);
         Assert.EndsWith("< 0: behind the camera", Explain(new Cylinder(new(5, 0, 0), 1, 4)).Reason);
     }
@@ -95,9 +95,9 @@ public class PixelExplanationTests
             new(3, 9, -9), new(3, 0, 9)],
             [3, 4, 5, 6, 7, 8, 0, 1, 2]);
         var model = Explain(mesh);
-        var tally = model.Trial.Triangles!;
+        var tally = model.Fate.Triangles!;
         Assert.Equal((2, 3, 1, 1, 1),
-            (model.Trial.Triangle, tally.Total, tally.Missed, tally[Outcome.Behind], tally[Outcome.Shows]));
+            (model.Fate.Triangle, tally.Total, tally[Outcome.Misses], tally[Outcome.Behind], tally[Outcome.Shows]));
         Assert.Equal(5, model.Crossings[0].T, 12);
     }
 
@@ -133,9 +133,9 @@ public class PixelExplanationTests
         for (var i = 0; i < 40; i++) models.Add(Model.Of(new Sphere(new(-30, 30 + i, 0), 0.4)));
         var pixel = new PixelExplanation(Scene(models), 0, 0);
         Assert.Equal(30, pixel.Winner); // the camera is in it
-        Assert.Equal([27, 28, 29, 30, 31, 32, 33], pixel.Models.Select(model => model.Trial.Index));
+        Assert.Equal([27, 28, 29, 30, 31, 32, 33], pixel.Models.Select(model => model.Fate.Index));
         Assert.Equal((73, 27, 6, 40),
-            (pixel.Others.Total, pixel.Others[Outcome.Hidden], pixel.Others[Outcome.Behind], pixel.Others.Missed));
+            (pixel.Others.Total, pixel.Others[Outcome.Hidden], pixel.Others[Outcome.Behind], pixel.Others[Outcome.Misses]));
     }
 
     [Fact]

@@ -124,6 +124,7 @@ public class StepHintTests
         var scene = LabSteps.SceneAt(SceneFolder.Small(file, 5), step);
         var planted = new Mistake("planted", Concerns.Hit, "", "", plant, "", "", "");
         var picture = (step < 5 ? new Lab(scene, planted, MistakeCatalog.Named("att-none")!) : new Lab(scene, planted)).Render();
-        return (StepHint.Of(scene, picture, step, HintLevel.Question), StepHint.Judge(scene, picture, step).Finding);
+        var diagnosis = StepHint.Judge(scene, picture, step);
+        return (StepHint.Of(scene, diagnosis, step, HintLevel.Question), diagnosis.Finding);
     }
 }

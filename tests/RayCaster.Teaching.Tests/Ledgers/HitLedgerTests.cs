@@ -95,37 +95,36 @@ public class HitLedgerTests
         Assert.Equal((384, 384), (ledger.Models[0][Outcome.Shows], ledger.Models[1][Outcome.Hidden]));
     }
 
-    public static TheoryData<string, Model, Outcome> Missed => new()
+    public static TheoryData<string, Model> Missed => new()
     {
-        { "sphere", Model.Of(new Sphere(new(0, 100, 0), 1)), Outcome.PassesBy },
-        { "circle", Model.Of(new Circle(new(0, 100, 0), new(1, 0, 0), 1)), Outcome.Outside },
-        { "triangle", Model.Of(new Triangle(new(0, 100, 0), new(0, 101, 0), new(0, 100, 1))), Outcome.Outside },
-        { "box", Model.Of(new Aabb(new(0, 100, 0), new(1, 101, 1))), Outcome.Outside },
-        { "mesh", new Mesh([new(0, 100, 0), new(0, 101, 0), new(0, 100, 1)], [0, 1, 2]), Outcome.PassesBy },
-        { "ring", Model.Of(new Ring(Vector3.Zero, new(1, 0, 0), 50, 60)), Outcome.Outside },
-        { "tube", new Cylinder(new(0, 100, 0), 1, 1), Outcome.PassesBy },
-        { "broken formula", Model.Of(new NoNumbers()), Outcome.NoNumber },
+        { "sphere", Model.Of(new Sphere(new(0, 100, 0), 1)) },
+        { "circle", Model.Of(new Circle(new(0, 100, 0), new(1, 0, 0), 1)) },
+        { "triangle", Model.Of(new Triangle(new(0, 100, 0), new(0, 101, 0), new(0, 100, 1))) },
+        { "box", Model.Of(new Aabb(new(0, 100, 0), new(1, 101, 1))) },
+        { "mesh", new Mesh([new(0, 100, 0), new(0, 101, 0), new(0, 100, 1)], [0, 1, 2]) },
+        { "ring", Model.Of(new Ring(Vector3.Zero, new(1, 0, 0), 50, 60)) },
+        { "tube", new Cylinder(new(0, 100, 0), 1, 1) },
     };
 
     [Theory]
     [MemberData(nameof(Missed))]
-    public void AShapesOwnFormulaTellsWhyItIsNotCrossed(string shape, Model model, Outcome outcome) =>
-        Assert.Equal((shape, 384), (shape, Assert.Single(Take(model).Models)[outcome]));
+    public void AModelBesideEveryRayIsMissed(string shape, Model model) =>
+        Assert.Equal((shape, 384), (shape, Assert.Single(Take(model).Models)[Outcome.Misses]));
 
     [Fact]
-    public void ARayThatRunsAlongAPlaneDividesByZero()
+    public void ARayThatRunsAlongAPlaneMissesIt()
     {
         foreach (var z in new[] { 0.0, 5 }) // in the plane, and beside it
         {
             var scene = new Scene(
                 Camera with { Width = 1, Height = 2 },
                 [Model.Of(new Plane(new(0, 0, z), new(0, 0, 1))), Model.Of(new Circle(new(0, 0, z), new(0, 0, 1), 3))]);
-            Assert.All(HitLedger.Take(scene).Models, entry => Assert.Equal(1, entry[Outcome.Parallel])); // row 1 of 2 looks along −x
+            Assert.Equal([1, 2], HitLedger.Take(scene).Models.Select(entry => entry[Outcome.Misses])); // row 1 of 2 looks along −x
         }
     }
 
     [Fact]
-    public void AModelWithoutAFormulaIsAskedAgain()
+    public void AScalarShapeSaysWhereItIsHitUnclipped()
     {
         Assert.Equal(Outcome.Behind, Assert.Single(Take(new Cylinder(new(20, 0, 0), 1, 99)).Models).Reason);
         Assert.Equal(Outcome.BeyondFar, Assert.Single(Take(new Cylinder(new(-90, 0, 0), 1, 99)).Models).Reason);
@@ -136,39 +135,9 @@ public class HitLedgerTests
     {
         var scene = new Scene(Camera with { Width = 8000, Height = 4000 }, [Model.Of(new Plane(Vector3.Zero, new(1, 0, 0)))]);
         var ledger = HitLedger.Take(scene);
-        Assert.InRange(ledger.Rays, HitLedger.MostSampled / 2, HitLedger.MostSampled);
+        Assert.InRange(ledger.Rays, HitLedger.MaxSampled / 2, HitLedger.MaxSampled);
         Assert.Contains($"judged from {ledger.Rays:N0} of 32,000,000:", ledger.Report());
     }
 
-    [Fact]
-    public void AWitnessComputesWhatTheDefinitionComputes()
-    {
-        for (var seed = 0; seed < 20; seed++)
-        {
-            var scene = RandomScene.Make(new Random(seed));
-            foreach (var shape in scene.Models.Select(model => Some.ShapesOf(model).First()))
-            {
-                for (var column = 0; column < scene.Camera.Width; column++)
-                {
-                    var ray = scene.Camera.RayThrough(column, 0);
-                    var expected = shape.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction))!.Value;
-                    var crossings = shape.Intersect(new Ray<Witness>(ray.Origin, ray.Direction))!.Value;
-                    Assert.Equal((expected.Near.Value, expected.Far.Value), (crossings.Near.Value, crossings.Far.Value));
-                    Assert.Equal(double.IsFinite(expected.Near), crossings.Near.Loss == Outcome.Shows);
-                }
-            }
-        }
-    }
-
     private static HitLedger Take(params Model[] models) => HitLedger.Take(new Scene(Camera, models));
-
-    /// <summary>∞ − ∞.</summary>
-    private readonly record struct NoNumbers : IPrimitive
-    {
-        public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>
-        {
-            N infinity = double.PositiveInfinity;
-            return new(infinity * (ray.Direction * ray.Direction) - infinity);
-        }
-    }
 }

@@ -140,7 +140,7 @@ public class MapMakerTests
     public void AMapThatDoesNotFitIsRefusedWithTheLimit()
     {
         var scene = Scene() with { Camera = Camera with { Width = 1_000_000, Height = 10_000 } };
-        Assert.Contains($"{MapMaker.MostPixels:N0}", Assert.Throws<ProblemException>(() => MapMaker.Make(scene, MapKind.T)).Message);
+        Assert.Contains($"{MapMaker.MaxPixels:N0}", Assert.Throws<ProblemException>(() => MapMaker.Make(scene, MapKind.T)).Message);
     }
 
     [Fact]

@@ -12,13 +12,11 @@ public static class PictureAssert
     /// <summary>The lab's picture of a scene is the reference, except for pixels on outlines, where the last bits decide.</summary>
     /// <param name="sceneFile">The scene.</param>
     /// <param name="reference">A PNG or PPM; the scene is drawn in its size.</param>
-    /// <param name="levels">By how many of 255 levels a pixel may differ: rounding.</param>
-    /// <param name="share">What share of the pixels may differ at all.</param>
-    public static void Equal(string sceneFile, string reference, int levels = 1, double share = 0.01)
+    public static void Equal(string sceneFile, string reference)
     {
         var (scene, picture) = (Read(sceneFile), PictureFile.Read(reference));
         scene = scene.WithSize(picture.Width, picture.Height);
-        Equal(Path.GetFileNameWithoutExtension(sceneFile), scene, [picture], 0, levels, share);
+        Equal(Path.GetFileNameWithoutExtension(sceneFile), scene, [picture], 0);
     }
 
     /// <summary>The lab's picture of what a scene shows after a step is the reference of that step.</summary>
@@ -30,36 +28,29 @@ public static class PictureAssert
             var scene = Read(Path.Combine(LabFolder.Scenes, name + ".json"));
             var references = new List<Picture> { Reference(scene, name, step) };
             if (step == LabSteps.FirstPicture) references.Add(Reference(scene, name, step + 1)); // for a student who has written the shading, too
-            var (at, levels, share) = (LabSteps.SceneAt(scene, step), 1, 0.01);
-            if (!IsEqual(LabSteps.Draw(scene, step), references[0], at, levels, share)) // the library draws what the student's file now says
+            var at = LabSteps.SceneAt(scene, step);
+            if (!new PictureJudge(references[0]).Judge(LabSteps.Draw(scene, step)).IsSame()) // the library draws what the student's file now says
                 Assert.Fail($"scenes/{name}.json is not as it was handed out. Copy it to scenes/my to play with it, " +
                     $"and restore this one: git restore scenes/{name}.json");
-            Equal($"{name.Replace('/', '-')}-step{step}", at, references, step, levels, share);
+            Equal($"{name.Replace('/', '-')}-step{step}", at, references, step);
         }
     }
 
-    private static void Equal(string name, RayCaster.Scene scene, List<Picture> references, int step, int levels, double share)
+    private static void Equal(string name, RayCaster.Scene scene, List<Picture> references, int step)
     {
         var mine = SceneFile.Of(scene).Draw();
+        var own = step == LabSteps.FirstPicture ? null : scene; // without attenuation it is not the scene's picture
         var received = Path.Combine(LabFolder.Root, "received", name + ".png");
         var expected = Path.ChangeExtension(received, ".expected.png");
         foreach (var ofTheLastRun in (string[])[received, expected])
             if (File.Exists(ofTheLastRun)) File.Delete(ofTheLastRun);
-        if (references.Exists(reference => IsEqual(mine, reference, scene, levels, share))) return;
+        if (references.Exists(reference => new PictureJudge(reference, own).Judge(mine).IsSame())) return;
 
         var nearest = references.MinBy(reference => new PictureDifference(mine, reference).CountBeyond(0));
         Directory.CreateDirectory(Path.GetDirectoryName(received));
         PictureFile.Write(received, mine);
         PictureFile.Write(expected, nearest);
         Assert.Fail($"{Difference(mine, nearest)}\n  yours:    {received}\n  expected: {expected}\n{StepHint.Of(scene, mine, step, Teacher.Hints)}");
-    }
-
-    private static bool IsEqual(Picture mine, Picture reference, RayCaster.Scene scene, int levels, double share)
-    {
-        if ((mine.Width, mine.Height) != (reference.Width, reference.Height)) return false;
-        var difference = new PictureDifference(mine, reference);
-        return difference.CountBeyond(0) <= share * difference.Pixels
-            && (difference.CountBeyond(levels) == 0 || new PictureComparison(mine, reference, scene).Likeness.IsSame());
     }
 
     private static string Difference(Picture mine, Picture reference)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes measures.txt, the measures of pictures as ImageMagick's "compare" has them (6.9.11 was used; it knows no SSIM, which ssim.py
-# computes from the definition). Needs convert, compare and python3. The pictures are a scene's and what ImageMagick makes of it.
+# Makes measures.txt, the measures of pictures as ImageMagick's "compare" has them (6.9.11 was used). Needs
+# convert and compare. The pictures are a scene's and what ImageMagick makes of it.
 #   tests/RayCaster.Teaching.Tests/Comparisons/Data/make.sh
 set -e
 cd "$(dirname "$0")"
@@ -14,6 +14,6 @@ for name in flipped gamma blurred moved box; do
     # of 65535 and, in brackets, of 1
     measure() { compare -metric "$1" "$name.ppm" reference.ppm null: 2>&1 || true; }
     in_brackets() { measure "$1" | sed 's/.*(\(.*\))/\1/'; }
-    echo "$name $(measure AE) $(in_brackets PAE) $(in_brackets MAE) $(in_brackets RMSE) $(measure PSNR) $(python3 ssim.py "$name.ppm" reference.ppm)"
+    echo "$name $(measure AE) $(in_brackets PAE) $(in_brackets MAE) $(in_brackets RMSE)"
 done > measures.txt
 cat measures.txt

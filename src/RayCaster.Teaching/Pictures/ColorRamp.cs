@@ -12,14 +12,14 @@ internal sealed class ColorRamp(params uint[] scale)
     /// <summary>Nine colours of its viridis, whose lightness grows evenly: equal steps of a number look equal.</summary>
     public static readonly ColorRamp Viridis = new(0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725);
 
-    /// <summary>The greatest place.</summary>
+    /// <summary>The greatest position.</summary>
     public int Last => scale.Length - 1;
 
-    /// <summary>The colour at a place from 0 to <see cref="Last"/>.</summary>
-    public (byte R, byte G, byte B) At(double place)
+    /// <summary>The colour at a position from 0 to <see cref="Last"/>.</summary>
+    public (byte R, byte G, byte B) At(double position)
     {
-        var below = Math.Min((int)place, Last - 1);
-        var rest = place - below;
+        var below = Math.Min((int)position, Last - 1);
+        var rest = position - below;
         return (Mix(16), Mix(8), Mix(0));
 
         byte Mix(int shift) => (byte)((scale[below] >> shift & 255) * (1 - rest) + (scale[below + 1] >> shift & 255) * rest + 0.5);

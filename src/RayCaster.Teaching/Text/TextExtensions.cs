@@ -1,0 +1,31 @@
+using System.Text.Json;
+
+namespace RayCaster.Teaching;
+
+/// <summary>What texts for people share.</summary>
+internal static class TextExtensions
+{
+    extension(Enum value)
+    {
+        /// <summary>The name in small letters, with blanks between its words.</summary>
+        public string Words => JsonNamingPolicy.KebabCaseLower.ConvertName(value.ToString()).Replace('-', ' ');
+    }
+
+    /// <summary>Appends words in lines that a terminal shows whole.</summary>
+    /// <param name="hang">How far all lines but the first are indented; as long as the head if left out.</param>
+    public static void Wrap(this StringBuilder text, string head, string words, int? hang = null, int width = 96)
+    {
+        var (line, start) = (new StringBuilder(head), head.Length);
+        foreach (var word in words.Split(' '))
+        {
+            if (line.Length + word.Length > width && line.Length > start)
+            {
+                text.Append(line.ToString().TrimEnd()).Append('\n');
+                start = hang ?? head.Length;
+                line.Clear().Append(' ', start);
+            }
+            line.Append(word).Append(' ');
+        }
+        text.Append(line.ToString().TrimEnd()).Append('\n');
+    }
+}
