@@ -1,4 +1,5 @@
 using RayCaster.Teaching.Tests.Mistakes;
+using static RayCaster.Teaching.Tests.Diagnoses.UnfinishedTests;
 
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
