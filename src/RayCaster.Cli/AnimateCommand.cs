@@ -25,7 +25,7 @@ internal sealed class AnimateCommand : Command
         var fps = line.Count(Option.Fps, "frames per second", 1000) ?? 25;
         var frames = FramesOf(line, output);
         PictureOutput.Write(output, cancellation, stream => AnimationFile.Write(stream, frames, fps, cancellation));
-        line.Tell($"{output}: {frames.Count} frames, {(double)frames.Count / fps:0.##} s");
+        line.Tell($"{output}: {Digits.Count(frames.Count, "frame")}, {(double)frames.Count / fps:0.##} s");
         return ExitCode.Done;
     }
 

@@ -20,7 +20,9 @@ internal sealed class CheckCommand : Command
                                plane,sphere. The shapes: plane, sphere, aabb, circle, triangle, mesh.
               --require <ids>  Mistakes that must show, for example rows,bgr: if one does not, the
                                exit code is 1.
-              --json           The answer as JSON.
+              --all            Tries every mistake, however long it takes. Otherwise those are left
+                               out that 10 s of processor time do not suffice for.
+              --json           The answer as JSON, also the errors of scenes.
           -q, --quiet          Errors and warnings only.
           -t, --threads <n>    How many threads draw. [default: one per core]
 
@@ -36,7 +38,9 @@ internal sealed class CheckCommand : Command
     {
         if (line.Operands.Count == 0) throw ProblemException.Usage("check takes <scene>..., but nothing is given");
         var (threads, json, quiet) = (line.ThreadCount(), line.Has(Option.Json), line.Has(Option.Quiet));
-        var scenes = new List<Scene>();
+        var required = line.Names(Option.Require, ',', MistakeOutput.Ids, "a mistake");
+        var shapes = line.Names(Option.For, ',', SceneReader.ModelTypes, "a kind of shape");
+        var (scenes, errors) = (new List<Scene>(), new List<Problem>());
         var exitCode = ExitCode.Done;
         foreach (var path in line.Operands)
         {
@@ -44,19 +48,19 @@ internal sealed class CheckCommand : Command
             var reading = SceneInput.Read(path, line, judges: true);
             if (json) StandardStreams.WriteError(reading.Report());
             else StandardStreams.WriteOutput(reading.Report());
+            errors.AddRange(reading.Problems.Where(problem => problem.IsError));
             if (reading.Scene is { } scene) scenes.Add(scene);
             else exitCode = Math.Max(exitCode, reading.IsUnread ? ExitCode.CouldNot : ExitCode.No);
         }
-        var required = line.Names(Option.Require, ',', MistakeOutput.Ids, "a mistake");
-        if (exitCode != ExitCode.Done || (quiet && required.Length == 0)) return exitCode;
+        if (exitCode != ExitCode.Done && json) StandardStreams.WriteOutput(FitnessReport.Json(errors));
+        if (exitCode != ExitCode.Done || (quiet && !json && required.Length == 0)) return exitCode;
 
         if (!json && !quiet)
             StandardStreams.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors.");
         if (!scenes.TrueForAll(SceneFitness.CanJudge))
             throw new ProblemException($"a scene has more than {SceneFitness.MostModels:N0} models: too many to try mistakes on");
-        var shapes = line.Names(Option.For, ',', SceneReader.ModelTypes, "a kind of shape");
-        var fitness = SceneFitness.Of(
-            scenes, threads, [.. MistakeCatalog.All.Where(mistake => shapes.Length == 0 || mistake.Touches(shapes))]);
+        var fitness = SceneFitness.Of(scenes, threads,
+            [.. MistakeCatalog.All.Where(mistake => shapes.Length == 0 || mistake.Touches(shapes))], line.Budget());
         var absent = required.Where(id => fitness.Asked.All(mistake => mistake.Id != id)
             || fitness.Hidden.Concat(fitness.NotTried).Any(mistake => mistake.Id == id)).ToArray();
         if (json) StandardStreams.WriteOutput(FitnessReport.Json(fitness, absent, line.Warning));

@@ -78,6 +78,9 @@ internal sealed class CommandLine
     public int? ThreadCount() =>
         Count(Option.Threads, "threads", 1024) is { } threads ? Math.Min(threads, MaxThreadsPerCore * Environment.ProcessorCount) : null;
 
+    /// <summary>How long a search for mistakes may take; null for any time.</summary>
+    public SearchBudget? Budget() => Has(Option.Everything) ? null : new(SearchBudget.Usual);
+
     /// <summary>A whole number from 1 to <paramref name="most"/>; null if the option is not given.</summary>
     /// <param name="what">What is counted, for the message if the value is no such number.</param>
     public int? Count(Option option, string what, int most) => this[option] is not { } text ? null

@@ -21,6 +21,8 @@ internal sealed class DiagnoseCommand : Command
               --done <parts>   What your program draws already, for example plane,sphere: plane,
                                sphere, aabb, circle, triangle, mesh, attenuation, clipping. If one of
                                these does not show, that is a mistake; other parts may be missing.
+              --all            Tries everything, however long it takes. Otherwise the search ends
+                               after 10 s of processor time.
               --json           Prints everything as JSON, also the answers and errors.
           -t, --threads <n>    How many threads draw. [default: one per core]
 
@@ -69,9 +71,11 @@ internal sealed class DiagnoseCommand : Command
                 "it is compared with the scene drawn in that size");
             scene = scene.WithSize(picture.Width, picture.Height);
         }
-        var prepared = new SceneDiagnosis(scene, threads);
+        var budget = line.Budget();
+        var prepared = new SceneDiagnosis(scene, threads, budget: budget);
         var diagnosis = prepared.Judge(picture, done);
         var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
+        if (budget?.LeavesOut == true) line.Warn("Not everything was tried within 10 s of processor time; --all tries everything.");
         StandardStreams.WriteOutput(json
             ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden) + MoreHelp(diagnosis, level));

@@ -134,6 +134,8 @@ internal sealed class DrawCommand : Command
     private static ProblemException NotOneScene(IReadOnlyList<string> operands) => operands switch
     {
         [] => ProblemException.Usage("no scene is given: name a scene file, for example scenes/room.json"),
+        [_, _, ..] when File.Exists(string.Join(' ', operands)) =>
+            ProblemException.Usage($"a file's name with blanks stands in quotes: \"{string.Join(' ', operands)}\""),
         [var word, ..] when Spelling.Nearest(word, Command.All.Keys) is { } name =>
             ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
         [var word, ..] when !File.Exists(word) && word.All(char.IsAsciiLetter) =>
@@ -163,7 +165,7 @@ internal sealed class DrawCommand : Command
     {
         var (width, height, models) = (scene.Camera.Width, scene.Camera.Height, scene.Models.Count);
         return $"{PictureOutput.NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
-            $"{models} {(models == 1 ? "model" : "models")}, " +
+            $"{Digits.Count(models, "model")}, " +
             $"{elapsed.TotalSeconds:0.00} s, {ProgressLine.Rate((double)width * lines.Count, "rays", elapsed)}";
     }
 }

@@ -3,7 +3,8 @@ namespace RayCaster.Cli;
 /// <summary>The files that a run reads, from the command line and from the scene.</summary>
 internal static class InputFiles
 {
-    private static readonly HashSet<string> read = [];
+    private static readonly HashSet<string> read = new( // where names of files may differ by case
+        OperatingSystem.IsWindows() || OperatingSystem.IsMacOS() ? StringComparer.OrdinalIgnoreCase : StringComparer.Ordinal);
 
     /// <summary>Notes files that are read, so that no output replaces one.</summary>
     public static void Note(IEnumerable<string> files) => read.UnionWith(files.Where(file => file != SceneInput.Standard).Select(PlaceOf));

@@ -44,7 +44,7 @@ internal sealed class MarkCommand : Command
         if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <submissions>");
         var rubric = RubricReader.Read(line.Operands[0], out var report);
         StandardStreams.WriteError(report);
-        if (rubric is null) return ExitCode.No;
+        if (rubric is null) return File.Exists(line.Operands[0]) ? ExitCode.No : ExitCode.CouldNot;
         if (line.Operands.Count == 1)
         {
             StandardStreams.WriteOutput(RubricReport.Text(rubric));

@@ -35,6 +35,7 @@ internal sealed class Option
     public static readonly Option Plain = new("--plain", takesValue: false);
     public static readonly Option Preview = new("--preview", takesValue: false);
     public static readonly Option Measures = new("--measures", takesValue: false);
+    public static readonly Option Everything = new("--all", takesValue: false);
     public static readonly Option Json = new("--json", takesValue: false);
     public static readonly Option Open = new("--open");
     public static readonly Option Solution = new("--solution", takesValue: false);

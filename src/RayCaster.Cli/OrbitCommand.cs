@@ -72,8 +72,8 @@ internal sealed class OrbitCommand : Command
             drawn++;
         }
         var (pixels, seconds) = ($"{scene.Camera.Width} x {scene.Camera.Height} pixels", Stopwatch.GetElapsedTime(start).TotalSeconds);
-        var (place, noun) = (folder == "" ? "." : folder, drawn == 1 ? "frame" : "frames");
-        line.Tell($"{place}: {drawn} {noun} of {pixels} drawn, {only.Count - drawn} existed already, {seconds:0.00} s");
+        line.Tell($"{(folder == "" ? "." : folder)}: {Digits.Count(drawn, "frame")} of {pixels} drawn, " +
+            $"{only.Count - drawn} existed already, {seconds:0.00} s");
         return ExitCode.Done;
     }
 }

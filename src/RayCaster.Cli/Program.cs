@@ -13,6 +13,19 @@ internal static class Program
 
     internal static int Main(string[] arguments)
     {
+        try
+        {
+            return RunUntilSignal(arguments);
+        }
+        catch (TypeInitializationException e) when (e.InnerException is IOException) // of the runtime's handling of signals
+        {
+            StandardStreams.WriteError("raycaster: the system allows too few processes or open files: see ulimit -u and ulimit -n");
+            return ExitCode.CouldNot;
+        }
+    }
+
+    private static int RunUntilSignal(string[] arguments)
+    {
         Console.OutputEncoding = Encoding.UTF8; // of a console of Windows; others have it already
         Renderer.Disagreed = difference =>
             StandardStreams.WriteError($"raycaster: the engine disagrees with ScalarRenderer, which draws again: {difference}");

@@ -37,7 +37,7 @@ internal sealed class SheetCommand : Command
             sheet.Write(writer, cancellation);
             writer.Finish();
         });
-        line.Tell($"{output}: {pictures.Count} pictures, {sheet.Width} x {sheet.Height} pixels");
+        line.Tell($"{output}: {Digits.Count(pictures.Count, "picture")}, {sheet.Width} x {sheet.Height} pixels");
         return ExitCode.Done;
     }
 }

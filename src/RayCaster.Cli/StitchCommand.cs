@@ -78,8 +78,8 @@ internal sealed class StitchCommand : Command
             parts.Write(writer, lines => progress?.LinesDone(lines), cancellation);
             writer.Finish();
         });
-        var (seconds, noun) = (Stopwatch.GetElapsedTime(start).TotalSeconds, parts.Count == 1 ? "part" : "parts");
-        line.Tell($"{PictureOutput.NameOf(output)}: {width} x {height} pixels, {parts.Count} {noun}, {seconds:0.00} s");
+        var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+        line.Tell($"{PictureOutput.NameOf(output)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
         return ExitCode.Done;
     }
 

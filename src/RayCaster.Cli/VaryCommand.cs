@@ -17,6 +17,8 @@ internal sealed class VaryCommand : Command
         Options:
               --seed <text>    For example a student's number. The same seed gives the same scene.
           -o, --output <file>  Where to write the scene. If it names mesh files: in the same folder.
+              --all            Tries every mistake, however long it takes. Otherwise those are left
+                               out that 10 s of processor time do not suffice for.
           -q, --quiet          Prints errors only.
 
         Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
@@ -40,13 +42,15 @@ internal sealed class VaryCommand : Command
         if (scene.Models.Any(model => model is Mesh) && newFolder != folder)
             throw new ProblemException($"{path} names mesh files, whose paths start at its folder: " +
                 $"write {Path.GetFileName(output)} to {folder}");
-        if (SceneVariation.Of(reading.Text, folder, seed, newFolder) is not { } varied)
+        var budget = line.Budget();
+        if (SceneVariation.Of(reading.Text, folder, seed, newFolder, budget) is not { } varied)
         {
             StandardStreams.WriteError($"{path}: no variation of it shows all its mistakes; try another seed");
             return ExitCode.No;
         }
         PictureOutput.Write(output, cancellation, stream => stream.Write(varied));
-        line.Tell($"{PictureOutput.NameOf(output)}: {path}, varied; it shows the same mistakes");
+        line.Tell($"{PictureOutput.NameOf(output)}: {path}, varied; it shows the same mistakes" +
+            (budget?.LeavesOut == true ? ", of those that were tried within 10 s; --all tries all" : ""));
         return ExitCode.Done;
     }
 }

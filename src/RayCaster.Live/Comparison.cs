@@ -7,6 +7,7 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
 {
     private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds
     private Diagnosis? diagnosis;
+    private bool isCut;
 
     /// <summary>The words for the page, without the diagnosis.</summary>
     public byte[] Message() => Messages.Of(new
@@ -39,8 +40,15 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
         await turn.WaitAsync(cancellation);
         try
         {
-            diagnosis ??= await Task.Run(() => Diagnosis.Of(Scene, Result.Mine), cancellation).WaitAsync(cancellation);
-            return DiagnosisReport.Text(diagnosis, Name!, SceneName, level);
+            if (diagnosis is null)
+            {
+                var budget = new SearchBudget(SearchBudget.Usual, cancellation);
+                var found = await Task.Run(() => Diagnosis.Of(Scene, Result.Mine, budget), CancellationToken.None);
+                cancellation.ThrowIfCancellationRequested();
+                (diagnosis, isCut) = (found, budget.LeavesOut);
+            }
+            return DiagnosisReport.Text(diagnosis, Name!, SceneName, level)
+                + (isCut ? "\nNot everything was tried: \"raycaster diagnose --all\" takes more time.\n" : "");
         }
         finally
         {

@@ -87,4 +87,31 @@ public sealed class CommandLineTests : IDisposable
         raycaster.Run("--", "-q");
         Assert.Contains("-q: error: file not found", raycaster.Error);
     }
+
+    [Fact]
+    public void ANameWithABlankThatIsNotQuotedIsTold()
+    {
+        raycaster.Write("my scene.json", "{}").Run("my", "scene.json");
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.StartsWith("raycaster: a file's name with blanks stands in quotes: \"my scene.json\"\n", raycaster.Error);
+    }
+
+    [Theory]
+    [InlineData("compare", "compare", "a.png")]
+    [InlineData("compare", "-o", "live", "compare", "a.png")]
+    [InlineData(null, "big.json", "-o", "live")]
+    [InlineData("mark", "--size", "9x9", "mark")]
+    [InlineData(null, "draw", "live")]
+    public void TheCommandIsTheFirstWordThatIsNoOption(string? command, params string[] arguments) =>
+        Assert.Equal(command, Command.NameIn(arguments));
+
+    [Fact]
+    public void AMissingRubricIsNoAnswer() => Assert.Equal(2, raycaster.Run("mark", "nosuch.json").ExitCode);
+
+    [Fact]
+    public void OnePictureIsOne()
+    {
+        raycaster.Run(Path.Combine(RayCasterProcess.Scenes, "room.json"), "-s", "8x8", "-o", "a.png", "-q");
+        Assert.StartsWith("sheet.png: 1 picture, ", raycaster.Run("sheet", "a.png", "-o", "sheet.png").Error);
+    }
 }

@@ -55,4 +55,23 @@ public sealed class MistakeOptionTests : IDisposable
             mistake => mistake.GetProperty("id").GetString()!.StartsWith("tri-", StringComparison.Ordinal));
         Assert.Equal(0, raycaster.Run("check", "small.json", "-q", "--require", "rows,bgr").ExitCode);
     }
+
+    [Fact]
+    public void CheckWritesJsonAlsoOfABrokenSceneAndWhereOnlyErrorsArePrinted()
+    {
+        raycaster.Write("broken.json", """{ "camera": { "position": [1, 0, 0], "target": [0, 0, 0] }, "models": [ { "type": "shpere" } ] }""");
+        Assert.Equal(1, raycaster.Run("check", "broken.json", "--json").ExitCode);
+        var error = JsonDocument.Parse(raycaster.Output).RootElement.GetProperty("errors")[0];
+        Assert.Equal(("broken.json", 1), (error.GetProperty("file").GetString(), error.GetProperty("line").GetInt32()));
+        raycaster.Write("empty.json", """{ "camera": { "position": [1, 0, 0], "target": [0, 0, 0], "width": 4, "height": 4 }, "models": [] }""");
+        Assert.Equal(0, raycaster.Run("check", "empty.json", "--json", "-q").ExitCode);
+        Assert.Equal(1, JsonDocument.Parse(raycaster.Output).RootElement.GetProperty("scenes").GetInt32());
+    }
+
+    [Fact]
+    public void AWrongShapeIsRefusedAlsoWhereOnlyErrorsArePrinted()
+    {
+        Assert.Equal(2, raycaster.Run("check", "nosuch.json", "--for", "typo", "-q").ExitCode);
+        Assert.StartsWith("raycaster: 'typo' is not a kind of shape", raycaster.Error);
+    }
 }

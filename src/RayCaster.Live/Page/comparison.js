@@ -26,15 +26,9 @@ on("diagnosis", message => {
   diagnosing(false);
 });
 
-on("frame", () => arrange());
 on("closed", () => diagnosing(false));
 
 $("mine-show").addEventListener("change", arrange);
-$("mine-split").addEventListener("input", arrange);
-$("mine-flip").addEventListener("click", () => {
-  $("mine-show").value = $("mine-show").value === "mine" ? "none" : "mine";
-  arrange();
-});
 $("mine-forget").addEventListener("click", () => ask({ forgetMine: true }));
 $("mine-worst").addEventListener("click", () => {
   explain(middle);
@@ -59,16 +53,9 @@ function diagnose() {
   ask({ diagnose: true });
 }
 
-/** Lays the chosen picture over the scene's; with the slider, only the part to the right of the border. */
+/** Lays the chosen picture over the scene's. */
 function arrange() {
-  const shown = $("mine-show").value;
-  const slides = shown === "slider";
-  lay({ none: null, slider: "mine", mine: "mine", difference: "difference", objects: "objects" }[shown]);
-  const border = $("mine-split").value;
-  $("mine").style.clipPath = slides ? `inset(0 0 0 ${border}%)` : "";
-  $("split").style.left = `${border}%`;
-  show($("split"), slides && !$("mine").hidden);
-  show($("mine-split-line"), slides);
+  lay($("mine-show").value === "none" ? null : $("mine-show").value);
 }
 
 async function send(file) {

@@ -29,7 +29,7 @@ on("frame", frame => {
     if (name === "map") {
       paint("map", frame);
       show(canvases.map, $("map-kind").value !== "");
-    } else if (name === overlay) paint("mine", frame);
+    } else if (name === overlay) lay(name);
   }
 });
 

@@ -111,8 +111,10 @@ public sealed class Diagnosis
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
     /// <param name="scene">The scene that it should show, at the picture's size.</param>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
+    /// <param name="budget">How long it may take; any time if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
-    public static Diagnosis Of(Scene scene, Picture picture) => new SceneDiagnosis(scene).Judge(picture);
+    public static Diagnosis Of(Scene scene, Picture picture, SearchBudget? budget = null) =>
+        new SceneDiagnosis(scene, budget: budget).Judge(picture);
 
     /// <summary>
     /// Whether a mistake is all that is wrong, outlines too: a box that loses its edge to 0 · ∞ is not forgiven. A mistake of the camera may by

@@ -7,8 +7,9 @@ namespace RayCaster.Teaching;
 /// <param name="done">What the program certainly draws.</param>
 /// <param name="threads">How many threads draw; one per core if null.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
-internal sealed class DiagnosisSearch(
-    IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done, int? threads, Predicate<Mistake>? likely)
+/// <param name="budget">How long the search may take; null for any time.</param>
+internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
+    int? threads, Predicate<Mistake>? likely, SearchBudget? budget = null)
 {
     /// <summary>If a mistake leaves at most this share, its other wordings are tried once more.</summary>
     private const double Rewordable = 0.1;
@@ -48,6 +49,23 @@ internal sealed class DiagnosisSearch(
         Unfinished[] unfinished = [.. Unfinished.Ways(pictures, done)];
         var plain = Ranking.Best(
             [.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
+        Ranking.Budget = budget; // without a single trial there would be nothing to judge by
+        try
+        {
+            return Run(unfinished, plain);
+        }
+        catch (TimeoutException)
+        {
+            return Ranking.Sorted([.. plain, .. Ranking.Closest]);
+        }
+        finally
+        {
+            Ranking.Budget = null;
+        }
+    }
+
+    private List<WrongProgram> Run(Unfinished[] unfinished, List<WrongProgram> plain)
+    {
         var (usual, everySingle) = NearestSingles();
         var (singles, inManners) = (usual, new List<WrongProgram>());
         for (var (i, before) = (0, everySingle); i < Manners && !Ranking.IsCertain(singles); i++)

@@ -76,7 +76,8 @@ public static class FitnessReport
                 text.AppendLine("  The background is black: another colour tells a black model from none.");
         }
         if (fitness.NotTried.Count > 0)
-            text.AppendLine($"Not tried, since there are too many triangles: {string.Join(", ", fitness.NotTried.Select(mistake => mistake.Id))}.");
+            text.AppendLine($"Not tried, since {(fitness.IsCut ? "the time is over (--all tries them)" : "there are too many triangles")}: " +
+                $"{string.Join(", ", fitness.NotTried.Select(mistake => mistake.Id))}.");
         text.AppendLine(fitness.FragilePixels == 0
             ? "No pixel depends on the last bits of the camera's numbers."
             : string.Create(CultureInfo.InvariantCulture,
@@ -108,6 +109,10 @@ public static class FitnessReport
         Pixels = fitness.PixelCount,
         fitness.FragilePixels,
     });
+
+    /// <summary>The errors of scenes that cannot be judged, as JSON.</summary>
+    public static string Json(IEnumerable<Problem> errors) =>
+        JsonText.Of(new { Errors = errors.Select(error => new { error.File, error.Line, error.Column, error.Message }) });
 
     private static int Shown(SceneFitness fitness) => fitness.Asked.Count - fitness.Hidden.Count - fitness.NotTried.Count;
 

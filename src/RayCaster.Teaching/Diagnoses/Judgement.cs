@@ -59,7 +59,7 @@ internal sealed class Judgement(
     /// <summary>Searches, and decides.</summary>
     public Answer Decide()
     {
-        var search = new DiagnosisSearch([evidence], prepared.Known, done, prepared.Threads, likely);
+        var search = new DiagnosisSearch([evidence], prepared.Known, done, prepared.Threads, likely, prepared.Budget);
         var ranked = search.Run();
         leftByOne = ranked.Where(IsOne).Select(trial => trial.Misfit.Unexplained).DefaultIfEmpty(0).Min();
         var best = search.Ranking.WithoutIdle(Best(ranked));
@@ -130,7 +130,7 @@ internal sealed class Judgement(
         {
             // Beside missing shapes a small mistake counts for little, so the rest is judged by itself.
             var drawn = new Unfinished(missing).PartOf(prepared.Scene);
-            var rest = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible).Judge(evidence.Picture, done, likely);
+            var rest = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible, prepared.Budget).Judge(evidence.Picture, done, likely);
             if (rest.Finding != Finding.Matches)
                 return new(rest.Finding) { NotYet = [.. missing, .. rest.NotYet], Suspects = rest.Suspects, Likely = rest.Likely };
         }
@@ -139,7 +139,7 @@ internal sealed class Judgement(
         if (best.Named.Count == 0) // what may have lost those shapes, if they are written already
             named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * wrong);
         else if (missing.Length > 0) named = named.Take(1);
-        if (missing.Length > 0) named = named.Concat(suspects.Losing(best));
+        if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(suspects.Losing(best));
         WrongProgram[] first = [.. named.DistinctBy(trial => IdsOf(trial.Named)).Take(MostNamed)];
         var likeliest = first is [var top, ..] ? top.Draw(prepared.Scene) : null;
         return new(best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished)

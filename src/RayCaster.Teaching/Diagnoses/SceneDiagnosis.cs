@@ -13,9 +13,10 @@ public sealed class SceneDiagnosis
     /// <param name="scene">The scene that the pictures should show, at their size.</param>
     /// <param name="threads">How many threads draw, and judge each picture; one per core if left out.</param>
     /// <param name="possible">Which mistakes are tried, for example those of the code written so far; all if left out.</param>
-    public SceneDiagnosis(Scene scene, int? threads = null, Predicate<Mistake>? possible = null)
+    /// <param name="budget">How long all searches together may take; any time if left out.</param>
+    public SceneDiagnosis(Scene scene, int? threads = null, Predicate<Mistake>? possible = null, SearchBudget? budget = null)
     {
-        (Scene, Threads, Possible) = (scene, threads, possible);
+        (Scene, Threads, Possible, Budget) = (scene, threads, possible, budget);
         Right = Renderer.Render(scene, threads);
         var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
             && possible?.Invoke(mistake) != false).ToArray();
@@ -23,7 +24,7 @@ public sealed class SceneDiagnosis
         Known = [.. visible.Where(mistake => triangles <= Lab.MostTriangles
             || mistake.Wordings.All(wording => !new Lab(scene, wording).TakesTooLong))];
         NotTried = [.. visible.Except(Known)];
-        hidden = new(() => TooManyModels ? [] : SceneFitness.HiddenIn(scene, threads));
+        hidden = new(() => TooManyModels ? [] : SceneFitness.HiddenIn(scene, threads, budget));
     }
 
     /// <summary>The scene.</summary>
@@ -40,6 +41,8 @@ public sealed class SceneDiagnosis
     internal int? Threads { get; }
 
     internal Predicate<Mistake>? Possible { get; }
+
+    internal SearchBudget? Budget { get; }
 
     /// <summary>The mistakes that can show in this scene at all.</summary>
     internal IReadOnlyList<Mistake> Known { get; }

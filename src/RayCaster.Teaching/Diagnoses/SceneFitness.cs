@@ -13,7 +13,8 @@ namespace RayCaster.Teaching;
 /// <param name="HiddenAtFirst">The mistakes that show, but not in the catalogue's first wording: a program with that wording may draw the right
 /// picture.</param>
 /// <param name="WithinRounding">The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</param>
-/// <param name="NotTried">The mistakes that take too long to try, because a scene has too many triangles.</param>
+/// <param name="NotTried">The mistakes that take too long to try, because a scene has too many triangles or the time is over.</param>
+/// <param name="IsCut">Whether the time was over before all mistakes were tried.</param>
 /// <param name="Twins">Groups of visible mistakes that draw the same pictures.</param>
 /// <param name="ShowsNothing">Whether every picture is of one colour.</param>
 /// <param name="FragilePixels">How many pixels show another model when a number of the camera is moved by its last bit.</param>
@@ -21,7 +22,7 @@ namespace RayCaster.Teaching;
 public sealed record SceneFitness(
     IReadOnlyList<Mistake> Asked, IReadOnlyList<Scene> Scenes, bool Reduced, IReadOnlyList<Mistake> Hidden,
     IReadOnlyList<Mistake> HiddenAtFirst, IReadOnlyList<Mistake> WithinRounding, IReadOnlyList<Mistake> NotTried,
-    IReadOnlyList<IReadOnlyList<Mistake>> Twins, bool ShowsNothing, int FragilePixels, long PixelCount)
+    IReadOnlyList<IReadOnlyList<Mistake>> Twins, bool ShowsNothing, int FragilePixels, long PixelCount, bool IsCut)
 {
     /// <summary>A mistake is visible if it changes so many pixels.</summary>
     public const int LeastPixels = 20;
@@ -45,38 +46,49 @@ public sealed record SceneFitness(
     /// <param name="scenes">At least one; each passes <see cref="CanJudge"/>.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <param name="asked">The mistakes that they should show; all of the catalogue if left out.</param>
-    public static SceneFitness Of(IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? asked = null)
+    /// <param name="budget">How long it may take, in the order of the mistakes; any time if left out.</param>
+    public static SceneFitness Of(
+        IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? asked = null, SearchBudget? budget = null)
     {
         asked ??= MistakeCatalog.All;
         Scene[] judged = [.. scenes.Select(Judged)];
-        var (known, views) = Look(judged, asked, threads);
+        var (known, views) = Look(judged, asked, threads, budget);
         var hidden = HiddenOf(known, views);
         Mistake[] seen = [.. known.Except(hidden)];
         return new(asked, judged, Reduced: !judged.SequenceEqual(scenes), hidden,
             HiddenAtFirst: [.. seen.Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))],
             WithinRounding: [.. hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))],
             NotTried: [.. asked.Except(known)],
-            Groups(views, [.. seen]),
+            Groups(views, [.. seen], budget),
             ShowsNothing: views.All(view => view.IsOfOneColor),
             views.Sum(view => FragilePixelsOf(view.Scene, threads)),
-            judged.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height));
+            judged.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height), budget?.LeavesOut == true);
     }
 
-    private static (Mistake[] Known, View[] Views) Look(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
+    /// <returns>The mistakes that were tried, and what they show.</returns>
+    private static (Mistake[] Known, View[] Views) Look(
+        IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads, SearchBudget? budget)
     {
         Mistake[] known = [.. asked.Where(mistake => scenes.All(scene => !new Lab(scene, mistake).TakesTooLong))];
         View[] views = [.. scenes.Select(scene => new View(scene))];
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
-        foreach (var view in views) Parallel.ForEach(known, options, view.Look);
-        return (known, views);
+        var tried = new ConcurrentBag<Mistake>();
+        Parallel.ForEach(Partitioner.Create(known, loadBalance: true), options, mistake =>
+        {
+            if (budget?.IsSpent() == true) return;
+            foreach (var view in views) view.Look(mistake);
+            tried.Add(mistake);
+        });
+        return ([.. known.Intersect(tried)], views);
     }
 
     private static Mistake[] HiddenOf(Mistake[] known, View[] views) => [.. known.Where(mistake => !views.Any(view => view.Shows(mistake)))];
 
     /// <summary>The mistakes of the catalogue that a scene's picture cannot show.</summary>
-    internal static IReadOnlyList<Mistake> HiddenIn(Scene scene, int? threads)
+    internal static IReadOnlyList<Mistake> HiddenIn(
+        Scene scene, int? threads, SearchBudget? budget = null, IReadOnlyList<Mistake>? asked = null)
     {
-        var (known, views) = Look([Judged(scene)], [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads);
+        var (known, views) = Look([Judged(scene)], asked ?? [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads, budget);
         return HiddenOf(known, views);
     }
 
@@ -93,12 +105,13 @@ public sealed record SceneFitness(
     }
 
     /// <summary>The groups of mistakes that no picture distinguishes.</summary>
-    private static List<IReadOnlyList<Mistake>> Groups(View[] views, List<Mistake> seen)
+    private static List<IReadOnlyList<Mistake>> Groups(View[] views, List<Mistake> seen, SearchBudget? budget)
     {
         var groups = new List<IReadOnlyList<Mistake>>();
-        while (seen is [var first, ..])
+        while (seen is [var first, ..] && budget?.IsSpent() != true)
         {
-            Mistake[] group = [.. seen.Where(other => other == first || views.All(view => view.AreAlike(first, other)))];
+            Mistake[] group =
+                [.. seen.Where(other => other == first || (budget?.IsSpent() != true && views.All(view => view.AreAlike(first, other))))];
             seen.RemoveAll(group.Contains);
             if (group.Length > 1) groups.Add(group);
         }

@@ -12,7 +12,7 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
         var own = trial.Draw(prepared.Scene);
         var drawn = evidence.Draw(own);
         var shown = Visible(trial, drawn);
-        if (shown is [var named] && !own.Scatters)
+        if (shown is [var named] && !own.Scatters && prepared.Budget?.IsSpent() != true)
         {
             var way = trial.Wordings.Count > 0 ? trial.Base : Unfinished.Nothing;
             twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)

@@ -38,6 +38,12 @@ internal sealed class TrialRanking(IReadOnlyList<Evidence> pictures, int? thread
 
     private readonly double rounding = pictures.Count == 1 ? RoundingOfOne : RoundingOfSeveral;
 
+    /// <summary>How long comparisons may take; null for any time.</summary>
+    public SearchBudget? Budget { get; set; }
+
+    /// <summary>The trials that were compared with all evidence, in no order.</summary>
+    public List<WrongProgram> Closest { get; } = [];
+
     /// <summary>All that is wrong: the wrong pixels of one picture, or how many of several are wrong.</summary>
     public double Wrong { get; } = pictures is [var only] ? only.WrongCount : pictures.Count(picture => !picture.IsRight);
 
@@ -70,11 +76,17 @@ internal sealed class TrialRanking(IReadOnlyList<Evidence> pictures, int? thread
 
     /// <summary>Compares all trials, with a share of the evidence, and sorts them.</summary>
     /// <param name="left">The evidence; the pictures' own if null.</param>
+    /// <exception cref="TimeoutException">The time is over.</exception>
     public List<WrongProgram> Measured(List<WrongProgram> trials, double share, IReadOnlyList<Evidence>? left = null)
     {
         var measured = new WrongProgram[trials.Count];
-        Parallel.For(0, trials.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount },
-            i => measured[i] = trials[i] with { Misfit = Measure(trials[i], share, left) });
+        Parallel.For(0, trials.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, (i, loop) =>
+        {
+            if (Budget?.IsSpent() == true) loop.Stop();
+            else measured[i] = trials[i] with { Misfit = Measure(trials[i], share, left) };
+        });
+        Budget?.ThrowIfSpent();
+        if (share == 1 && left is null) Closest.AddRange(measured);
         return Sorted([.. measured]);
     }
 
@@ -88,7 +100,10 @@ internal sealed class TrialRanking(IReadOnlyList<Evidence> pictures, int? thread
 
     /// <summary>The trials that a few pixels do not rule out.</summary>
     public List<WrongProgram> Those(Func<WrongProgram, bool> may, IEnumerable<WrongProgram> trials) =>
-        [.. trials.AsParallel().AsOrdered().WithDegreeOfParallelism(threads ?? Environment.ProcessorCount).Where(may)];
+    [
+        .. trials.TakeWhile(_ => Budget?.IsSpent() != true)
+            .AsParallel().AsOrdered().WithDegreeOfParallelism(threads ?? Environment.ProcessorCount).Where(may),
+    ];
 
     /// <summary>Drops mistakes and missing parts without which as much is explained.</summary>
     public WrongProgram WithoutIdle(WrongProgram trial)

@@ -43,12 +43,14 @@ public sealed class SceneVariation
     /// <param name="folder">The folder where the paths of mesh files start.</param>
     /// <param name="seed">For example a student's name: the same seed gives the same scene.</param>
     /// <param name="newFolder">The folder of the new scene, from which its schema is found.</param>
+    /// <param name="budget">How long the mistakes of the scene are tried; those that are left out are not tried on the new one either. Any time if
+    /// left out.</param>
     /// <returns>The new text; null if no try succeeds.</returns>
-    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder)
+    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder, SearchBudget? budget = null)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
         if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
-        var mayHide = MayHide(scene);
+        var shown = Shown(scene, budget);
         var distance = (scene.Camera.Target - scene.Camera.Position).Length;
         for (var attempt = 0; attempt < MostTries; attempt++)
         {
@@ -56,16 +58,18 @@ public sealed class SceneVariation
             var variation = new SceneVariation(tree, distance, $"{seed}\n{attempt}", amplitude);
             variation.MoveSchema(folder, newFolder);
             var text = variation.Text();
-            if (SceneReader.Parse(text, "", folder) is { Scene: { } varied, Problems.Count: 0 } && Hides(varied).IsSubsetOf(mayHide)) return text;
+            if (SceneReader.Parse(text, "", folder) is { Scene: { } varied, Problems.Count: 0 } && Shows(varied, shown)) return text;
         }
         return null;
     }
 
-    private static HashSet<Mistake> Hides(Scene scene) => SceneFitness.CanJudge(scene) ? [.. SceneFitness.HiddenIn(scene, null)] : [];
+    /// <summary>What the scene shows in each wording: a symmetric scene may owe what it shows only in some to the last bits.</summary>
+    private static Mistake[] Shown(Scene scene, SearchBudget? budget) =>
+        SceneFitness.CanJudge(scene) && SceneFitness.Of([scene], budget: budget) is var fitness
+            ? [.. fitness.Asked.Except([.. fitness.Hidden, .. fitness.HiddenAtFirst, .. fitness.NotTried])] : [];
 
-    /// <summary>What the scene hides, and what it shows only in some wordings: a symmetric scene may owe that to the last bits.</summary>
-    private static HashSet<Mistake> MayHide(Scene scene) =>
-        SceneFitness.CanJudge(scene) && SceneFitness.Of([scene]) is var fitness ? [.. fitness.Hidden, .. fitness.HiddenAtFirst] : [];
+    private static bool Shows(Scene scene, Mistake[] mistakes) =>
+        mistakes.Length == 0 || SceneFitness.HiddenIn(scene, null, asked: mistakes).Count == 0;
 
     private void MoveSchema(string folder, string newFolder)
     {

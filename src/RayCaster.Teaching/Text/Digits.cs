@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching;
 
 /// <summary>Numbers for people: doubles with six significant digits and a true minus sign, counts, shares.</summary>
-internal static class Digits
+public static class Digits
 {
     private static readonly NumberFormatInfo format = new()
     {
@@ -10,10 +10,13 @@ internal static class Digits
         NegativeInfinitySymbol = "−∞",
     };
 
+    /// <summary>"−1.5", "∞", "1e-7".</summary>
     public static string Of(double value) => Of(value, 6);
 
+    /// <summary>"(1, 2, −3)".</summary>
     public static string Of(Vector3 v) => $"({Of(v.X)}, {Of(v.Y)}, {Of(v.Z)})";
 
+    /// <summary>"(1, 0.5, 0)": red, green, blue.</summary>
     public static string Of(Color color) => Of(new Vector3(color.R, color.G, color.B));
 
     /// <summary>Two numbers, with enough digits to show their difference.</summary>

@@ -71,27 +71,6 @@ public class HandTests(Chromium chromium)
         Assert.Empty(complaints);
     }
 
-    /// <summary>With the system's wish for reduced motion a key's whole move is one frame, in place of a glide of several.</summary>
-    [BrowserFact]
-    public async Task WithReducedMotionTheCameraDoesNotGlide()
-    {
-        await using var live = await LivePage.OpenAsync();
-        var (page, _) = await chromium.OpenAsync(
-            live, new() { ViewportSize = new() { Width = 1300, Height = 900 }, ReducedMotion = ReducedMotion.Reduce });
-        var turns = new List<string>();
-        await page.ExposeFunctionAsync("noted", (string request) => turns.Add(request));
-        await page.EvaluateAsync("""
-            () => {
-                const send = WebSocket.prototype.send;
-                WebSocket.prototype.send = function (request) { if (request.includes('turn')) noted(request); send.call(this, request); };
-            }
-            """);
-        await page.FocusAsync("#stage");
-        await page.Keyboard.PressAsync("ArrowLeft");
-        await page.WaitForSelectorAsync("#camera-reset:not([disabled])");
-        Assert.Single(turns);
-    }
-
     /// <summary>WCAG 2.2: 4.5 for text, on every background that is behind it.</summary>
     [BrowserFact]
     public async Task TextHasEnoughContrastInLightAndDark()
