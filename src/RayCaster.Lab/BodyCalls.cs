@@ -1,6 +1,6 @@
 namespace Lab;
 
-/// <summary>Calls the bodies that are to be written, so that those that are not written yet call <see cref="Todo.Note(string)"/>.</summary>
+/// <summary>Calls the bodies that are to be written, so that each that is not written yet makes its note.</summary>
 public static class BodyCalls
 {
     private static readonly Vector3 v = new(1, 2, 3);

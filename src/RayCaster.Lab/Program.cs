@@ -2,6 +2,7 @@ using System.Diagnostics;
 using Lab;
 using RayCaster.Files;
 
+if (args.Length == 0) args = DrawTheRoom(); // as an editor's F5 does
 if (args is not [var sceneFile, var pictureFile])
 {
     Console.Error.WriteLine("Draws a scene. Tell it the scene's file and the picture's, as in: scenes/room.json room.png");
@@ -28,4 +29,11 @@ catch (Exception mistake) // in a body
     var place = new StackTrace(mistake, fNeedFileInfo: true).GetFrames().FirstOrDefault(frame => frame.GetFileLineNumber() > 0);
     Console.Error.WriteLine($"{place?.GetFileName()}({place?.GetFileLineNumber()}): {mistake.GetType().Name}: {mistake.Message}");
     return 1;
+}
+
+static string[] DrawTheRoom()
+{
+    var folder = new DirectoryInfo(AppContext.BaseDirectory);
+    while (folder.Parent != null && !File.Exists(Path.Combine(folder.FullName, "scenes", "room.json"))) folder = folder.Parent;
+    return [Path.Combine(folder.FullName, "scenes", "room.json"), Path.Combine(folder.FullName, "room.png")];
 }

@@ -14,16 +14,18 @@ public class Ray(Vector3 origin, Vector3 direction)
     // What zNear and zFar measure is z = t DepthPerT. A ray made without a camera is not clipped.
     public double Bias, ZNear, ZFar = double.MaxValue, DepthPerT = 1;
 
-    public Vector3 At(double t) =>
+    public Vector3 At(double t)
+    {
         // BEGIN SOLUTION "Ray"
-        // STUB Todo.Note("Ray", Vector3.Zero);
-        Origin + t * Direction;
+        // STUB return Todo.Note("Ray", Vector3.Zero);
+        return Origin + t * Direction;
         // END SOLUTION
+    }
 
     /// <summary>
     /// Keeps the hit of a model at t if t counts and is nearer than the nearest so far. Of two at the same t the first stays.
     /// </summary>
-    public void Hit(double t, Model model)
+    public virtual void Hit(double t, Model model) // virtual: tests watch with which t it is called
     {
         // BEGIN SOLUTION "Ray"
         if (!Counts(t) || t >= HitParameter) return;

@@ -22,7 +22,7 @@ public class Sphere(Vector3 center, double radius) : Model
         // The vector from the ray's nearest point to C has the same length, and all its digits.
         var D = L - t_ca * ray.Direction;
         if (D * D > R * R) return; // passes by
-        var t_hc = Math.Sqrt(R * R - D * D);
+        var t_hc = Math.Sqrt(R * R - D * D); // the slide writes t_hc² on the left; the square is an error of the slide
         ray.Hit(t_ca - t_hc, this);
         ray.Hit(t_ca + t_hc, this); // shows where the near one does not count: the camera is inside, or zNear cuts the sphere open
         // END SOLUTION

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Lab;
 
 /// <summary>Knows what is not written yet: each body that is to be written begins with a note, which is deleted when the body is written.</summary>
@@ -18,19 +20,20 @@ public static class Todo
         (10, "Triangle", "triangle"),
     ];
 
-    private static readonly HashSet<string> notes = [];
+    private static readonly Dictionary<string, string> notes = []; // where the note of a slide stands
 
     private static bool listens; // only while all bodies are called once: a picture would make a note for each pixel
 
     /// <summary>Notes that the body where this stands is not written.</summary>
-    public static void Note(string slide)
+    public static void Note(string slide, [CallerFilePath] string file = "", [CallerLineNumber] int line = 0)
     {
-        if (Volatile.Read(ref listens)) lock (notes) notes.Add(slide);
+        if (Volatile.Read(ref listens)) lock (notes) notes.TryAdd(slide, $"src/Lab/{Path.GetFileName(file)}, line {line}");
     }
 
-    public static T Note<T>(string slide, T value) // where a value is needed for the time being
+    // Where a value is needed for the time being.
+    public static T Note<T>(string slide, T value, [CallerFilePath] string file = "", [CallerLineNumber] int line = 0)
     {
-        Note(slide);
+        Note(slide, file, line);
         return value;
     }
 
@@ -40,10 +43,11 @@ public static class Todo
         lock (Bodies)
             try { listens = true; BodyCalls.OfFirstSteps(steps); }
             finally { listens = false; }
-        lock (notes) return [.. Bodies.Where(body => body.Step <= steps && notes.Contains(body.Slide))];
+        lock (notes) return [.. Bodies.Where(body => body.Step <= steps && notes.ContainsKey(body.Slide))];
     }
 
     /// <summary>The same in a line; empty if all is written.</summary>
     public static string Report(int steps = 10) => Missing(steps) is not [var next, ..] missing ? ""
-        : $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"";
+        : $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"\n" +
+            $"  Is it written? Todo.Note(\"{next.Slide}\") is still in {notes[next.Slide]}: delete that line.";
 }

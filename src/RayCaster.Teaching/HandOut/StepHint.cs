@@ -12,15 +12,16 @@ public static class StepHint
     /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
     /// test of no step.
     /// </param>
-    public static string Of(Scene scene, Picture picture, int step, HintLevel level) =>
-        Of(scene, Judge(scene, picture, step), step, level);
+    /// <param name="isProved">Whether the formula of a slide is known to be right: then none of its mistakes is named.</param>
+    public static string Of(Scene scene, Picture picture, int step, HintLevel level, Predicate<string>? isProved = null) =>
+        Of(scene, Judge(scene, picture, step, isProved), step, level);
 
     internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 
-    internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
+    internal static Diagnosis Judge(Scene scene, Picture picture, int step, Predicate<string>? isProved = null) => step == 0
         ? Diagnosis.Of(scene, picture)
-        : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
+        : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step && isProved?.Invoke(mistake.Slide) != true)
             .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 
     private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)

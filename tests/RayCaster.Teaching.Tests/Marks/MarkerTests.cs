@@ -72,14 +72,6 @@ public class MarkerTests
         Assert.Equal(lost, string.Join(' ', Lost(marks)));
     }
 
-    [Theory] // each of the two changes a whole picture, so neither is near by itself
-    [InlineData("rows", "nohalf", "4")]
-    public void TwoMistakesThatChangeWholePicturesCostTheirItems(string mistake, string second, string lost)
-    {
-        var marks = Mark(two, scene => EditedLab.Render(scene, Manner.OfTheSlides, Planted.Named(mistake), Planted.Named(second)));
-        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Undecided));
-    }
-
     [Theory]
     [InlineData("ok", "circle triangle", "9 10")]
     [InlineData("ok", "aabb circle sphere triangle", "7 8 9 10")]

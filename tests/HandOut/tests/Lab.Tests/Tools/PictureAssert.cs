@@ -50,7 +50,8 @@ public static class PictureAssert
         Directory.CreateDirectory(Path.GetDirectoryName(received));
         PictureFile.Write(received, mine);
         PictureFile.Write(expected, nearest);
-        Assert.Fail($"{Difference(mine, nearest)}\n  yours:    {received}\n  expected: {expected}\n{StepHint.Of(scene, mine, step, Teacher.Hints)}");
+        var hint = StepHint.Of(scene, mine, step, Teacher.Hints, new Proof(scene).IsRight);
+        Assert.Fail($"{Difference(mine, nearest)}\n  yours:    {received}\n  expected: {expected}\n{hint}");
     }
 
     private static string Difference(Picture mine, Picture reference)

@@ -37,7 +37,7 @@ public static class RayAssert
     /// <summary>The same coordinate by coordinate.</summary>
     public static void Equal(string what, string slide, RayCaster.Vector3 expected, Vector3 actual)
     {
-        if (AreEqual(expected.X, actual.X) && AreEqual(expected.Y, actual.Y) && AreEqual(expected.Z, actual.Z)) return;
+        if (AreEqual(expected, actual)) return;
         var got = new RayCaster.Vector3(actual.X, actual.Y, actual.Z);
         var length = AreEqual(1, expected.Length) && !AreEqual(1, got.Length) ? $", whose length is {Text(got.Length)}, not 1" : "";
         Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(got)}{length}.\n  {Cite(slide)}{Chance.Again}");
@@ -63,17 +63,32 @@ public static class RayAssert
         string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? expected, Action<Model, Ray> intersect)
     {
         var mine = SceneFile.PartsOf(model).Single();
-        var ray = new Ray(Mine(P), Mine(d));
+        var ray = new WatchedRay(Mine(P), Mine(d));
         if (intersect == null) mine.Intersect(ray);
         else intersect(mine, ray);
         double? actual = ray.HitModel == null ? null : ray.HitParameter;
         if (expected is { } a && actual is { } b ? AreEqual(a, b) : expected == actual) return;
         Assert.Fail($"""
-            expected {Hit(expected)}, but got {Hit(actual)}.
+            expected {Hit(expected)}, but got {Hit(actual)}{(actual == null ? ray.Calls() : "")}.
               Ray    P = {Text(P)}, d = {Text(d)}
               {Letters(model)}
               {Cite(slide)}{Chance.Again}
             """);
+    }
+
+    /// <summary>A ray that remembers with which t its Hit was called.</summary>
+    private sealed class WatchedRay(Vector3 origin, Vector3 direction) : Ray(origin, direction)
+    {
+        private readonly List<double> called = [];
+
+        public override void Hit(double t, Model model)
+        {
+            called.Add(t);
+            base.Hit(t, model);
+        }
+
+        public string Calls() => called.Count == 0 ? ": Hit was not called"
+            : $": Hit was called with t = {string.Join(" and t = ", called.Select(Text))}, which {(called.Count == 1 ? "does" : "do")} not count";
     }
 
     private static string Hit(double? t) => t is { } number ? $"t = {Text(number)}" : "no hit";
@@ -91,7 +106,12 @@ public static class RayAssert
     private static string Text(double number) =>
         number.ToString("0.######", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
 
-    private static bool AreEqual(double a, double b) => Math.Abs(a - b) <= 1e-7 * (1 + Math.Abs(a)) || (double.IsNaN(a) && double.IsNaN(b));
+    /// <summary>Whether two numbers are equal except in their last bits.</summary>
+    public static bool AreEqual(double a, double b) =>
+        a == b || Math.Abs(a - b) <= 1e-7 * (1 + Math.Abs(a)) || (double.IsNaN(a) && double.IsNaN(b));
+
+    /// <summary>The same coordinate by coordinate.</summary>
+    public static bool AreEqual(RayCaster.Vector3 a, Vector3 b) => AreEqual(a.X, b.X) && AreEqual(a.Y, b.Y) && AreEqual(a.Z, b.Z);
 
     /// <summary>Whether a ray a little beside this one hits where this one does not, or elsewhere.</summary>
     private static bool IsOnOutline(RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? t)

@@ -58,9 +58,12 @@ public class Step04Camera
         scene.Models.Add(new Plane(new(5, 0, 0), new(1, 0, 0)) { Color = new(0, 1, 0) });
         scene.Models.Add(new Plane(new(-9, 0, 0), new(1, 0, 0)) { Color = new(1, 0, 0) });
         var color = scene.CastRay(5, 5);
-        Assert.True(
-            color.G > 0 && color.R == 0,
-            $"of three planes behind each other the nearest shows, not the first or the last.\n  {RayAssert.Cite("Ray Casting")}");
+        var wrong = color.B == 1
+            ? "the ray to three planes has no hit, so the pixel shows the background: look at d, and call Intersect of each model"
+            : color.R > 0 ? "of three planes behind each other the nearest shows, not the first or the last"
+            : color.G > 0 ? null
+            : "the pixel has no light, though a plane is hit: CastRay returns what Shade makes of the hit; look at Shade";
+        Assert.True(wrong == null, $"{wrong}.\n  {RayAssert.Cite("Ray Casting")}");
 
         bool IsBackground()
         {
