@@ -26,7 +26,8 @@ internal sealed record MarkedScene(string Name, string Path, ReadOnlyMemory<byte
     public MarkedScene? Varied(string seed, bool mayShowLess)
     {
         var folder = System.IO.Path.GetDirectoryName(Path)!;
-        return SceneVariation.Of(Text, folder, seed, folder, mayShowLess: mayShowLess) is { } text && SceneReader.Parse(text, Path, folder).Scene is { } scene
+        return SceneVariation.Of(Text, folder, seed, folder, mayShowLess: mayShowLess) is { } text
+            && SceneReader.Parse(text, Path, folder).Scene is { } scene
             ? this with { Text = text, Judge = new(scene), Known = Right } : null;
     }
 }
