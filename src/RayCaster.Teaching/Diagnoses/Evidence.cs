@@ -93,6 +93,12 @@ internal sealed class Evidence
     /// </summary>
     public int OutlineCount { get; }
 
+    /// <summary>Some of the pixels in which it is wrong, and some in which it is not; each beginning is spread over the picture.</summary>
+    public ReadOnlySpan<int> WrongPixels => wrongPixels;
+
+    /// <inheritdoc cref="WrongPixels"/>
+    public ReadOnlySpan<int> OtherPixels => otherPixels;
+
     /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
     public double DarkerShare { get; }
 

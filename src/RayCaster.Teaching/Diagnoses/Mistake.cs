@@ -60,6 +60,9 @@ public sealed class Mistake
 
     internal Concerns Concerns { get; }
 
+    /// <summary>Where it is, if it is a small edit of the slides' formulas that the catalogue does not have; its id is "edit".</summary>
+    public EditPlace? Place { get; internal init; }
+
     /// <summary>The same mistake as different people write it: one id, but a cause for each. This one is the first.</summary>
     public IReadOnlyList<Mistake> Wordings => wordings;
 

@@ -92,6 +92,7 @@ internal sealed class JointDiagnosis
     /// <summary>What a diagnosis of a single picture names, each mistake in the wording that fits.</summary>
     private static IEnumerable<WrongProgram> NamedFor(SubmittedPicture picture) =>
         from suspect in picture.Scene.Judge.Judge(picture.Evidence.Picture).Suspects
+        where suspect.Mistakes.All(mistake => mistake.Place is null) // an edit of formulas is not drawn by a lab
         let way = new Unfinished(suspect.NotYet)
         select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)],
             suspect.OtherSample && suspect.Mistakes.All(mistake => mistake.Id != "center"));
