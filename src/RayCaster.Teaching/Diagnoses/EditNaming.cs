@@ -29,7 +29,7 @@ internal static class EditNaming
         Formula?[] formulas = [.. likely.Where(edit => edit.Right == first.Right).Select(edit => edit.Formula).Distinct()];
         var formula = isOneStep && formulas.Length == 1 ? formulas[0] : null;
         var section = string.Join(", ", kinds.Select(kind => kind.ToString().ToLowerInvariant()));
-        return new(Id, ConcernsOf(first.Section.Kind), first.Section.Slide, $"{section}: {Says(first)}", _ => { },
+        return new(Id, AffectsOf(first.Section.Kind), first.Section.Slide, $"{section}: {Says(first)}", _ => { },
             isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
             formula is not null ? $"Look at {formula.Step}. {EditOperators.QuestionOf(first.Operator)}"
                 : isOneStep ? $"Something is wrong in the formulas of the step \"{section}\"; this scene cannot tell {NamesOf(formulas)} apart."
@@ -69,12 +69,12 @@ internal static class EditNaming
 
     private static ShapeKind ShapeOf(SectionKind kind) => ShapeKind.Of(kind.ToString().ToLowerInvariant())!;
 
-    internal static Concerns ConcernsOf(SectionKind kind) => kind switch
+    internal static Affects AffectsOf(SectionKind kind) => kind switch
     {
-        SectionKind.Vectors or SectionKind.Camera or SectionKind.Pixel => Concerns.Camera,
-        SectionKind.File => Concerns.File,
-        SectionKind.Rule => Concerns.Hit,
-        SectionKind.Light or SectionKind.Bytes => Concerns.Color,
+        SectionKind.Vectors or SectionKind.Camera or SectionKind.Pixel => Affects.Camera,
+        SectionKind.File => Affects.File,
+        SectionKind.Rule => Affects.Hit,
+        SectionKind.Light or SectionKind.Bytes => Affects.Color,
         _ => ShapeOf(kind).Formula,
     };
 }

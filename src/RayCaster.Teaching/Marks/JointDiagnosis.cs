@@ -84,8 +84,8 @@ internal sealed class JointDiagnosis
         if (Verdict.Base.Kinds.Any())
             Losing =
             [
-                .. ranked.Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Wordings.Count: 1 } && IsAlike(other))
-                    .Select(other => other.Wordings[0]).DistinctBy(mistake => mistake.Id),
+                .. ranked.Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 } && IsAlike(other))
+                    .Select(other => other.Variants[0]).DistinctBy(mistake => mistake.Id),
             ];
         Alternatives =
         [
@@ -96,7 +96,7 @@ internal sealed class JointDiagnosis
         bool IsAlike(WrongProgram other) => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike;
     }
 
-    /// <summary>What a diagnosis of a single picture names, each mistake in the wording that fits.</summary>
+    /// <summary>What a diagnosis of a single picture names, each mistake in the variant that fits.</summary>
     private static IEnumerable<WrongProgram> NamedFor(SubmittedPicture picture) =>
         from suspect in picture.Scene.Judge.Judge(picture.Evidence.Picture).Suspects
         where suspect.Mistakes.All(mistake => mistake.Place is null) // an edit of formulas is not drawn by a lab

@@ -8,7 +8,7 @@ internal static class MarkWords
 
     /// <summary>The question that leads to a mistake; for a missing shape that to a mistake which loses it, or empty.</summary>
     public static string Question(string because, IReadOnlyList<string> losing) => MistakeCatalog.Named(because)?.Hint.Question
-        ?? (losing.Select(id => MistakeCatalog.Named(id)!).FirstOrDefault(mistake => mistake.Concerns == Mistake.KindOf(because)) is { } mistake
+        ?? (losing.Select(id => MistakeCatalog.Named(id)!).FirstOrDefault(mistake => mistake.Affects == Mistake.KindOf(because)) is { } mistake
             ? $"If they are written: {mistake.Hint.Question}" : "");
 
     public static string NotDrawn(string part) => part == Diagnosis.Attenuation

@@ -66,7 +66,7 @@ internal sealed class Marker(Rubric rubric)
 
     /// <summary>Whether an item is about the way from a hit to its colour.</summary>
     private static bool ConcernsLight(RubricItem item) => item.Undone.Contains(Diagnosis.Attenuation)
-        || item.Mistakes.Any(mistake => (MistakeCatalog.Named(mistake)!.Concerns & Concerns.Color) != 0);
+        || item.Mistakes.Any(mistake => (MistakeCatalog.Named(mistake)!.Affects & Affects.Color) != 0);
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
     private (double Lost, string[] Because) Cost(RubricItem item, WrongProgram program)

@@ -72,16 +72,16 @@ public sealed class Rubric
     /// <summary>The item whose points a mistake costs; null if it costs none.</summary>
     internal RubricItem? ItemOf(string mistake) => Items.FirstOrDefault(item => item.Mistakes.Contains(mistake));
 
-    /// <summary>The same for a mistake in a certain wording: one that changes only the formulas of another item's shapes costs that item.</summary>
-    internal RubricItem? ItemOf(Mistake wording)
+    /// <summary>The same for a mistake in a certain variant: one that changes only the formulas of another item's shapes costs that item.</summary>
+    internal RubricItem? ItemOf(Mistake variant)
     {
-        var item = ItemOf(wording.Id);
+        var item = ItemOf(variant.Id);
         if (item is null || ShapesOf(item) == 0) return item;
-        var changed = new Lab(Scenes[0].Scene, wording).ChangedShapes;
+        var changed = new Lab(Scenes[0].Scene, variant).ChangedShapes;
         return (ShapesOf(item) & changed) != 0 ? item : Items.FirstOrDefault(other => (ShapesOf(other) & changed) != 0) ?? item;
     }
 
-    private static Concerns ShapesOf(RubricItem item) => item.Undone.Aggregate((Concerns)0, (shapes, part) => shapes | Mistake.KindOf(part));
+    private static Affects ShapesOf(RubricItem item) => item.Undone.Aggregate((Affects)0, (shapes, part) => shapes | Mistake.KindOf(part));
 }
 
 /// <summary>A part of the lab that has points.</summary>

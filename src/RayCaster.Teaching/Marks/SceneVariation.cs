@@ -38,7 +38,7 @@ public sealed class SceneVariation
         decimals = Math.Clamp(4 - (int)Math.Floor(Math.Log10(distance / 10)), 0, 15);
     }
 
-    /// <summary>Varies a scene. Tries until the new scene shows every mistake that the old one shows in the catalogue's first wording.</summary>
+    /// <summary>Varies a scene. Tries until the new scene shows every mistake that the old one shows in the catalogue's first variant.</summary>
     /// <param name="utf8">The text of a scene without errors.</param>
     /// <param name="folder">The folder where the paths of mesh files start.</param>
     /// <param name="seed">For example a student's name: the same seed gives the same scene.</param>
@@ -65,7 +65,7 @@ public sealed class SceneVariation
         return null;
     }
 
-    /// <summary>What the scene shows in each wording: a symmetric scene may owe what it shows only in some to the last bits.</summary>
+    /// <summary>What the scene shows in each variant: a symmetric scene may owe what it shows only in some to the last bits.</summary>
     private static Mistake[] Shown(Scene scene, SearchBudget? budget) =>
         SceneFitness.CanJudge(scene) && SceneFitness.Of([scene], budget: budget) is var fitness
             ? [.. fitness.Asked.Except([.. fitness.Hidden, .. fitness.HiddenAtFirst, .. fitness.NotTried])] : [];

@@ -197,12 +197,12 @@ public class DiagnosisTests
     }
 
     [Fact]
-    public void ASymptomIsToldOnlyOfTheWordingThatItIsOf()
+    public void ASymptomIsToldOnlyOfTheVariantThatItIsOf()
     {
         var mistake = MistakeCatalog.Named("zboth-t")!;
         var clipped = SceneFolder.Small("clip-depth", 5);
         Assert.True(Diagnosis.Of(clipped, MistakeCatalog.Draw(clipped, [mistake])).Suspects[0].HasSymptoms);
-        var other = mistake.Wordings.First(wording => wording.Cause.StartsWith("z =", StringComparison.Ordinal));
+        var other = mistake.Variants.First(variant => variant.Cause.StartsWith("z =", StringComparison.Ordinal));
         var suspect = Diagnosis.Of(clipped, MistakeCatalog.Draw(clipped, [other])).Suspects[0];
         Assert.Equal((other, false), (suspect.Mistakes[0], suspect.HasSymptoms));
     }

@@ -9,24 +9,24 @@ public class CatalogCampaign
 {
     [Theory]
     [MemberData(nameof(Ids), MemberType = typeof(CatalogTests))]
-    public void OneWordingDrawsWhatTheLabWithThatMistakeDraws(string id)
+    public void OneVariantDrawsWhatTheLabWithThatMistakeDraws(string id)
     {
         var expected = scenes.Values.Select(scene => (Scene: scene, Picture: EditedLab.Render(scene, Planted.Named(id)))).ToArray();
         var mistake = MistakeCatalog.Named(id)!;
-        IEnumerable<RayCaster.Teaching.Mistake> InManners(RayCaster.Teaching.Mistake wording) => mistake.InManners(wording).Prepend(wording);
-        Assert.Contains(mistake.Wordings.SelectMany(InManners).SelectMany(InManners),
-            wording => expected.All(one => IsDrawnBy(one.Picture, MistakeCatalog.Draw(one.Scene, [wording]))));
+        IEnumerable<RayCaster.Teaching.Mistake> InStyles(RayCaster.Teaching.Mistake variant) => mistake.InStyles(variant).Prepend(variant);
+        Assert.Contains(mistake.Variants.SelectMany(InStyles).SelectMany(InStyles),
+            variant => expected.All(one => IsDrawnBy(one.Picture, MistakeCatalog.Draw(one.Scene, [variant]))));
     }
 
     [Fact]
-    public void EveryWordingKeepsTheIdAndShowsSomewhere()
+    public void EveryVariantKeepsTheIdAndShowsSomewhere()
     {
-        Assert.All(MistakeCatalog.All, mistake => Assert.Same(mistake, mistake.Wordings[0]));
-        Assert.All(MistakeCatalog.All, mistake => Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id)));
-        var worded = MistakeCatalog.All.Where(mistake => mistake.Wordings.Count > 1); // SceneFitnessTests show it for the others
-        Mistake[] hidden = [.. worded.SelectMany(mistake => mistake.Wordings)
-            .Where(wording => rights.All(scene => AreAlike(scene.Right, MistakeCatalog.Draw(scene.Scene, [wording]))))];
-        Assert.True(hidden.Length == 0, string.Join(Environment.NewLine, hidden.Select(wording => $"{wording}: {wording.Cause}")));
+        Assert.All(MistakeCatalog.All, mistake => Assert.Same(mistake, mistake.Variants[0]));
+        Assert.All(MistakeCatalog.All, mistake => Assert.All(mistake.Variants, variant => Assert.Equal(mistake.Id, variant.Id)));
+        var worded = MistakeCatalog.All.Where(mistake => mistake.Variants.Count > 1); // SceneFitnessTests show it for the others
+        Mistake[] hidden = [.. worded.SelectMany(mistake => mistake.Variants)
+            .Where(variant => rights.All(scene => AreAlike(scene.Right, MistakeCatalog.Draw(scene.Scene, [variant]))))];
+        Assert.True(hidden.Length == 0, string.Join(Environment.NewLine, hidden.Select(variant => $"{variant}: {variant.Cause}")));
     }
 
     private static readonly (Scene Scene, Picture Right)[] rights =

@@ -56,7 +56,7 @@ public class DiagnosisCampaign
     [Fact]
     public void WhereNoneExplainsThePictureTheNearestIsToldAsSuch()
     {
-        var skew = new Mistake("new", Concerns.Camera, "", "V is skew", lab => lab.AxisV.Becomes(V => (w, u) => V(w, u) + 0.2 * u), "", "", "");
+        var skew = new Mistake("new", Affects.Camera, "", "V is skew", lab => lab.AxisV.Becomes(V => (w, u) => V(w, u) + 0.2 * u), "", "", "");
         var diagnosis = Diagnosis.Of(scene, new Lab(scene, skew, MistakeCatalog.Named("bgr")!).Render());
         Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
         Assert.Contains(diagnosis.Nearest, nearest => Named(nearest).Contains("bgr"));
