@@ -12,7 +12,7 @@ internal sealed class Marker(Rubric rubric)
         var verdict = diagnosis.Verdict;
         return new(student, "", Items(diagnosis, pictures), scenes,
             [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.MistakeIds],
-            [.. verdict.Wordings.Where(mistake => diagnosis.IsCertain && mistake == MistakeCatalog.Named(mistake.Id)).Select(mistake => mistake.Id)],
+            [.. verdict.Variants.Where(mistake => diagnosis.IsCertain && mistake == MistakeCatalog.Named(mistake.Id)).Select(mistake => mistake.Id)],
             [.. diagnosis.Losing.Select(mistake => mistake.Id)],
             [.. notes, .. LookYourself(submitted, diagnosis)]);
     }

@@ -5,7 +5,7 @@ namespace RayCaster.Teaching;
 
 /// <summary>A student's points, with reasons. Can be written and read as JSON.</summary>
 /// <param name="Digest">A hash of the rubric, the scenes, the submission and the student's page.</param>
-/// <param name="Typical">The mistakes whose symptoms the pictures certainly show: other wordings of a mistake may show others.</param>
+/// <param name="Typical">The mistakes whose symptoms the pictures certainly show: other variants of a mistake may show others.</param>
 /// <param name="Losing">The mistakes that draw the same pictures as a program in which <paramref name="NotDrawn"/> is missing.</param>
 /// <param name="LookYourself">What the teacher must look at; empty if nothing is.</param>
 public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<ItemMarks> Items, IReadOnlyList<SceneMarks> Scenes,
