@@ -326,7 +326,8 @@ internal sealed class EditFactory
                 yield return (Swapped, Expression.Of(Operator.Vector, axes[1], axes[0], axes[2]), "yxz", 1);
                 break;
         }
-        yield return (Sign, Expression.Of(Operator.Negate, e), "−", 0.2);
+        if (section.Kind != SectionKind.Bytes) // a negative picture is no slip: its bytes wrap round
+            yield return (Sign, Expression.Of(Operator.Negate, e), "−", 0.2);
         yield return (Root, Expression.Of(Operator.Sqrt, e), "√", 0);
         yield return (Doubled, Expression.Of(Operator.Multiply, two, e), "", 0);
         yield return (Halved, Expression.Of(Operator.Divide, e, two), "", 0);
