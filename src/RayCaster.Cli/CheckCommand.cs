@@ -58,7 +58,7 @@ internal sealed class CheckCommand : Command
         if (!json && !quiet)
             StandardStreams.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors.");
         if (!scenes.TrueForAll(SceneFitness.CanJudge))
-            throw new ProblemException($"a scene has more than {SceneFitness.MostModels:N0} models: too many to try mistakes on");
+            throw new ProblemException($"a scene has more than {SceneFitness.MaxModels:N0} models: too many to try mistakes on");
         var fitness = SceneFitness.Of(scenes, threads,
             [.. MistakeCatalog.All.Where(mistake => shapes.Length == 0 || mistake.Touches(shapes))], line.Budget());
         var absent = required.Where(id => fitness.Asked.All(mistake => mistake.Id != id)

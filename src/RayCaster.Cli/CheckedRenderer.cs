@@ -47,7 +47,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
 
     private void DrawByDefinition(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
-        var atOnce = (int)Math.Clamp(PixelsAtOnce / scene.Camera.Width, 1, lines.Count);
+        var atOnce = (int)Math.Clamp(PixelsAtOnce / scene.Camera.Width, 1, Math.Max(1, lines.Count / 50)); // and progress is shown
         for (var line = lines.First; line <= lines.Last; line += atOnce)
         {
             var (top, window) = (line, new Picture(scene.Camera.Width, Math.Min(atOnce, lines.Last + 1 - line)));

@@ -7,17 +7,17 @@ internal static class Gallery
 {
     private const int SheetColumns = 10, ThumbWidth = 64, ThumbHeight = 40, SheetGap = 2;
 
-    private static readonly (Concerns Concerns, string Title)[] stages =
+    private static readonly (Affects Affects, string Title)[] stages =
     [
-        (Concerns.Camera, "From a pixel to its ray"),
-        (Concerns.Hit, "Which hit shows"),
-        (Concerns.Spheres, "Spheres"),
-        (Concerns.Planes, "Planes"),
-        (Concerns.Boxes, "Boxes"),
-        (Concerns.Circles, "Circles"),
-        (Concerns.Triangles, "Triangles, also those of meshes"),
-        (Concerns.Color, "From a hit to a colour"),
-        (Concerns.File, "From the pixels to the file"),
+        (Affects.Camera, "From a pixel to its ray"),
+        (Affects.Hit, "Which hit shows"),
+        (Affects.Spheres, "Spheres"),
+        (Affects.Planes, "Planes"),
+        (Affects.Boxes, "Boxes"),
+        (Affects.Circles, "Circles"),
+        (Affects.Triangles, "Triangles, also those of meshes"),
+        (Affects.Color, "From a hit to a colour"),
+        (Affects.File, "From the pixels to the file"),
     ];
 
     /// <summary>The page.</summary>
@@ -30,7 +30,7 @@ internal static class Gallery
     public static string PictureOf(Mistake mistake) => ProjectFolder.PathOf($"docs/mistakes/{mistake.Id}.png");
 
     /// <summary>The mistakes in the order of the page.</summary>
-    public static IEnumerable<Mistake> InOrder => stages.SelectMany(stage => Of(stage.Concerns));
+    public static IEnumerable<Mistake> InOrder => stages.SelectMany(stage => Of(stage.Affects));
 
     /// <summary>The text of the page.</summary>
     public static string Page()
@@ -83,8 +83,8 @@ internal static class Gallery
         return sheet;
     }
 
-    private static IEnumerable<Mistake> Of(Concerns concerns) => MistakeCatalog.All.Where(mistake => mistake.Concerns.HasFlag(concerns)
-        && stages.First(stage => mistake.Concerns.HasFlag(stage.Concerns)).Concerns == concerns);
+    private static IEnumerable<Mistake> Of(Affects concerns) => MistakeCatalog.All.Where(mistake => mistake.Affects.HasFlag(concerns)
+        && stages.First(stage => mistake.Affects.HasFlag(stage.Affects)).Affects == concerns);
 
     /// <summary>The initials of the scenes that show a mistake.</summary>
     private static string Initials(Mistake mistake)

@@ -5,7 +5,7 @@ namespace RayCaster.Cli.Tests;
 
 /// <summary>
 /// What may go wrong around the real process: it ends by itself with a message and the right exit code, and what it leaves is the old picture or the
-/// new one, whole. Where a fault cannot be made (no shell, no right to mount), its test does nothing.
+/// new one, whole. Where a fault cannot be made (no shell, no right to mount), its test is skipped.
 /// </summary>
 public sealed class FaultTests : IDisposable
 {

@@ -17,12 +17,6 @@ SHIFT = 1e-3                                     # of a pixel
 NEIGHBOURHOOD = [(x, y) for x in (-SHIFT, SHIFT) for y in (-SHIFT, SHIFT)]
 
 
-def inexpressible():
-    """Scenes that POV-Ray cannot draw, a name and a reason in each line."""
-    lines = (HERE / "inexpressible.txt").read_text(encoding="utf-8").splitlines()
-    return {line.split()[0] for line in lines if line.strip()}
-
-
 def size(camera):
     """The scene's own size, or the same shape with 320 pixels on the longer side."""
     width, height = camera["width"], camera["height"]
@@ -85,19 +79,10 @@ def remake(name):
 
 
 def main(names):
-    """Remakes the named references, or all; keeps list.txt: name, size, pixels on outlines."""
-    skipped = inexpressible()
-    names = names or sorted(path.relative_to(SCENES).with_suffix("").as_posix() for path in SCENES.rglob("*.json")
-                            if not path.name.endswith(".schema.json"))
-    listing = HERE / "list.txt"
-    known = {line.split()[0]: line for line in listing.read_text().splitlines()} if listing.exists() else {}
-    for name in names:
-        if name in skipped:
-            print(f"{name}: not drawn, see inexpressible.txt")
-            continue
-        known[name] = remake(name)
-        print(known[name])
-    listing.write_text("".join(known[name] + "\n" for name in sorted(known)))
+    """Remakes the named references, or all. Prints of each its name, size, and the number of pixels on outlines."""
+    for name in names or sorted(path.relative_to(SCENES).with_suffix("").as_posix() for path in SCENES.rglob("*.json")
+                                if not path.name.endswith(".schema.json") and path.parent.name != "my"):
+        print(remake(name))
 
 
 main(sys.argv[1:])

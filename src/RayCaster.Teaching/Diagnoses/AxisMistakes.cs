@@ -5,7 +5,7 @@ internal static class AxisMistakes
 {
     public static Mistake[] All =>
     [
-        new Mistake("w-sign", Concerns.Camera, Slides.Camera, "W = +(T − P) normalised, so that the camera looks backwards",
+        new Mistake("w-sign", Affects.Camera, Slides.Camera, "W = +(T − P) normalised, so that the camera looks backwards",
             lab => lab.AxisW.Becomes(W => toTarget => -W(toTarget)),
             "The picture shows what is behind the camera, or nothing.",
             "Which way does W point: to the target, or away from it?",
@@ -13,7 +13,7 @@ internal static class AxisMistakes
             .Or("W = +(T − P) normalised, while the depth is measured along −W",
                 lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, -ur)))
             .Or("the camera stands at T and looks at P", lab => lab.SwapEnds()),
-        new Mistake("dir-plus-w", Concerns.Camera, Slides.PixelTranslation, "d = uc U + ur V + W",
+        new Mistake("dir-plus-w", Affects.Camera, Slides.PixelTranslation, "d = uc U + ur V + W",
             lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(-uc, -ur)),
             "Nothing in front of the camera is visible.",
             "W points backwards. With which sign does it go into d?",
@@ -24,24 +24,24 @@ internal static class AxisMistakes
                 lab.AxisW.Becomes(W => toTarget => -W(toTarget)); // turns U about, but not V
                 lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur));
             }),
-        new Mistake("u-cross", Concerns.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
+        new Mistake("u-cross", Affects.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
             lab => lab.AxisU.Becomes(U => (up, w) => -U(up, w)),
             "The picture is turned by 180 degrees.",
             "a × b = −(b × a). In which order does the slide have up and W?",
             "U = (up × W) normalised.")
             .Or("lines and columns both written from the other end", lab => lab.Shown.Becomes(shown => (x, y) =>
                 shown(lab.Camera.Width - 1 - x, lab.Camera.Height - 1 - y))),
-        new("v-cross", Concerns.Camera, Slides.Camera, "V = U × W, so that V points down",
+        new("v-cross", Affects.Camera, Slides.Camera, "V = U × W, so that V points down",
             lab => lab.AxisV.Becomes(V => (w, u) => -V(w, u)),
             "The picture is upside down, and a row off.",
             "Does V point up? Try W and U of a level camera by hand.",
             "V = W × U."),
-        new("u-only", Concerns.Camera, Slides.Camera, "U points to the left while V is right",
+        new("u-only", Affects.Camera, Slides.Camera, "U points to the left while V is right",
             lab => lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur)),
             "The picture is mirrored left to right, and a column off.",
             "Look along −W, with V upwards: on which side is U?",
             "U = (up × W) normalised, V = W × U, and uc is multiplied by U as it is."),
-        new Mistake("t-dir", Concerns.Camera, Slides.Camera, "W = −T normalised: the target taken for a direction",
+        new Mistake("t-dir", Affects.Camera, Slides.Camera, "W = −T normalised: the target taken for a direction",
             lab => lab.ToTarget.Is((_, t) => t),
             "The camera looks somewhere else; moving it does not turn it.",
             "The target is a point. Which vector leads from P to it?",
@@ -55,7 +55,7 @@ internal static class AxisMistakes
             .Or("d = uc U + ur V + T", Add(lab => lab.W + lab.T))
             .Or("d = P + uc U + ur V − W: the point of the plane taken for a direction", Add(lab => lab.P))
             .Or("d = uc U + ur V − W − P", Add(lab => -lab.P)),
-        new Mistake("v-up", Concerns.Camera, Slides.Camera, "V = up, which is not perpendicular to W",
+        new Mistake("v-up", Affects.Camera, Slides.Camera, "V = up, which is not perpendicular to W",
             lab => lab.AxisV.Is((w, u) => lab.Unit.Do(lab.Camera.Up)),
             "A tilted camera shows everything stretched upwards, and shifted.",
             "Which angle do V and W have where the camera looks down?",
@@ -68,7 +68,7 @@ internal static class AxisMistakes
             .Or("V = U × up", lab => lab.AxisV.Is((w, u) => lab.Cross.Do(u, lab.Camera.Up)))
             .Or("V = W × up", lab => lab.AxisV.Is((w, _) => lab.Cross.Do(w, lab.Camera.Up)))
             .Or("V = up × W", lab => lab.AxisV.Is((w, _) => lab.Cross.Do(lab.Camera.Up, w))),
-        new Mistake("uv-swap", Concerns.Camera, Slides.PixelTranslation, "U and V swapped: d = uc V + ur U − W",
+        new Mistake("uv-swap", Affects.Camera, Slides.PixelTranslation, "U and V swapped: d = uc V + ur U − W",
             lab => lab.Towards.Becomes(towards => (uc, ur) => towards(ur, uc)),
             "The picture is mirrored at its rising diagonal; in a wide picture it is stretched, too.",
             "Columns count to the right. Which of U and V points to the right?",

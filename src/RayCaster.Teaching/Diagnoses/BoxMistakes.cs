@@ -9,7 +9,7 @@ internal static class BoxMistakes
 
     public static Mistake[] All =>
     [
-        new Mistake("slab-noswap", Concerns.Boxes, Slides.BoxParameters, "box: t0 and t1 not sorted, which is wrong where d is negative",
+        new Mistake("slab-noswap", Affects.Boxes, Slides.BoxParameters, "box: t0 and t1 not sorted, which is wrong where d is negative",
             Unsorted("xyz"),
             "Boxes show from one side and vanish from another.",
             "Where d is negative, which face of a slab comes first?",
@@ -24,7 +24,7 @@ internal static class BoxMistakes
             .Or(from first in (bool[])[true, false]
                 from axes in (string[])["xyz", "x", "y", "z"]
                 select ($"box: only {(first ? "t0" : "t1")} changed where both should be swapped, for {axes}", Half(axes, first))),
-        new Mistake("slab-minmin", Concerns.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
+        new Mistake("slab-minmin", Affects.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
             Folded(Least, Least),
             "Boxes smear over the picture.",
             "The ray is in the box when it is in all three slabs. Has it entered at the first way in, or at the last?",
@@ -47,7 +47,7 @@ internal static class BoxMistakes
             .Or("box: t_min ≤ t_max is not asked", lab => lab.Overlap.Is((_, _) => true))
             .Or("box: t_max ≥ 0 asked, but not t_min ≤ t_max", lab => lab.Overlap.Is((_, tMax) => tMax >= 0))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", lab => lab.Overlap.Is((tMin, tMax) => tMin > tMax)),
-        new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten",
+        new Mistake("slab-2axes", Affects.Boxes, Slides.BoxTest, "box: the slab of z forgotten",
             Corners(box => new(box.Min with { Z = -endless }, box.Max with { Z = endless })),
             "Boxes are endless columns.",
             "How many slabs make a box?",
@@ -61,7 +61,7 @@ internal static class BoxMistakes
             .Or(from order in Orders.Skip(1)
                 from left in (int[])[4, 8, 16, 32, 12, 48, 60]
                 select ($"box: asked axis by axis{order.Is}, without {Names(left)}", AxisByAxis(order.Misses, left))),
-        new Mistake("slab-tmax", Concerns.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
+        new Mistake("slab-tmax", Affects.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
             lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Far)),
             "Boxes look hollow and too dark: you see their far faces from inside.",
             "Which of t_min and t_max comes first?",
@@ -69,7 +69,7 @@ internal static class BoxMistakes
             .Or("box: t is the middle of t_min and t_max",
                 lab => lab.Box.Becomes(cross => (box, d) => cross(box, d) is var crossed ? new(0.5 * (crossed.Near + crossed.Far)) : default))
             .Or("box: t_max is tried first, then t_min", lab => lab.Box.Becomes(cross => (box, d) => Turned(cross(box, d)))),
-        new Mistake("slab-inv-nan", Concerns.Boxes, Slides.BoxParameters,
+        new Mistake("slab-inv-nan", Affects.Boxes, Slides.BoxParameters,
             "box: (B − P) · (1 / d) with d = 0 gives 0 · ∞, NaN, which loses the box",
             Crossed("xyz", (lo, hi, origin, d) => ((lo - origin) * (1 / d), (hi - origin) * (1 / d))),
             "A box lacks a line one pixel wide, at its edge or right through it.",
@@ -77,13 +77,13 @@ internal static class BoxMistakes
             "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0.")
             .Or("box: a ray along a slab, d = 0, misses it", AlongASlab((double.NaN, double.NaN)))
             .Or("box: a ray along a slab, d = 0, is always in it", AlongASlab((double.NegativeInfinity, double.PositiveInfinity))),
-        new Mistake("slab-inside", Concerns.Boxes, Slides.BoxTest, "box: t_min or none, so that it is not seen from inside",
+        new Mistake("slab-inside", Affects.Boxes, Slides.BoxTest, "box: t_min or none, so that it is not seen from inside",
             lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Near)),
             "A box that the camera is in, or that is cut open, is not there.",
             "From inside, what is the sign of t_min?",
             "Where t_min does not count, try t_max.")
             .Or("box: no hit where t_min < 0", lab => lab.Box.Becomes(cross => (box, d) => UnlessBehind(cross(box, d)))),
-        new Mistake("box-size", Concerns.Boxes, Slides.Box, "box: the second corner taken for its size, B1 = B0 + B1",
+        new Mistake("box-size", Affects.Boxes, Slides.Box, "box: the second corner taken for its size, B1 = B0 + B1",
             Sized,
             "Boxes have a wrong size or place, or are gone.",
             "The scene's \"max\": is it a corner, or how far it is from corner to corner?",

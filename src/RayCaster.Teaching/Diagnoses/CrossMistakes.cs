@@ -25,15 +25,15 @@ internal static class CrossMistakes
         .Or(Crosses("components have moved on by one place", (_, _, n) => new(n.Y, n.Z, n.X)))
         .Or(Crosses("components have moved back by one place", (_, _, n) => new(n.Z, n.X, n.Y)));
 
-    /// <summary>A mistake in one component, with that component's other wordings.</summary>
-    /// <param name="usual">The component as it is in the first wording.</param>
+    /// <summary>A mistake in one component, with that component's other variants.</summary>
+    /// <param name="usual">The component as it is in the first variant.</param>
     private static Mistake Of(string id, int own, string usual, string cause, Func<Vector3, Vector3, Vector3, Vector3> other,
         string symptom, string question) =>
-        new Mistake(id, Concerns.Camera, Slides.Vectors, cause, Product(other) + ByCross[0].Deviate, symptom, question,
-            "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).").In(ByCross).Or(CrossWordings(own, usual));
+        new Mistake(id, Affects.Camera, Slides.Vectors, cause, Product(other) + ByCross[0].Deviate, symptom, question,
+            "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).").In(ByCross).Or(CrossVariants(own, usual));
 
     /// <summary>A component with other letters, with other signs, or with a term forgotten.</summary>
-    private static IEnumerable<(string, Action<Lab>)> CrossWordings(int own, string usual)
+    private static IEnumerable<(string, Action<Lab>)> CrossVariants(int own, string usual)
     {
         const string axes = "xyz";
         var (i, k) = ((own + 1) % 3, (own + 2) % 3);
@@ -81,8 +81,8 @@ internal static class CrossMistakes
             ($"the cross product's {which}; V is up without its part along W, U = V × W", wrong + CameraWays.ProjectUp),
             ($"the cross product's {which}; the camera turned by two angles, from axes made with it", wrong + CameraWays.TurnByAngles),
             ($"the cross product's {which}; the camera turned by yaw and pitch, and rolled by an angle made with it", wrong + CameraWays.Roll),
-            .. from manner in ByCross.Take(4)
-               select ($"the cross product's {which}, not in the camera; {manner.Cause}", wrong + CameraWays.RightAxes + manner.Deviate),
+            .. from style in ByCross.Take(4)
+               select ($"the cross product's {which}, not in the camera; {style.Cause}", wrong + CameraWays.RightAxes + style.Deviate),
         ];
     }
 

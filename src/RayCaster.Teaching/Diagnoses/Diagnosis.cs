@@ -120,7 +120,7 @@ public sealed class Diagnosis
     /// Whether a mistake is all that is wrong, outlines too: a box that loses its edge to 0 · ∞ is not forgiven. A mistake of the camera may by
     /// chance be the last bits of another program.
     /// </summary>
-    private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Concerns & Concerns.Camera) == 0
-        && mistake.Wordings.Any(wording => ((double[])[0.1, 1]).All(share =>
-            strict.Misfit(new Lab(prepared.Scene, wording), share).Unexplained <= Judgement.Foreign * strict.WrongCount));
+    private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Affects & Affects.Camera) == 0
+        && mistake.Variants.Any(variant => ((double[])[0.1, 1]).All(share =>
+            strict.Misfit(new Lab(prepared.Scene, variant), share).Unexplained <= Judgement.Foreign * strict.WrongCount));
 }

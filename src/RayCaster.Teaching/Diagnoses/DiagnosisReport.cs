@@ -70,7 +70,7 @@ public static class DiagnosisReport
         if (diagnosis.TooManyModels)
         {
             text.AppendLine(string.Create(CultureInfo.InvariantCulture,
-                $"The known mistakes were not tried: the scene has more than {Lab.MostModels:N0} models. Make a smaller one."));
+                $"The known mistakes were not tried: the scene has more than {Lab.MaxModels:N0} models. Make a smaller one."));
             return;
         }
         text.Wrap("", diagnosis.Likely.Count > 0
@@ -149,6 +149,9 @@ public static class DiagnosisReport
             mistake.Hint.Question,
             mistake.Hint.Answer,
             mistake.Slide,
+            mistake.Place?.Section,
+            mistake.Place?.Step,
+            mistake.Place?.Formula,
         }),
         Unexplained = Math.Round(suspect.Unexplained),
         suspect.OtherSample,

@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Tries unfinished programs, each mistake in each of its wordings, and pairs of them, on the <see cref="Evidence"/> of a program's pictures.
+/// Tries unfinished programs, each mistake in each of its variants, and pairs of them, on the <see cref="Evidence"/> of a program's pictures.
 /// </summary>
 /// <param name="pictures">The pictures, each of another scene.</param>
 /// <param name="done">What the program certainly draws.</param>
@@ -11,18 +11,18 @@ namespace RayCaster.Teaching;
 internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
     int? threads, Predicate<Mistake>? likely, SearchBudget? budget = null)
 {
-    /// <summary>If a mistake leaves at most this share, its other wordings are tried once more.</summary>
-    private const double Rewordable = 0.1;
+    /// <summary>If a mistake leaves at most this share, its other variants are tried once more.</summary>
+    private const double WorthVariants = 0.1;
 
     /// <summary>The search ends at this share if shapes are missing, whose pixels a second mistake may explain.</summary>
     private const double Nearly = 0.001;
 
-    /// <summary>The share of the evidence that each round compares, and how many trials it has at least, of mistakes in other manners: few fit.
-    /// </summary>
-    private static readonly (double Share, int Trials)[] mannerRounds = [(0.03, 40), (0.1, 12), (1, 3)];
+    /// <summary>The share of the evidence that each round compares, and how many candidates it has at least, of mistakes in other formula styles:
+    /// few fit.</summary>
+    private static readonly (double Share, int Candidates)[] styleRounds = [(0.03, 40), (0.1, 12), (1, 3)];
 
-    /// <summary>How many manners are tried on top of one another, and how many wordings of each mistake are tried in them.</summary>
-    private const int Manners = 2, Slips = 24;
+    /// <summary>How many formula styles are tried on top of one another, and how many variants of each mistake are tried in them.</summary>
+    private const int Styles = 2, Slips = 24;
 
     /// <summary>How many of the nearest mistakes are also tried with rays through the other place of each pixel.</summary>
     private const int OtherSamples = 6;
@@ -40,16 +40,16 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
 
     private readonly string[] kinds = Unfinished.KindsOf(pictures);
 
-    /// <summary>Compares and sorts the trials.</summary>
-    public TrialRanking Ranking { get; } = new(pictures, threads, likely);
+    /// <summary>Compares and sorts the candidates.</summary>
+    public CandidateRanking Ranking { get; } = new(pictures, threads, likely);
 
-    /// <summary>All trials that were compared closely, the best first.</summary>
+    /// <summary>All candidates that were compared closely, the best first.</summary>
     public List<WrongProgram> Run()
     {
         Unfinished[] unfinished = [.. Unfinished.Ways(pictures, done)];
         var plain = Ranking.Best(
             [.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
-        Ranking.Budget = budget; // without a single trial there would be nothing to judge by
+        Ranking.Budget = budget; // without a single candidate there would be nothing to judge by
         try
         {
             return Run(unfinished, plain);
@@ -67,12 +67,12 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
     private List<WrongProgram> Run(Unfinished[] unfinished, List<WrongProgram> plain)
     {
         var (usual, everySingle) = NearestSingles();
-        var (singles, inManners) = (usual, new List<WrongProgram>());
-        for (var (i, before) = (0, everySingle); i < Manners && !Ranking.IsCertain(singles); i++)
+        var (singles, inStyles) = (usual, new List<WrongProgram>());
+        for (var (i, before) = (0, everySingle); i < Styles && !Ranking.IsCertain(singles); i++)
         {
-            before = Ranking.Measured(InManners([.. singles, .. before]), TrialRanking.Glance); // one manner alone may be far off
-            inManners.AddRange(before);
-            singles = Ranking.Sorted([.. singles, .. Ranking.Best(before, mannerRounds)]);
+            before = Ranking.Measured(InStyles([.. singles, .. before]), CandidateRanking.Glance); // one formula style alone may be far off
+            inStyles.AddRange(before);
+            singles = Ranking.Sorted([.. singles, .. Ranking.Best(before, styleRounds)]);
         }
         singles = WithoutIdle(singles);
         // A missing shape counts for little beside a mistake that changes everything, so it is sought even if the mistake explains most.
@@ -80,13 +80,13 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         [
             .. from single in usual.DistinctBy(single => single.Id).Take(Besides).Union(singles.DistinctBy(single => single.Id).Take(Besides))
                from way in unfinished
-               where way.Kinds.Any() && single.Wordings.All(wording => MayShow(wording, way))
+               where way.Kinds.Any() && single.Variants.All(variant => MayShow(variant, way))
                select single with { Base = way },
         ]);
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
-        if (Ranking.IsCertain([.. all.Where(trial => !trial.Base.Kinds.Any())]) || Ranking.IsDone(all, Nearly)) return Ranking.Sorted(all);
+        if (Ranking.IsCertain([.. all.Where(candidate => !candidate.Base.Kinds.Any())]) || Ranking.IsDone(all, Nearly)) return Ranking.Sorted(all);
 
-        var pairs = new PairSearch(pictures, known, Ranking, everySingle, inManners);
+        var pairs = new PairSearch(pictures, known, Ranking, everySingle, inStyles);
         var isDone = Ranking.IsDone(all);
         if (isDone) all.AddRange(NearestPairs());
         if (isDone && !Ranking.IsDone(plain)) return Ranking.Sorted(all);
@@ -101,9 +101,9 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         foreach (var some in pairs.ByEffort(singles, onTop))
         {
             var best = Ranking.BestPairs(some);
-            if (!Ranking.IsCertain(best)) best = Ranking.Sorted([.. best, .. Ranking.Best(Reworded(best, Besides))]);
-            for (var i = 0; i < Manners && !Ranking.IsCertain(best); i++)
-                best = Ranking.Sorted([.. best, .. Ranking.Best(Ranking.Measured(InManners(best), TrialRanking.Glance), mannerRounds)]);
+            if (!Ranking.IsCertain(best)) best = Ranking.Sorted([.. best, .. Ranking.Best(InOtherVariants(best, Besides))]);
+            for (var i = 0; i < Styles && !Ranking.IsCertain(best); i++)
+                best = Ranking.Sorted([.. best, .. Ranking.Best(Ranking.Measured(InStyles(best), CandidateRanking.Glance), styleRounds)]);
             all.AddRange(best);
             if (Ranking.IsCertain(all)) break;
         }
@@ -118,12 +118,12 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         var mayBeOtherSample = MayBeOtherSample();
         Scene[] meshes = [.. pictures.Select(picture => picture.Scene).Where(scene => scene.Models.Any(model => model is Mesh))];
         var isSlow = Singles(Unfinished.Nothing, mayBeOtherSample ? [false, true] : [false])
-            .ToLookup(trial => meshes.Any(scene => trial.Draw(scene).TrianglesTried > 0));
-        var all = Ranking.Measured([.. isSlow[false]], TrialRanking.Glance);
+            .ToLookup(candidate => meshes.Any(scene => candidate.Draw(scene).TrianglesTried > 0));
+        var all = Ranking.Measured([.. isSlow[false]], CandidateRanking.Glance);
         var nearest = Ranking.Best(all[..(all.Count / 3)]);
         if (isSlow[true].Any() && !Ranking.IsCertain(nearest)) // tried only where no quick one explains the picture
         {
-            all = Ranking.Sorted([.. all, .. Ranking.Measured([.. isSlow[true]], TrialRanking.Glance)]);
+            all = Ranking.Sorted([.. all, .. Ranking.Measured([.. isSlow[true]], CandidateRanking.Glance)]);
             nearest = Ranking.Best(all[..(all.Count / 3)]);
         }
         if (!mayBeOtherSample)
@@ -132,69 +132,70 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
                 .Select(single => single with { OtherSample = true });
             nearest = Ranking.Sorted([.. nearest, .. Ranking.Best([.. other])]);
         }
-        if (!Ranking.IsCertain(nearest) && Ranking.IsDone(nearest, Rewordable))
-            nearest = Ranking.Sorted([.. nearest, .. Ranking.Best(Reworded(nearest, Besides))]);
+        if (!Ranking.IsCertain(nearest) && Ranking.IsDone(nearest, WorthVariants))
+            nearest = Ranking.Sorted([.. nearest, .. Ranking.Best(InOtherVariants(nearest, Besides))]);
         return (nearest, all);
     }
 
-    /// <summary>The ways to be unfinished that are nearest with one mistake in its usual wording.</summary>
+    /// <summary>The ways to be unfinished that are nearest with one mistake in its usual variant.</summary>
     private IEnumerable<Unfinished> NearestWays(bool[] samples)
     {
         Unfinished[] ways = [.. Unfinished.ByColors(pictures, done)];
         if (ways.Length <= Ways) return ways;
-        var trials = from way in ways from mistake in known where MayShow(mistake, way) select new WrongProgram(way, [mistake], samples[0]);
-        return Ranking.Measured([.. trials], TrialRanking.Glance).Select(trial => trial.Base).Distinct().Take(Ways);
+        var candidates = from way in ways from mistake in known where MayShow(mistake, way) select new WrongProgram(way, [mistake], samples[0]);
+        return Ranking.Measured([.. candidates], CandidateRanking.Glance).Select(candidate => candidate.Base).Distinct().Take(Ways);
     }
 
-    /// <summary>The ranked trials with some more, also with one of their mistakes in another wording; the best first.</summary>
-    public List<WrongProgram> With(List<WrongProgram> trials, List<WrongProgram> ranked) =>
-        Ranking.Sorted([.. ranked, .. Ranking.Measured(trials, 1), .. Ranking.Best(Reworded(trials, trials.Count))]);
+    /// <summary>The ranked candidates with some more, also with one of their mistakes in another variant; the best first.</summary>
+    public List<WrongProgram> With(List<WrongProgram> candidates, List<WrongProgram> ranked) =>
+        Ranking.Sorted([.. ranked, .. Ranking.Measured(candidates, 1), .. Ranking.Best(InOtherVariants(candidates, candidates.Count))]);
 
     /// <summary>Whether rays through the other place of each pixel explain so much alone that they are tried with every mistake.</summary>
     private bool MayBeOtherSample() =>
         Ranking.Measure(new(Unfinished.Nothing, [WrongProgram.Center], false), 0.05).Unexplained < 0.9 * Ranking.Wrong;
 
-    /// <summary>A trial, and before it the same with nothing missing: a shape may be misplaced by a second mistake, or clipping wrong.</summary>
-    private static WrongProgram[] Written(WrongProgram trial) =>
-        trial.Base.NotYet.Count > 0 ? [trial with { Base = Unfinished.Nothing }, trial] : [trial];
+    /// <summary>A candidate, and before it the same with nothing missing: a shape may be misplaced by a second mistake, or clipping wrong.</summary>
+    private static WrongProgram[] Written(WrongProgram candidate) =>
+        candidate.Base.NotYet.Count > 0 ? [candidate with { Base = Unfinished.Nothing }, candidate] : [candidate];
 
     private List<WrongProgram> Singles(Unfinished way, bool[] samples) =>
     [
         .. from mistake in known
            where MayShow(mistake, way)
-           from wording in mistake.Wordings
+           from variant in mistake.Variants
            from otherSample in mistake == WrongProgram.Center ? (bool[])[false] : samples
-           select new WrongProgram(way, [wording], otherSample),
+           select new WrongProgram(way, [variant], otherSample),
     ];
 
     /// <summary>Whether the picture of a program that is unfinished in a way can show a mistake.</summary>
     private bool MayShow(Mistake mistake, Unfinished way) =>
         !way.AsMistakes.Contains(mistake) && mistake.Touches(kinds.Where(kind => !way.NotYet.Contains(kind)));
 
-    /// <summary>Drops trials with rays through the other place of each pixel that explain no more than these rays alone.</summary>
+    /// <summary>Drops candidates with rays through the other place of each pixel that explain no more than these rays alone.</summary>
     private static List<WrongProgram> WithoutIdle(List<WrongProgram> singles)
     {
-        if (singles.Find(trial => trial.Id == WrongProgram.Center.Id) is not { } alone) return singles;
-        return [.. singles.Where(trial => !trial.OtherSample || trial.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
+        if (singles.Find(candidate => candidate.Id == WrongProgram.Center.Id) is not { } alone) return singles;
+        return [.. singles.Where(candidate => !candidate.OtherSample || candidate.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
     }
 
-    /// <summary>The best trials with one of their mistakes in another wording; pairs also with rays through the other place of each pixel.</summary>
-    private static List<WrongProgram> Reworded(List<WrongProgram> trials, int most) =>
+    /// <summary>The best candidates with one of their mistakes in another variant; pairs also with rays through the other place of
+    /// each pixel.</summary>
+    private static List<WrongProgram> InOtherVariants(List<WrongProgram> candidates, int most) =>
     [
-        .. from trial in trials.DistinctBy(trial => trial.Id).Take(most)
-           from place in Enumerable.Range(0, trial.Wordings.Count)
-           from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.Wordings
-           from otherSample in trial.Wordings.Count > 1 ? (bool[])[false, true] : [trial.OtherSample]
-           select trial.With(place, wording) with { OtherSample = otherSample },
+        .. from candidate in candidates.DistinctBy(candidate => candidate.Id).Take(most)
+           from place in Enumerable.Range(0, candidate.Variants.Count)
+           from variant in MistakeCatalog.Named(candidate.Variants[place].Id)!.Variants
+           from otherSample in candidate.Variants.Count > 1 ? (bool[])[false, true] : [candidate.OtherSample]
+           select candidate.With(place, variant) with { OtherSample = otherSample },
     ];
 
-    /// <summary>The best trials of each mistake, or pair, with one mistake in each of its manners.</summary>
-    private static List<WrongProgram> InManners(List<WrongProgram> trials) =>
+    /// <summary>The best candidates of each mistake, or pair, with one mistake in each of its formula styles.</summary>
+    private static List<WrongProgram> InStyles(List<WrongProgram> candidates) =>
     [
-        .. from same in trials.GroupBy(trial => trial.Id)
-           from trial in same.DistinctBy(trial => (trial.Wordings[0], trial.Wordings[^1], trial.OtherSample)).Take(Slips)
-           from place in Enumerable.Range(0, trial.Wordings.Count)
-           from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.InManners(trial.Wordings[place])
-           select trial.With(place, wording),
+        .. from same in candidates.GroupBy(candidate => candidate.Id)
+           from candidate in same.DistinctBy(candidate => (candidate.Variants[0], candidate.Variants[^1], candidate.OtherSample)).Take(Slips)
+           from place in Enumerable.Range(0, candidate.Variants.Count)
+           from variant in MistakeCatalog.Named(candidate.Variants[place].Id)!.InStyles(candidate.Variants[place])
+           select candidate.With(place, variant),
     ];
 }

@@ -7,10 +7,10 @@ namespace RayCaster.Teaching;
 internal sealed class Evidence
 {
     /// <summary>About how many triangles are tried in the first look and in the last, if each ray must try every triangle of a mesh.</summary>
-    private const int LeastTests = 50_000, MostTests = 1_000_000;
+    private const int LeastTests = 50_000, MaxTests = 1_000_000;
 
     /// <summary>How many pixels rule out most pairs of mistakes.</summary>
-    private const int Few = 5;
+    private const int ProbePixels = 5;
 
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.1;
@@ -93,6 +93,12 @@ internal sealed class Evidence
     /// </summary>
     public int OutlineCount { get; }
 
+    /// <summary>Some of the pixels in which it is wrong, and some in which it is not; each beginning is spread over the picture.</summary>
+    public ReadOnlySpan<int> WrongPixels => wrongPixels;
+
+    /// <inheritdoc cref="WrongPixels"/>
+    public ReadOnlySpan<int> OtherPixels => otherPixels;
+
     /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
     public double DarkerShare { get; }
 
@@ -139,7 +145,7 @@ internal sealed class Evidence
     {
         if (!CanDraw(lab)) return false;
         var off = 0;
-        for (var k = 0; k < Few && off < 2; k++)
+        for (var k = 0; k < ProbePixels && off < 2; k++)
         {
             if (k < wrongPixels.Length && !IsDrawnBy(lab, wrongPixels[k])) off++;
             if (off < 2 && k < otherPixels.Length && !IsDrawnBy(lab, otherPixels[k])) off++;
@@ -148,7 +154,7 @@ internal sealed class Evidence
     }
 
     /// <summary>Whether a program draws one of the first few wrong pixels right.</summary>
-    public bool IsHelpedBy(Lab lab) => CanDraw(lab) && wrongPixels.Take(Few).Any(pixel => IsDrawnBy(lab, pixel));
+    public bool IsHelpedBy(Lab lab) => CanDraw(lab) && wrongPixels.Take(ProbePixels).Any(pixel => IsDrawnBy(lab, pixel));
 
     /// <summary>A misfit on a scale for several pictures: 0 if nothing is left, 1 if all that is wrong is left, or more.</summary>
     public double Loss(Misfit misfit) => Math.Min(1,
@@ -191,7 +197,7 @@ internal sealed class Evidence
 
     /// <summary>How many of some pixels are drawn: fewer if each ray must try every triangle of a mesh.</summary>
     private static int Affordable(int pixels, Lab lab, double share = 1) =>
-        lab.RaysWithin(LeastTests + share * MostTests, pixels);
+        lab.RaysWithin(LeastTests + share * MaxTests, pixels);
 
     private (int X, int Y) At(int pixel) => (pixel % Picture.Width, pixel / Picture.Width);
 

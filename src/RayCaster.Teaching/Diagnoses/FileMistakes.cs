@@ -5,18 +5,18 @@ internal static class FileMistakes
 {
     public static Mistake[] All =>
     [
-        new Mistake("rows", Concerns.File, Slides.Template, "row r written as line r, not as line height − 1 − r",
+        new Mistake("rows", Affects.File, Slides.Template, "row r written as line r, not as line height − 1 − r",
             lab => lab.Row.Becomes(row => y => row(lab.Camera.Height - 1 - y)),
             "The picture is upside down.",
             "Row 0 of the slide is at the bottom. Where is line 0 of a picture?",
             "Line y = height − 1 − r.")
             .Or("row r written as line r + 1", lab => lab.Row.Becomes(row => y => row(lab.Camera.Height - y))),
-        new("cols", Concerns.File, Slides.Template, "columns written from the right",
+        new("cols", Affects.File, Slides.Template, "columns written from the right",
             lab => lab.Column.Becomes(column => x => column(lab.Camera.Width - 1 - x)),
             "The picture is mirrored left to right.",
             "Column 0 is at the left, in the slide and in the file. Is it in yours?",
             "Column x = c."),
-        new Mistake("transpose", Concerns.File, Slides.Template, "row and column swapped in the picture",
+        new Mistake("transpose", Affects.File, Slides.Template, "row and column swapped in the picture",
             Turned((x, y, _, _) => (y, x)),
             "The picture is mirrored at its diagonal.",
             "Which index comes first where you store a pixel, and which where you write it?",
@@ -31,26 +31,26 @@ internal static class FileMistakes
             .Or("the pixels are written column by column, from the bottom", ByColumns(down: false))
             .Or("line y begins at y · height, where y · width is meant", Stride(fromTop: true))
             .Or("line y begins at y · height, and the lowest line is written first", Stride(fromTop: false)),
-        new Mistake("bgr", Concerns.File, Slides.Template, "red and blue swapped",
+        new Mistake("bgr", Affects.File, Slides.Template, "red and blue swapped",
             Order("bgr"),
             "Two colours are swapped: what should be red is blue, say.",
             "In which order does the file format want the three bytes?",
             "Red, green, blue.")
             .Or(from order in (string[])["grb", "rbg", "gbr", "brg", "rrr", "rrb", "rgr", "rgg", "ggb", "bgb", "rbb"]
                 select ($"the bytes are {order[0]}, {order[1]} and {order[2]}", Order(order))),
-        new("whswap", Concerns.File, Slides.Template, "width and height swapped in the file's header",
+        new("whswap", Affects.File, Slides.Template, "width and height swapped in the file's header",
             Turned((x, y, width, height) => ((y * width + x) % height, (y * width + x) / height)),
             "The picture is sheared into stripes, and its sides are swapped.",
             "Which of the two numbers comes first in the header?",
             "Width, then height."),
-        new Mistake("crlf", Concerns.File, Slides.Template, "one byte too many between the header and the pixels",
+        new Mistake("crlf", Affects.File, Slides.Template, "one byte too many between the header and the pixels",
             Bytes(1),
             "The colours have moved on: what should be red is green, green is blue, blue is red.",
             "Which bytes follow the 255 of the header, and how many?",
             "Exactly one white-space byte, then the pixels: write \"\\n\", not WriteLine, which ends with \"\\r\\n\" on Windows.")
             .Or(from many in (int[])[2, 3, -1, -2, -3]
                 select ($"{Math.Abs(many)} bytes too {(many > 0 ? "many" : "few")} between the header and the pixels", Bytes(many))),
-        new Mistake("row-off", Concerns.File, Slides.Template, "line y shows row height − y, not height − 1 − y",
+        new Mistake("row-off", Affects.File, Slides.Template, "line y shows row height − y, not height − 1 − y",
             lab => lab.Row.Becomes(row => y => row(y) + 1),
             "The picture is one line or one column off.",
             "Rows count from 0. Which is the highest?",

@@ -128,5 +128,5 @@ public static class FitnessReport
     }
 
     private static string Needs(Mistake mistake) =>
-        string.Join(" or ", ShapeKind.Basic.Where(kind => (mistake.Concerns & kind.Formula) != 0).Select(kind => kind.One));
+        string.Join(" or ", ShapeKind.Basic.Where(kind => (mistake.Affects & kind.Formula) != 0).Select(kind => kind.One));
 }

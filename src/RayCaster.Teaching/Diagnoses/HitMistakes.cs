@@ -5,7 +5,7 @@ internal static class HitMistakes
 {
     public static Mistake[] All =>
     [
-        new Mistake("no-t0", Concerns.Hit, Slides.Bias, "no least t at all: what lies behind the camera shows",
+        new Mistake("no-t0", Affects.Hit, Slides.Bias, "no least t at all: what lies behind the camera shows",
             Bias(double.NegativeInfinity),
             "Things from behind the camera are in the picture, upside down and glaring.",
             "Where on the ray is a point with t = −3?",
@@ -24,7 +24,7 @@ internal static class HitMistakes
                 lab.Clipped.Becomes(clipped => (t, depth) => clipped(Math.Abs(t), Math.Abs(depth)));
             })
             .Or("|t| for planes", lab => lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near)))),
-        new Mistake("last-hit", Concerns.Hit, Slides.RayCasting, "the last model hit shows, not the nearest",
+        new Mistake("last-hit", Affects.Hit, Slides.RayCasting, "the last model hit shows, not the nearest",
             lab => lab.Better.Is((_, _) => true),
             "Far things cover near ones; the order of the models changes the picture.",
             "When may a hit replace the one that was found before?",
@@ -49,13 +49,13 @@ internal static class HitMistakes
                 lab.Better.Is((_, _) => true);
             })
             .Or("the best t stays that of the first hit", lab => lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best))),
-        new Mistake("far-hit", Concerns.Hit, Slides.RayCasting, "the farthest hit shows",
+        new Mistake("far-hit", Affects.Hit, Slides.RayCasting, "the farthest hit shows",
             Farthest,
             "Far things cover near ones.",
             "Which t is the best: the least or the greatest?",
             "Start with the best t = +∞ and keep a hit only if t < best.")
             .Or("the farthest hit shows, of both crossings of a sphere or a box, too", Both + Farthest),
-        new Mistake("best0", Concerns.Hit, Slides.RayCasting, "the best t starts at 0, so that no hit is nearer",
+        new Mistake("best0", Affects.Hit, Slides.RayCasting, "the best t starts at 0, so that no hit is nearer",
             lab => lab.Start.Is(() => 0),
             "There is nothing but background.",
             "With which t is the first hit compared?",
@@ -63,21 +63,21 @@ internal static class HitMistakes
             .Or("the best t starts at 1", lab => lab.Start.Is(() => 1))
             .Or("the best t starts at 10", lab => lab.Start.Is(() => 10))
             .Or("the best t starts at |T − P|", lab => lab.Start.Is(() => lab.Length.Do(lab.T - lab.P))),
-        new Mistake("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
+        new Mistake("znear-t", Affects.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)),
             "What the near plane cuts is cut along a wrong line.",
             "What does the scene's \"clip\" say that zNear measures?",
             "For \"depth\": zNear ≤ t · (−d·W); for \"distance\": zNear ≤ t.")
             .Or(OfSome("zNear compared with the other of t and depth",
                 (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(depth, t) && lab.Far.Do(t, depth))),
-        new Mistake("zfar-t", Concerns.Hit, Slides.ClipPlanes, "zFar compared with t where depth is meant (with depth where t is meant)",
+        new Mistake("zfar-t", Affects.Hit, Slides.ClipPlanes, "zFar compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Far.Becomes(far => (t, depth) => far(depth, t)),
             "What the far plane cuts is cut along a wrong line: round for straight, or straight for round.",
             "What does the scene's \"clip\" say that zFar measures?",
             "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar.")
             .Or(OfSome("zFar compared with the other of t and depth",
                 (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(t, depth) && lab.Far.Do(depth, t))),
-        new Mistake("zboth-t", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
+        new Mistake("zboth-t", Affects.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
             lab =>
             {
                 lab.Near.Becomes(near => (t, depth) => near(depth, t));
@@ -95,7 +95,7 @@ internal static class HitMistakes
                 lab.Near.Becomes(near => (_, distance) => near(distance, distance));
                 lab.Far.Becomes(far => (_, distance) => far(distance, distance));
             }),
-        new Mistake("clip-after", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar asked only after the nearest hit was chosen",
+        new Mistake("clip-after", Affects.Hit, Slides.ClipPlanes, "zNear and zFar asked only after the nearest hit was chosen",
             lab => lab.Clipped.Becomes(clipped =>
             {
                 lab.Kept.Is(clipped);
@@ -111,19 +111,19 @@ internal static class HitMistakes
             }))
             .Or("a crossing before zNear or beyond zFar ends the ray with the background", EndsRay((lab, t) => lab.Ahead.Do(t)))
             .Or("a crossing that does not count ends the ray with the background", EndsRay((_, _) => true)),
-        new Mistake("no-znear", Concerns.Hit, Slides.ClipPlanes, "zNear ignored", lab => lab.Near.Is((_, _) => true),
+        new Mistake("no-znear", Affects.Hit, Slides.ClipPlanes, "zNear ignored", lab => lab.Near.Is((_, _) => true),
             "Something close to the camera is in the way.",
             "Which test uses zNear?",
             "A crossing counts only from zNear on.")
             .Or(OfSome("zNear ignored", (lab, t, depth) => lab.Ahead.Do(t) && lab.Far.Do(t, depth))),
-        new Mistake("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
+        new Mistake("no-zfar", Affects.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
             "There is something where the background should be, far away.",
             "Which test uses zFar?",
             "A crossing counts only up to zFar.")
             .Or(OfSome("zFar ignored", (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(t, depth)))
             .Or(OfSome("zNear and zFar ignored", (lab, t, _) => lab.Ahead.Do(t)))
-            .Or("zNear and zFar asked for planes alone", Counted(~Concerns.Planes, (lab, t, _) => lab.Ahead.Do(t))),
-        new Mistake("bias-big", Concerns.Hit, Slides.Bias, "a bias of 1 in place of zNear",
+            .Or("zNear and zFar asked for planes alone", Counted(~Affects.Planes, (lab, t, _) => lab.Ahead.Do(t))),
+        new Mistake("bias-big", Affects.Hit, Slides.Bias, "a bias of 1 in place of zNear",
             Bias(1),
             "What is close to the camera is cut at a wrong place.",
             "What is the bias for, and what is zNear for?",
@@ -131,7 +131,7 @@ internal static class HitMistakes
             .Or("a bias of 0.1 in place of zNear", Bias(0.1))
             .Or("depth compared with 1 in place of zNear", lab => lab.Near.Is((_, depth) => depth > 1))
             .Or(OfSome("a bias of 1 in place of zNear", (lab, t, depth) => t > 1 && lab.Far.Do(t, depth))),
-        new("clip-root", Concerns.Hit, Slides.ClipPlanes,
+        new("clip-root", Affects.Hit, Slides.ClipPlanes,
             "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",
             lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),
             "A sphere or a box that the near plane cuts has a hole through it.",
@@ -168,16 +168,16 @@ internal static class HitMistakes
 
     /// <summary>Another question for one kind of shape, for the two that have an inside, and for the flat ones.</summary>
     private static IEnumerable<(string, Action<Lab>)> OfSome(string what, Func<Lab, double, double, bool> counts) =>
-        from some in (IEnumerable<(string Many, Concerns Shapes)>)
+        from some in (IEnumerable<(string Many, Affects Shapes)>)
         [
             .. ShapeKind.Basic.Select(kind => (kind.Many, kind.Formula)),
-            ("spheres and boxes", Concerns.Spheres | Concerns.Boxes),
-            ("planes, circles and triangles", Concerns.Planes | Concerns.Circles | Concerns.Triangles),
+            ("spheres and boxes", Affects.Spheres | Affects.Boxes),
+            ("planes, circles and triangles", Affects.Planes | Affects.Circles | Affects.Triangles),
         ]
         select ($"{what} for {some.Many}", Counted(some.Shapes, counts));
 
     /// <summary>Another question, with t and depth, whether a crossing of such shapes counts.</summary>
-    private static Action<Lab> Counted(Concerns shapes, Func<Lab, double, double, bool> counts) => lab => lab.Hit.Becomes(hit => (model, d) =>
+    private static Action<Lab> Counted(Affects shapes, Func<Lab, double, double, bool> counts) => lab => lab.Hit.Becomes(hit => (model, d) =>
     {
         if ((Mistake.KindOf(model) & shapes) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);
         return Counts(crossed.Near) ? crossed.Near : Counts(crossed.Far) ? crossed.Far : null;

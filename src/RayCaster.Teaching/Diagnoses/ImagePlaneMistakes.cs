@@ -5,7 +5,7 @@ internal static class ImagePlaneMistakes
 {
     public static Mistake[] All =>
     [
-        new Mistake("rad", Concerns.Camera, Slides.Camera, "degrees into Math.Tan, which takes radians",
+        new Mistake("rad", Affects.Camera, Slides.Camera, "degrees into Math.Tan, which takes radians",
             lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180 / Math.PI)),
             "Everything has a wrong size, and may be turned by 180 degrees.",
             "In which unit is fovY, and in which unit does Math.Tan take its angle?",
@@ -22,7 +22,7 @@ internal static class ImagePlaneMistakes
             .Or("2 tan(fovY / 2) · π / 180", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180 / Math.PI) * Math.PI / 180))
             .Or("2 tan(fovY / 2) · 180 / π", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180 / Math.PI) * 180 / Math.PI))
             .Or(OneSide("degrees in the tangent", a => Math.Tan(a * 180 / Math.PI))),
-        new Mistake("nohalf", Concerns.Camera, Slides.Camera, "h = 2 tan(fovY): the half of the angle is missing",
+        new Mistake("nohalf", Affects.Camera, Slides.Camera, "h = 2 tan(fovY): the half of the angle is missing",
             lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY)),
             "Everything is too small: the angle of view is too wide.",
             "The right-angled triangle from the camera to the upper edge: which part of fovY is its angle?",
@@ -31,7 +31,7 @@ internal static class ImagePlaneMistakes
             .Or("h = tan(fovY) / 2", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY) / 4))
             .Or("h = 2 tan(fovY / 4): the angle is halved twice", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY / 2)))
             .Or(OneSide("tan(fovY)", a => Math.Tan(2 * a))),
-        new Mistake("no2", Concerns.Camera, Slides.Camera, "h = tan(fovY / 2): half of the plane's height",
+        new Mistake("no2", Affects.Camera, Slides.Camera, "h = tan(fovY / 2): half of the plane's height",
             lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / 2),
             "Everything is twice as large as it should be.",
             "tan(fovY / 2) reaches from the axis to the upper edge. How far is it from edge to edge?",
@@ -40,7 +40,7 @@ internal static class ImagePlaneMistakes
             .Or(OneSide("tan(fovY / 2) without the 2", a => Math.Tan(a) / 2))
             .Or(OneSide("4 tan(fovY / 2)", a => 2 * Math.Tan(a)))
             .Or("h = tan(fovY / 2) / 2", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / 4)),
-        new Mistake("no-tan", Concerns.Camera, Slides.Camera, "the tangent is forgotten: h = 2 · fovY / 2",
+        new Mistake("no-tan", Affects.Camera, Slides.Camera, "the tangent is forgotten: h = 2 · fovY / 2",
             lab => lab.Tan.Is(a => a),
             "Everything is somewhat too large; the wider the view, the more.",
             "A right-angled triangle with an angle and the side 1 beside it: how long is the side opposite to it?",
@@ -60,26 +60,26 @@ internal static class ImagePlaneMistakes
             .Or("sin · cos for the tangent", lab => lab.Tan.Is(a => Math.Sin(a) * Math.Cos(a)))
             .Or(OneSide("fovY / 2, in radians", a => a))
             .Or(OneSide("2, whatever fovY is", _ => 1)),
-        new Mistake("aspect-inv", Concerns.Camera, Slides.Camera, "w = h · height / width",
+        new Mistake("aspect-inv", Affects.Camera, Slides.Camera, "w = h · height / width",
             lab => lab.PlaneWidth.Is(h => h * lab.Camera.Height / lab.Camera.Width),
             "All is far too long along the picture's longer side, as if stretched.",
             "Wide pictures need a wide plane. Which is larger in yours, w or h?",
             "w = h · width / height.")
             .Or("w = 2 tan(fovY / 2), h = w · width / height", lab => Stretch(lab, lab.Tall, lab.Wide))
             .Or("w = h · (width / height)²", lab => Stretch(lab, lab.Wide, 1)),
-        new Mistake("aspect-none", Concerns.Camera, Slides.Camera, "w = h, whatever the picture's shape",
+        new Mistake("aspect-none", Affects.Camera, Slides.Camera, "w = h, whatever the picture's shape",
             lab => lab.PlaneWidth.Is(h => h),
             "All is too long along the picture's longer side, as if stretched.",
             "Is a pixel of the plane a square?",
             "w = h · width / height.")
             .Or("h = w", lab => Stretch(lab, 1, lab.Wide)),
-        new Mistake("aspect-int", Concerns.Camera, Slides.Camera, "w = h · (width / height), divided in integers",
+        new Mistake("aspect-int", Affects.Camera, Slides.Camera, "w = h · (width / height), divided in integers",
             lab => lab.PlaneWidth.Is(h => h * (lab.Camera.Width / lab.Camera.Height)),
             "All is stretched; a picture that is higher than wide has only stripes.",
             "What is 320 / 200 in C#, where both are int?",
             "w = h · width / height, from left to right: h is a double, so no integers are divided.")
             .Or("w = h · (height / width), divided in integers", lab => lab.PlaneWidth.Is(h => h * (lab.Camera.Height / lab.Camera.Width))),
-        new Mistake("fov-horiz", Concerns.Camera, Slides.Camera, "fovY taken from the left edge to the right one",
+        new Mistake("fov-horiz", Affects.Camera, Slides.Camera, "fovY taken from the left edge to the right one",
             lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) * lab.Tall),
             "The whole picture is zoomed, with the right proportions.",
             "The Y in fovY: which two edges are that angle apart?",

@@ -12,7 +12,7 @@ internal sealed record Answer(Finding Finding)
     public IReadOnlyList<Suspect> Nearest { get; init; } = [];
 }
 
-/// <summary>Decides which of the trials that a search has compared are named, and what is said if none is.</summary>
+/// <summary>Decides which of the candidates that a search has compared are named, and what is said if none is.</summary>
 /// <param name="done">What the program certainly draws.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
 /// <param name="byModels">The picture, model by model; null if it has another size.</param>
@@ -48,7 +48,7 @@ internal sealed class Judgement(
     private const int Shown = 3;
 
     /// <summary>How many of the best are examined, and how many of them are named.</summary>
-    private const int Looked = 12, MostNamed = 5;
+    private const int Looked = 12, MaxNamed = 5;
 
     private readonly SuspectFinder suspects = new(prepared, evidence);
 
@@ -61,7 +61,7 @@ internal sealed class Judgement(
     {
         var search = new DiagnosisSearch([evidence], prepared.Known, done, prepared.Threads, likely, prepared.Budget);
         var ranked = search.Run();
-        leftByOne = ranked.Where(IsOne).Select(trial => trial.Misfit.Unexplained).DefaultIfEmpty(0).Min();
+        leftByOne = ranked.Where(IsOne).Select(candidate => candidate.Misfit.Unexplained).DefaultIfEmpty(0).Min();
         var best = search.Ranking.WithoutIdle(Best(ranked));
         var isEnough = IsEnough(best);
         var (says, isBetter) = OtherCause(best, isEnough);
@@ -69,44 +69,56 @@ internal sealed class Judgement(
 
         if (evidence.IsOnlyOutlines) return new(Finding.Matches);
         if (leftByMissingModel is not null) return new(Finding.NoneOfThese);
+        if (Edited() is { } edited) return edited with { Likely = says };
         if (says.Count == 0 && LikelyCause.OfTheWhole(evidence) is { } whole) says = [whole];
         return new(Finding.NoneOfThese) { Likely = says, Nearest = isBetter ? [] : NearestOf(ranked, best) };
     }
 
-    private WrongProgram Best(List<WrongProgram> ranked)
+    /// <summary>A small edit of the slides' formulas that explains the picture; null if there is none.</summary>
+    private Answer? Edited()
     {
-        var best = ranked.Find(trial => trial.Misfit.Unexplained <= MayLeave(trial)) ?? ranked[0];
-        if (!best.Base.Kinds.Any() || best.Misfit.Unexplained <= Nearly * wrong) return best;
-        // few wrong pixels may be all that shows of a misplaced shape
-        return ranked.Find(trial => !trial.Base.Kinds.Any() && trial.Misfit.Unexplained <= Much * best.Misfit.Unexplained) ?? best;
+        if (new EditSearch(evidence, prepared.Budget).Find() is not { } group) return null;
+        var mistake = EditNaming.Of(group);
+        return prepared.Possible?.Invoke(mistake) == false ? null : new(Finding.Mistake)
+        {
+            Suspects = [new([mistake], group.Unexplained * wrong, OtherSample: false, Twins: [], NotYet: [], SamePicture: true, HasSymptoms: true)],
+        };
     }
 
-    /// <summary>Whether a trial explains the picture. Where one missing model is enough, two mistakes are not assumed.</summary>
+    private WrongProgram Best(List<WrongProgram> ranked)
+    {
+        var best = ranked.Find(candidate => candidate.Misfit.Unexplained <= MayLeave(candidate)) ?? ranked[0];
+        if (!best.Base.Kinds.Any() || best.Misfit.Unexplained <= Nearly * wrong) return best;
+        // few wrong pixels may be all that shows of a misplaced shape
+        return ranked.Find(candidate => !candidate.Base.Kinds.Any() && candidate.Misfit.Unexplained <= Much * best.Misfit.Unexplained) ?? best;
+    }
+
+    /// <summary>Whether a candidate explains the picture. Where one missing model is enough, two mistakes are not assumed.</summary>
     private bool IsEnough(WrongProgram best)
     {
         var left = best.Misfit.Unexplained;
         return leftByMissingModel is not { } byModel ? left <= Math.Max(Explained * wrong, MayLeave(best))
-            : left <= Explained * wrong && (best.Wordings.Count < 2 || left < Much * byModel);
+            : left <= Explained * wrong && (best.Variants.Count < 2 || left < Much * byModel);
     }
 
-    /// <summary>What a trial may leave unexplained, in pixels.</summary>
-    private double MayLeave(WrongProgram trial) => wrong * (trial.Wordings is [{ Id: "tri-area" }] ? Scattered
-        : IsOne(trial) ? Foreign : trial.Misfit.Unexplained <= Third * leftByOne ? ForeignApart : ForeignPair);
+    /// <summary>What a candidate may leave unexplained, in pixels.</summary>
+    private double MayLeave(WrongProgram candidate) => wrong * (candidate.Variants is [{ Id: "tri-area" }] ? Scattered
+        : IsOne(candidate) ? Foreign : candidate.Misfit.Unexplained <= Third * leftByOne ? ForeignApart : ForeignPair);
 
-    private static bool IsOne(WrongProgram trial) => trial.Wordings.Count + trial.Base.Kinds.Count() < 2;
+    private static bool IsOne(WrongProgram candidate) => candidate.Variants.Count + candidate.Base.Kinds.Count() < 2;
 
-    /// <summary>What is to be said of another cause, and whether it explains the picture better than the best trial.</summary>
+    /// <summary>What is to be said of another cause, and whether it explains the picture better than the best candidate.</summary>
     private (IReadOnlyList<string> Says, bool IsBetter) OtherCause(WrongProgram best, bool isEnough)
     {
         // Two mistakes of the camera may make the picture of another angle of view, or by chance nearly so: the more exact of both is named.
-        var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Concerns == Concerns.Camera);
+        var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Affects == Affects.Camera);
         if ((best.Misfit.Unexplained <= Nearly * wrong && !isOfCamera) || leftByMissingModel is not null || evidence.IsOnlyOutlines
             || byModels is null) return ([], false);
         var most = best.Misfit * (best.Named.Count < 2 ? NumberForOne : isOfCamera ? 1 : NumberForPair);
         var (misfit, certain) = LikelyCause.Certain(prepared, byModels, evidence);
         if (certain is not null && misfit.CompareTo(most) < 0) return ([certain], true);
         if (!isEnough) return ([.. LikelyCause.Hints(byModels, evidence)], false);
-        return (certain is not null && misfit.Unexplained <= TrialRanking.Idle * wrong ? [certain] : [], false);
+        return (certain is not null && misfit.Unexplained <= CandidateRanking.Idle * wrong ? [certain] : [], false);
     }
 
     private IReadOnlyList<Suspect> NearestOf(List<WrongProgram> ranked, WrongProgram best)
@@ -114,18 +126,18 @@ internal sealed class Judgement(
         var likeliest = best.Draw(prepared.Scene);
         return
         [
-            .. ranked.Where(trial => trial.Wordings.Count > 0
-                    && trial.Misfit.Unexplained < (trial.Wordings.Count > 1 ? MentionedPair : Mentioned) * wrong)
-                .DistinctBy(trial => IdsOf(trial.Wordings)).Take(Shown)
-                .OrderBy(trial => trial.Misfit.Unexplained).Select(trial => suspects.Of(trial, likeliest)),
+            .. ranked.Where(candidate => candidate.Variants.Count > 0
+                    && candidate.Misfit.Unexplained < (candidate.Variants.Count > 1 ? MentionedPair : Mentioned) * wrong)
+                .DistinctBy(candidate => IdsOf(candidate.Variants)).Take(Shown)
+                .OrderBy(candidate => candidate.Misfit.Unexplained).Select(candidate => suspects.Of(candidate, likeliest)),
         ];
     }
 
-    /// <summary>Names the best trial, and others that also explain the picture.</summary>
-    private Answer Naming(WrongProgram best, List<WrongProgram> ranked, TrialRanking ranking, IReadOnlyList<string> says)
+    /// <summary>Names the best candidate, and others that also explain the picture.</summary>
+    private Answer Naming(WrongProgram best, List<WrongProgram> ranked, CandidateRanking ranking, IReadOnlyList<string> says)
     {
         string[] missing = [.. best.Base.Kinds];
-        if (best.Wordings.Count == 0 && missing.Length > 0
+        if (best.Variants.Count == 0 && missing.Length > 0
             && best.Misfit.Unexplained > (best.OtherSample ? NearlyOtherSample : Nearly) * wrong)
         {
             // Beside missing shapes a small mistake counts for little, so the rest is judged by itself.
@@ -134,13 +146,15 @@ internal sealed class Judgement(
             if (rest.Finding != Finding.Matches)
                 return new(rest.Finding) { NotYet = [.. missing, .. rest.NotYet], Suspects = rest.Suspects, Likely = rest.Likely };
         }
-        var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial))
-            .DistinctBy(trial => trial.Id).Take(Looked).Select(ranking.WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
+        var named = ranked.Where(candidate => candidate.Named.Count > 0 && candidate.Misfit.Unexplained <= MayLeave(candidate))
+            .DistinctBy(candidate => candidate.Id).Take(Looked).Select(ranking.WithoutIdle).Prepend(best)
+            .Where(candidate => candidate.Named.Count > 0);
         if (best.Named.Count == 0) // what may have lost those shapes, if they are written already
-            named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * wrong);
+            named = named.Where(candidate =>
+                candidate.Base.NotYet.Count == 0 && candidate.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * wrong);
         else if (missing.Length > 0) named = named.Take(1);
         if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(suspects.Losing(best));
-        WrongProgram[] first = [.. named.DistinctBy(trial => IdsOf(trial.Named)).Take(MostNamed)];
+        WrongProgram[] first = [.. named.DistinctBy(candidate => IdsOf(candidate.Named)).Take(MaxNamed)];
         var likeliest = first is [var top, ..] ? top.Draw(prepared.Scene) : null;
         return new(best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished)
         {
@@ -148,12 +162,13 @@ internal sealed class Judgement(
             Likely = says,
             Suspects =
             [
-                .. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => suspects.Of(trial, likeliest!))
+                .. first.Take(1).Concat(first.Skip(1).OrderBy(candidate => candidate.Misfit.Unexplained))
+                    .Select(candidate => suspects.Of(candidate, likeliest!))
                     .DistinctBy(suspect => IdsOf(suspect.Mistakes)),
             ],
         };
     }
 
-    /// <summary>The same for mistakes in another order, or in other wordings.</summary>
+    /// <summary>The same for mistakes in another order, or in other variants.</summary>
     private static string IdsOf(IEnumerable<Mistake> mistakes) => string.Join(' ', mistakes.Select(mistake => mistake.Id).Order());
 }

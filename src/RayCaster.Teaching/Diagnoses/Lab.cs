@@ -43,25 +43,25 @@ internal sealed partial class Lab
     }
 
     /// <summary>The shapes whose own formulas its mistakes change.</summary>
-    public Concerns ChangedShapes =>
-        (Plane.IsChanged ? Concerns.Planes : 0) | (Sphere.IsChanged || geometric || analytical ? Concerns.Spheres : 0)
-        | (Box.IsChanged || slabs || faceAsks is not null ? Concerns.Boxes : 0) | (Circle.IsChanged ? Concerns.Circles : 0)
-        | (Triangle.IsChanged ? Concerns.Triangles : 0);
+    public Affects ChangedShapes =>
+        (Plane.IsChanged ? Affects.Planes : 0) | (Sphere.IsChanged || geometric || analytical ? Affects.Spheres : 0)
+        | (Box.IsChanged || slabs || faceAsks is not null ? Affects.Boxes : 0) | (Circle.IsChanged ? Affects.Circles : 0)
+        | (Triangle.IsChanged ? Affects.Triangles : 0);
 
     /// <summary>As many models as a ray may try; with more a scene's mistakes are not tried at all.</summary>
-    public const int MostModels = 10_000;
+    public const int MaxModels = 10_000;
 
     /// <summary>As many triangles as a ray may try one by one; with more a mistake is not tried at all.</summary>
-    public const int MostTriangles = 20_000;
+    public const int MaxTriangles = 20_000;
 
     /// <summary>The same beside another mistake: there are thousands of pairs.</summary>
-    private const int MostTrianglesBeside = 1000;
+    private const int MaxTrianglesBeside = 1000;
 
     private readonly Model[] models;
     private readonly ClipRange clip;
     private readonly double half;
     private double h, w, reach;
-    private readonly int made; // mistakes; that rays pass through the other place of each pixel is a manner, too
+    private readonly int made; // mistakes; that rays pass through the other place of each pixel is a formula style, too
     private bool geometric, analytical, slabs;
     private Func<int, int, bool>? faceAsks;
 
@@ -152,7 +152,7 @@ internal sealed partial class Lab
     public int RaysWithin(double tries, int rays) => TrianglesTried == 0 ? rays : (int)Math.Min(rays, tries / TrianglesTried);
 
     /// <summary>Whether that takes too long for a search.</summary>
-    public bool TakesTooLong => TrianglesTried > (made > 1 ? MostTrianglesBeside : MostTriangles);
+    public bool TakesTooLong => TrianglesTried > (made > 1 ? MaxTrianglesBeside : MaxTriangles);
 
     /// <summary>The ray from the camera in a direction.</summary>
     public Ray<Scalar> RayOf(Vector3 d) => new(P, d);

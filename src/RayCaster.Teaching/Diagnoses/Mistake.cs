@@ -2,7 +2,7 @@ namespace RayCaster.Teaching;
 
 /// <summary>What a mistake affects: it need not be tried on a scene without that.</summary>
 [Flags]
-internal enum Concerns
+internal enum Affects
 {
     Camera = 1, // the way from a pixel to its ray: every picture
     Hit = 2, // which crossing counts and which of two hits shows: every picture
@@ -27,24 +27,24 @@ public sealed record Hint(string Symptom, string Question, string Answer);
 /// </summary>
 public sealed class Mistake
 {
-    /// <summary>What concerns every picture, whatever shapes are in it.</summary>
-    internal const Concerns WholePicture = Concerns.Camera | Concerns.Hit | Concerns.Color | Concerns.File;
+    /// <summary>What affects every picture, whatever shapes are in it.</summary>
+    internal const Affects WholePicture = Affects.Camera | Affects.Hit | Affects.Color | Affects.File;
 
-    private readonly List<Mistake> wordings = [];
-    private readonly List<(string Cause, Action<Lab> Deviate)> manners = [];
+    private readonly List<Mistake> variants = [];
+    private readonly List<(string Cause, Action<Lab> Deviate)> styles = [];
 
-    internal Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate,
+    internal Mistake(string id, Affects affects, string slide, string cause, Action<Lab> deviate,
         string symptom, string question, string answer, bool isWithinRounding = false)
-        : this(id, concerns, slide, cause, deviate, new Hint(symptom, question, answer)) => IsWithinRounding = isWithinRounding;
+        : this(id, affects, slide, cause, deviate, new Hint(symptom, question, answer)) => IsWithinRounding = isWithinRounding;
 
-    private Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate, Hint hint)
+    private Mistake(string id, Affects affects, string slide, string cause, Action<Lab> deviate, Hint hint)
     {
-        (Id, Concerns, Slide, Cause, Deviate, Hint) = (id, concerns, slide, cause, deviate, hint);
-        wordings.Add(this);
+        (Id, Affects, Slide, Cause, Deviate, Hint) = (id, affects, slide, cause, deviate, hint);
+        variants.Add(this);
     }
 
     /// <summary>A change of the definition that is no mistake.</summary>
-    internal static Mistake Unnamed(Action<Lab> deviate) => new("", Concerns.Camera, "", "", deviate, "", "", "");
+    internal static Mistake Unnamed(Action<Lab> deviate) => new("", Affects.Camera, "", "", deviate, "", "", "");
 
     /// <summary>A short name without blanks, the same for ever.</summary>
     public string Id { get; }
@@ -58,15 +58,18 @@ public sealed class Mistake
     /// <summary>Help in three steps.</summary>
     public Hint Hint { get; }
 
-    internal Concerns Concerns { get; }
+    internal Affects Affects { get; }
+
+    /// <summary>Where it is, if it is a small edit of the slides' formulas that the catalogue does not have; its id is "edit".</summary>
+    public EditPlace? Place { get; internal init; }
 
     /// <summary>The same mistake as different people write it: one id, but a cause for each. This one is the first.</summary>
-    public IReadOnlyList<Mistake> Wordings => wordings;
+    public IReadOnlyList<Mistake> Variants => variants;
 
     internal Action<Lab> Deviate { get; }
 
-    /// <summary>In how many of its manners it is made.</summary>
-    internal int Manners { get; private init; }
+    /// <summary>In how many of its formula styles it is made.</summary>
+    internal int Styles { get; private init; }
 
     /// <summary>Whether it changes channels by at most a level, like rounding, so it makes no pixel wrong.</summary>
     internal bool IsWithinRounding { get; }
@@ -75,15 +78,15 @@ public sealed class Mistake
     public bool Touches(Scene scene) => Touches(scene.Models.Select(model => model.Kind));
 
     /// <summary>Whether the mistake affects programs that draw these kinds of shape, by their names in scene files.</summary>
-    public bool Touches(IEnumerable<string> kinds) => (Concerns & WholePicture) != 0 || kinds.Any(kind => (Concerns & KindOf(kind)) != 0);
+    public bool Touches(IEnumerable<string> kinds) => (Affects & WholePicture) != 0 || kinds.Any(kind => (Affects & KindOf(kind)) != 0);
 
     /// <summary>Its id.</summary>
     public override string ToString() => Id;
 
-    /// <summary>Adds a wording: another place where the same mistake is made.</summary>
+    /// <summary>Adds a variant: another place where the same mistake is made.</summary>
     internal Mistake Or(string cause, Action<Lab> deviate)
     {
-        wordings.Add(new Mistake(Id, Concerns, Slide, cause, deviate, Hint));
+        variants.Add(new Mistake(Id, Affects, Slide, cause, deviate, Hint));
         return this;
     }
 
@@ -93,21 +96,21 @@ public sealed class Mistake
         return this;
     }
 
-    /// <summary>Adds manners: other right ways to write other formulas, in which the mistake shows otherwise.</summary>
+    /// <summary>Adds formula styles: other right ways to write other formulas, in which the mistake shows otherwise.</summary>
     internal Mistake In(params ReadOnlySpan<(string Cause, Action<Lab> Deviate)> more)
     {
-        manners.AddRange(more);
+        styles.AddRange(more);
         return this;
     }
 
-    /// <summary>A wording of this mistake in each of its manners.</summary>
-    internal IEnumerable<Mistake> InManners(Mistake wording) =>
-        from manner in manners
-        let cause = $"{wording.Cause}; {manner.Cause}"
-        select new Mistake(Id, Concerns, Slide, cause, wording.Deviate + manner.Deviate, Hint) { Manners = wording.Manners + 1 };
+    /// <summary>A variant of this mistake in each of its formula styles.</summary>
+    internal IEnumerable<Mistake> InStyles(Mistake variant) =>
+        from style in styles
+        let cause = $"{variant.Cause}; {style.Cause}"
+        select new Mistake(Id, Affects, Slide, cause, variant.Deviate + style.Deviate, Hint) { Styles = variant.Styles + 1 };
 
-    internal static Concerns KindOf(Model model) => KindOf(model.Kind);
+    internal static Affects KindOf(Model model) => KindOf(model.Kind);
 
     /// <summary>The formula of a kind of shape, by its name in scene files.</summary>
-    internal static Concerns KindOf(string kind) => ShapeKind.Of(kind)?.Formula ?? 0;
+    internal static Affects KindOf(string kind) => ShapeKind.Of(kind)?.Formula ?? 0;
 }

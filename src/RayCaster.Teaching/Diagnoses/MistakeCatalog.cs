@@ -16,7 +16,7 @@ public static class MistakeCatalog
     public static Mistake? Named(string id) => byId.GetValueOrDefault(id);
 
     /// <summary>Draws a scene as a program with mistakes does: for exams, and for testing a rubric.</summary>
-    /// <param name="mistakes">All its mistakes; each is one of the catalogue, or one of its wordings.</param>
+    /// <param name="mistakes">All its mistakes; each is one of the catalogue, or one of its variants.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <returns>The picture; two of the mistakes swap its width and height.</returns>
     public static Picture Draw(Scene scene, IReadOnlyList<Mistake> mistakes, int? threads = null) => new Lab(scene, [.. mistakes]).Render(threads);

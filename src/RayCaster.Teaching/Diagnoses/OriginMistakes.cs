@@ -5,12 +5,12 @@ namespace RayCaster.Teaching;
 /// <summary>Where the ray's origin P is forgotten: in the t of one shape or of several, or in X = P + t d.</summary>
 internal static class OriginMistakes
 {
-    private const Concerns Shapes = Concerns.Planes | Concerns.Spheres | Concerns.Boxes | Concerns.Circles | Concerns.Triangles;
+    private const Affects Shapes = Affects.Planes | Affects.Spheres | Affects.Boxes | Affects.Circles | Affects.Triangles;
 
     public static Mistake[] All =>
     [
         new Mistake("plane-no-p", Shapes, Slides.RayPlane, "plane: Q·n / d·n, without the camera's position P",
-            WithoutP(Concerns.Planes),
+            WithoutP(Affects.Planes),
             "Shapes lie as if the camera were at the origin, or are missing.",
             "The ray begins at P. Where is P in your t?",
             "t = (Q − P)·n / d·n; for a sphere L = C − P, for a box t0 = (B0 − P) / d.")
@@ -23,20 +23,20 @@ internal static class OriginMistakes
                     ("t d, without P", (_, t, d) => t * d), ("P + d", (P, _, d) => P + d), ("P − t d", (P, t, d) => P - t * d),
                     ("t P + d", (P, t, d) => t * P + d), ("t (P + d)", (P, t, d) => t * (P + d)),
                 ]
-                from shapes in (Concerns[])[Concerns.Circles, Concerns.Triangles, Concerns.Circles | Concerns.Triangles]
+                from shapes in (Affects[])[Affects.Circles, Affects.Triangles, Affects.Circles | Affects.Triangles]
                 select ($"{Names(shapes)}: X = {X.Is}", OtherX(shapes, X.Of)))
-            .Or("circle: neither t nor X with P", WithoutP(Concerns.Circles))
-            .Or("triangle: neither t nor X with P", WithoutP(Concerns.Triangles))
+            .Or("circle: neither t nor X with P", WithoutP(Affects.Circles))
+            .Or("triangle: neither t nor X with P", WithoutP(Affects.Triangles))
             .Or("triangle: the corners' volumes without P",
                 lab => lab.TriangleIs((triangle, d) => lab.TriangleByVolumes(triangle, d, from: Vector3.Zero)))
-            .Or("sphere: L = C, without P", WithoutP(Concerns.Spheres))
+            .Or("sphere: L = C, without P", WithoutP(Affects.Spheres))
             .Or("sphere: b = −2 d·C, without P", lab => lab.InB.Is((P, C) => -C))
             .Or("sphere: b = 2 d·P, without C", lab => lab.InB.Is((P, C) => P))
             .Or("sphere: c = C² − R², without P", lab => lab.InC.Is((P, C) => C))
             .Or("sphere: c = P² − R², without C", lab => lab.InC.Is((P, C) => P))
             .Or("sphere: tca = C·d, without P, and D = L − tca d",
                 lab => lab.Sphere.Is((s, d) => lab.Geometric(s, d, (L, tca) => L - tca * d, inTca: s.Center)))
-            .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))
+            .Or("box: B0 / d and B1 / d, without P", WithoutP(Affects.Boxes))
             .Or("box: face by face, B0 / d and B1 / d without P, and X = P + t d",
                 BoxMistakes.Crossed("xyz", (lo, hi, _, d) => (lo / d, hi / d)) + (lab => lab.AskFaces()))
             .Or("box: face by face, X = t d, without P", lab =>
@@ -68,13 +68,13 @@ internal static class OriginMistakes
         }
     }
 
-    private static string Names(Concerns shapes) =>
-        shapes == Concerns.Circles ? "circle" : shapes == Concerns.Triangles ? "triangle" : "circle and triangle";
+    private static string Names(Affects shapes) =>
+        shapes == Affects.Circles ? "circle" : shapes == Affects.Triangles ? "triangle" : "circle and triangle";
 
     /// <summary>Another X, from P, t and d, where the radius or u and v are asked.</summary>
-    private static Action<Lab> OtherX(Concerns shapes, Func<Vector3, double, Vector3, Vector3> X) => lab =>
+    private static Action<Lab> OtherX(Affects shapes, Func<Vector3, double, Vector3, Vector3> X) => lab =>
     {
-        if (shapes.HasFlag(Concerns.Circles))
+        if (shapes.HasFlag(Affects.Circles))
         {
             lab.Circle.Becomes(cross => (circle, d) =>
             {
@@ -82,19 +82,19 @@ internal static class OriginMistakes
                 return (X(lab.P, (double)t, d) - circle.Center).Length <= circle.Radius ? new(t) : None;
             });
         }
-        if (shapes.HasFlag(Concerns.Triangles))
+        if (shapes.HasFlag(Affects.Triangles))
             lab.TriangleX.Is((t, d) => X(lab.P, t, d));
     };
 
     /// <summary>What has its ray start at the origin lies, seen from P, as much farther on as P is from there.</summary>
-    private static Action<Lab> WithoutP(Concerns shapes) => lab =>
+    private static Action<Lab> WithoutP(Affects shapes) => lab =>
     {
         var P = lab.P;
-        if (shapes.HasFlag(Concerns.Planes)) lab.Plane.Becomes(cross => (plane, d) => cross(plane with { Point = plane.Point + P }, d));
-        if (shapes.HasFlag(Concerns.Spheres)) lab.Sphere.Becomes(cross => (sphere, d) => cross(sphere with { Center = sphere.Center + P }, d));
-        if (shapes.HasFlag(Concerns.Boxes)) lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + P, box.Max + P), d));
-        if (shapes.HasFlag(Concerns.Circles)) lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Center = circle.Center + P }, d));
-        if (!shapes.HasFlag(Concerns.Triangles)) return;
+        if (shapes.HasFlag(Affects.Planes)) lab.Plane.Becomes(cross => (plane, d) => cross(plane with { Point = plane.Point + P }, d));
+        if (shapes.HasFlag(Affects.Spheres)) lab.Sphere.Becomes(cross => (sphere, d) => cross(sphere with { Center = sphere.Center + P }, d));
+        if (shapes.HasFlag(Affects.Boxes)) lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + P, box.Max + P), d));
+        if (shapes.HasFlag(Affects.Circles)) lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Center = circle.Center + P }, d));
+        if (!shapes.HasFlag(Affects.Triangles)) return;
         lab.Triangle.Becomes(cross => (triangle, d) => cross(new(triangle.A + P, triangle.B + P, triangle.C + P), d));
         lab.TrianglesReachOut = true;
     };

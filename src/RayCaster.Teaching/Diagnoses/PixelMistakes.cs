@@ -5,7 +5,7 @@ internal static class PixelMistakes
 {
     public static Mistake[] All =>
     [
-        new Mistake("pix-int", Concerns.Camera, Slides.PixelTranslation, "w · (c / width), divided in integers: always 0",
+        new Mistake("pix-int", Affects.Camera, Slides.PixelTranslation, "w · (c / width), divided in integers: always 0",
             Both(Whole(1)),
             "The picture has one colour, or stripes: all rays of it, of a line or of a column are the same.",
             "What is c / width in C#, where both are int?",
@@ -15,7 +15,7 @@ internal static class PixelMistakes
             .Or(Each("2 c / width − 1", "2 r / height − 1", ", divided in integers", Whole(2)))
             .Or(Each("(2 c − width) / height", "(2 r − height) / height", ", divided in integers",
                 (side, u, x) => Math.Truncate(u(x) / side.Lab.HalfHeight) * side.Lab.HalfHeight)),
-        new Mistake("no-center", Concerns.Camera, Slides.PixelTranslation, "uc and ur without − w / 2 and − h / 2",
+        new Mistake("no-center", Affects.Camera, Slides.PixelTranslation, "uc and ur without − w / 2 and − h / 2",
             Both(Less(0)),
             "What should be in the middle is at a corner or at an edge.",
             "Which pixel has uc = 0 and ur = 0?",
@@ -34,7 +34,7 @@ internal static class PixelMistakes
             .Or("− h for − h / 2", Rows(Less(1)))
             .Or("− 1/2 where w / 2 and h / 2 are meant", Both((_, u, x) => u(x) - u(0) - 0.5))
             .In(FromTop),
-        new Mistake("center", Concerns.Camera, Slides.PixelTranslation,
+        new Mistake("center", Affects.Camera, Slides.PixelTranslation,
             "the ray passes the pixel's centre where its corner is meant (its corner where the centre is meant)",
             Sampled(1, 1),
             "Only outlines differ: everything is half a pixel off.",
@@ -42,7 +42,7 @@ internal static class PixelMistakes
             "For corners uc = w c / width − w / 2; for centres c + 0.5 and r + 0.5 take the places of c and r.")
             .Or("the same for columns alone", Sampled(1, 0))
             .Or("the same for rows alone", Sampled(0, 1)),
-        new Mistake("wm1", Concerns.Camera, Slides.PixelTranslation, "c / (width − 1) and r / (height − 1)",
+        new Mistake("wm1", Affects.Camera, Slides.PixelTranslation, "c / (width − 1) and r / (height − 1)",
             Both(OneLess),
             "Only outlines differ: not at the lower left, and ever more towards the right and the top, up to a pixel.",
             "By what does the slide divide c?",
@@ -50,7 +50,7 @@ internal static class PixelMistakes
             .Or("only c / (width − 1)", Columns(OneLess))
             .Or("only r / (height − 1)", Rows(OneLess))
             .In(FromTop),
-        new Mistake("size-mixed", Concerns.Camera, Slides.PixelTranslation,
+        new Mistake("size-mixed", Affects.Camera, Slides.PixelTranslation,
             "width and height swapped in the mapping: uc = w c / height − w / 2, ur = h r / width − h / 2",
             SidesMixed().First().Deviate,
             "The picture is stretched or pressed along one side or both, and not centred.",

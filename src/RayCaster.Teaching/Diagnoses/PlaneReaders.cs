@@ -6,12 +6,12 @@ namespace RayCaster.Teaching;
 internal static class PlaneReaders
 {
     /// <summary>All shapes that lie in a plane.</summary>
-    public const Concerns All = Concerns.Planes | Concerns.Circles | Concerns.Triangles;
+    public const Affects All = Affects.Planes | Affects.Circles | Affects.Triangles;
 
-    private static readonly (string Names, Concerns Shapes)[] groups =
+    private static readonly (string Names, Affects Shapes)[] groups =
     [
-        ("plane", Concerns.Planes), ("plane and circle", Concerns.Planes | Concerns.Circles), ("plane, circle and triangle", All),
-        ("circle", Concerns.Circles), ("triangle", Concerns.Triangles), ("circle and triangle", Concerns.Circles | Concerns.Triangles),
+        ("plane", Affects.Planes), ("plane and circle", Affects.Planes | Affects.Circles), ("plane, circle and triangle", All),
+        ("circle", Affects.Circles), ("triangle", Affects.Triangles), ("circle and triangle", Affects.Circles | Affects.Triangles),
     ];
 
     /// <summary>Another t, from P, Q, n and d, for each group of shapes that may share the formula; planes alone come first.</summary>
@@ -21,10 +21,10 @@ internal static class PlaneReaders
     }
 
     /// <summary>Another t, from P, Q, n and d, for some shapes; circles and triangles ask for X = P + t d.</summary>
-    public static Action<Lab> At(Concerns shapes, Func<Vector3, Vector3, Vector3, Vector3, double> t) => lab =>
+    public static Action<Lab> At(Affects shapes, Func<Vector3, Vector3, Vector3, Vector3, double> t) => lab =>
     {
-        if (shapes.HasFlag(Concerns.Planes)) lab.Plane.Is((plane, d) => new(t(lab.P, plane.Point, plane.Normal, d)));
-        if (shapes.HasFlag(Concerns.Circles))
+        if (shapes.HasFlag(Affects.Planes)) lab.Plane.Is((plane, d) => new(t(lab.P, plane.Point, plane.Normal, d)));
+        if (shapes.HasFlag(Affects.Circles))
         {
             lab.Circle.Is((circle, d) =>
             {
@@ -32,7 +32,7 @@ internal static class PlaneReaders
                 return (lab.P + at * d - circle.Center).Length <= circle.Radius ? new(at) : None;
             });
         }
-        if (shapes.HasFlag(Concerns.Triangles))
+        if (shapes.HasFlag(Affects.Triangles))
             lab.TriangleT.Is((A, n, d) => t(lab.P, A, n, d));
     };
 }

@@ -21,8 +21,8 @@ public sealed class SceneDiagnosis
         var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
             && possible?.Invoke(mistake) != false).ToArray();
         var triangles = scene.Models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount);
-        Known = [.. visible.Where(mistake => triangles <= Lab.MostTriangles
-            || mistake.Wordings.All(wording => !new Lab(scene, wording).TakesTooLong))];
+        Known = [.. visible.Where(mistake => triangles <= Lab.MaxTriangles
+            || mistake.Variants.All(variant => !new Lab(scene, variant).TakesTooLong))];
         NotTried = [.. visible.Except(Known)];
         hidden = new(() => TooManyModels ? [] : SceneFitness.HiddenIn(scene, threads, budget));
     }
@@ -36,7 +36,7 @@ public sealed class SceneDiagnosis
     /// <summary>The mistakes of the catalogue that the scene's picture cannot show. The first use takes longer than a diagnosis.</summary>
     public IReadOnlyList<Mistake> Hidden => hidden.Value;
 
-    internal bool TooManyModels => Scene.Models.Count > Lab.MostModels;
+    internal bool TooManyModels => Scene.Models.Count > Lab.MaxModels;
 
     internal int? Threads { get; }
 

@@ -10,7 +10,7 @@ namespace RayCaster.Teaching;
 /// <param name="Scenes">The scenes, in the sizes in which they were judged.</param>
 /// <param name="Reduced">Whether a smaller picture was judged in place of a large one.</param>
 /// <param name="Hidden">The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</param>
-/// <param name="HiddenAtFirst">The mistakes that show, but not in the catalogue's first wording: a program with that wording may draw the right
+/// <param name="HiddenAtFirst">The mistakes that show, but not in the catalogue's first variant: a program with that variant may draw the right
 /// picture.</param>
 /// <param name="WithinRounding">The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</param>
 /// <param name="NotTried">The mistakes that take too long to try, because a scene has too many triangles or the time is over.</param>
@@ -28,19 +28,19 @@ public sealed record SceneFitness(
     public const int LeastPixels = 20;
 
     /// <summary>On scenes with more models, no mistakes are tried.</summary>
-    public const int MostModels = Lab.MostModels;
+    public const int MaxModels = Lab.MaxModels;
 
     /// <summary>A smaller picture of the same shape is judged in place of a larger one.</summary>
-    private const int MostPixels = 1_000_000;
+    private const int MaxPixels = 1_000_000;
 
     /// <summary>How many pixels of each picture distinguish most mistakes; the others need a second look.</summary>
     private const int Samples = 4096;
 
-    /// <summary>How many pixels the second look compares for a mistake, and for each of its other wordings.</summary>
+    /// <summary>How many pixels the second look compares for a mistake, and for each of its other variants.</summary>
     private const int SecondLook = 60_000, ThirdLook = 15_000;
 
     /// <summary>How many triangles are tried in all if each ray must try every triangle of a mesh.</summary>
-    private const int MostTests = 10_000_000;
+    private const int MaxTests = 10_000_000;
 
     /// <summary>Judges a set of scenes.</summary>
     /// <param name="scenes">At least one; each passes <see cref="CanJudge"/>.</param>
@@ -93,12 +93,12 @@ public sealed record SceneFitness(
     }
 
     /// <summary>Whether a scene has so few models that mistakes can be tried on it.</summary>
-    public static bool CanJudge(Scene scene) => scene.Models.Count <= MostModels;
+    public static bool CanJudge(Scene scene) => scene.Models.Count <= MaxModels;
 
     private static Scene Judged(Scene scene)
     {
         var camera = scene.Camera;
-        var most = Math.Clamp(MostPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MostPixels); // the time stays
+        var most = Math.Clamp(MaxPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MaxPixels); // the time stays
         var shrink = Math.Sqrt((double)camera.Width * camera.Height / most);
         if (shrink <= 1) return scene;
         return scene.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink)));
@@ -131,10 +131,10 @@ public sealed record SceneFitness(
 
         public bool IsOfOneColor => right.IsOneColor;
 
-        /// <summary>Whether the picture shows a mistake, in any of its wordings.</summary>
+        /// <summary>Whether the picture shows a mistake, in any of its variants.</summary>
         public bool Shows(Mistake mistake) => shown.GetValueOrDefault(mistake);
 
-        /// <summary>The same for its first wording.</summary>
+        /// <summary>The same for its first variant.</summary>
         public bool ShowsFirst(Mistake mistake) => shownFirst.GetValueOrDefault(mistake);
 
         /// <summary>Whether a mistake changes any byte of the samples.</summary>
@@ -144,11 +144,11 @@ public sealed record SceneFitness(
         public void Look(Mistake mistake)
         {
             var lab = new Lab(scene, mistake);
-            var drawn = samples[mistake] = [.. Enumerable.Range(0, Math.Min(lab.RaysWithin(MostTests, Samples), count)).Select(k => lab[places[k]])];
+            var drawn = samples[mistake] = [.. Enumerable.Range(0, Math.Min(lab.RaysWithin(MaxTests, Samples), count)).Select(k => lab[places[k]])];
             shownFirst[mistake] = HasOtherSize(lab) || Differ(drawn.Length, LeastPixels, k => (drawn[k], right.At(places[k])))
                 || (mistake.Touches(scene) && Changes(mistake, SecondLook));
             shown[mistake] = shownFirst[mistake]
-                || (mistake.Touches(scene) && mistake.Wordings.Skip(1).Any(wording => Changes(wording, ThirdLook)));
+                || (mistake.Touches(scene) && mistake.Variants.Skip(1).Any(variant => Changes(variant, ThirdLook)));
         }
 
         /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
@@ -161,10 +161,10 @@ public sealed record SceneFitness(
                 && (isSlow || !Differ(count, LeastPixels, i => (one[i], other[i])));
         }
 
-        /// <summary>Whether a wording changes enough pixels of a part of the picture.</summary>
-        private bool Changes(Mistake wording, int most)
+        /// <summary>Whether a variant changes enough pixels of a part of the picture.</summary>
+        private bool Changes(Mistake variant, int most)
         {
-            var lab = new Lab(scene, wording);
+            var lab = new Lab(scene, variant);
             // Triangles that cover more than their area change large parts of a picture, which the samples would have shown.
             if (HasOtherSize(lab) || lab.TrianglesTried > 0) return HasOtherSize(lab);
             most = Math.Min(most, count);

@@ -3,16 +3,16 @@ namespace RayCaster.Teaching;
 /// <summary>A kind of shape on the slides.</summary>
 /// <param name="Name">What scene files call it.</param>
 /// <param name="Formula">Its formula, as a mistake's concern.</param>
-internal sealed record ShapeKind(string Name, string One, string Many, Concerns Formula)
+internal sealed record ShapeKind(string Name, string One, string Many, Affects Formula)
 {
     public static readonly ShapeKind[] All =
     [
-        new("plane", "plane", "planes", Concerns.Planes),
-        new("sphere", "sphere", "spheres", Concerns.Spheres),
-        new("aabb", "box", "boxes", Concerns.Boxes),
-        new("circle", "circle", "circles", Concerns.Circles),
-        new("triangle", "triangle", "triangles", Concerns.Triangles),
-        new("mesh", "mesh", "meshes", Concerns.Triangles),
+        new("plane", "plane", "planes", Affects.Planes),
+        new("sphere", "sphere", "spheres", Affects.Spheres),
+        new("aabb", "box", "boxes", Affects.Boxes),
+        new("circle", "circle", "circles", Affects.Circles),
+        new("triangle", "triangle", "triangles", Affects.Triangles),
+        new("mesh", "mesh", "meshes", Affects.Triangles),
     ];
 
     /// <summary>The slide with its formula.</summary>

@@ -9,7 +9,7 @@ internal static class SurfaceMistakes
 
     private static Mistake[] OfPlanes =>
     [
-        new Mistake("plane-sign", PlaneReaders.All | Concerns.Boxes, Slides.RayPlane, "plane: (P − Q)·n, so that t has the wrong sign",
+        new Mistake("plane-sign", PlaneReaders.All | Affects.Boxes, Slides.RayPlane, "plane: (P − Q)·n, so that t has the wrong sign",
             lab => lab.Plane.Becomes(cross => (plane, d) => new(-cross(plane, d).Near)),
             "Planes are missing; those behind the camera may show.",
             "A plane before the camera: is your t positive, and does P + t d lie in the plane?",
@@ -27,14 +27,14 @@ internal static class SurfaceMistakes
                     ("(Q − P)·n / (d·n)²", (P, Q, n, d) => (Q - P) * n / (d * n * (d * n))),
                     ("|Q − P| / d·n", (P, Q, n, d) => (Q - P).Length / (d * n)),
                 ]
-                from wording in PlaneReaders.Of(t.Is, t.Of).Take(3)
-                select wording)
+                from variant in PlaneReaders.Of(t.Is, t.Of).Take(3)
+                select variant)
             .Or("box: (P − B0) / d and (P − B1) / d", lab => lab.Box.Becomes(cross => (box, d) => cross(box, -d)))
             .Or("box: (P − B0) / d for t0 alone", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => ((origin - lo) / d, (hi - origin) / d)))
             .Or("box: (P − B1) / d for t1 alone", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => ((lo - origin) / d, (origin - hi) / d)))
             .Or("box: (B0 + P) / d and (B1 + P) / d",
                 lab => lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + 2 * lab.P, box.Max + 2 * lab.P), d))),
-        new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.RayPlane,
+        new Mistake("plane-cull", Affects.Planes | Affects.Circles, Slides.RayPlane,
             "plane: left out where n points away from the camera (d·n ≥ 0)",
             Cull(1, 0),
             "Some planes are missing; they come back when n is turned round.",
@@ -51,7 +51,7 @@ internal static class SurfaceMistakes
 
     private static Mistake[] OfCircles =>
     [
-        new Mistake("circ-nosq", Concerns.Circles, Slides.Circle, "circle: |X − C|² ≤ R",
+        new Mistake("circ-nosq", Affects.Circles, Slides.Circle, "circle: |X − C|² ≤ R",
             CircleRadius(R => Math.Sqrt(R)),
             "Circles have a wrong size; one of radius 1 is right.",
             "Are both sides of your comparison lengths, or both squares?",
@@ -62,7 +62,7 @@ internal static class SurfaceMistakes
                 (lab, X, C) => new(Math.Max(Math.Abs(X.X - C.X), Math.Max(Math.Abs(X.Y - C.Y), Math.Abs(X.Z - C.Z))), 0, 0)))
             .Or("circle: |X − C| ≤ 1, whatever R is", CircleRadius(_ => 1))
             .Or("circle: |X − C| ≤ R²", CircleRadius(R => R * R)),
-        new Mistake("circ-inf", Concerns.Circles, Slides.Circle, "circle: the radius is not asked",
+        new Mistake("circ-inf", Affects.Circles, Slides.Circle, "circle: the radius is not asked",
             CircleRadius(_ => double.PositiveInfinity),
             "A circle covers the picture like an infinite plane.",
             "What is there of a circle that a plane has not?",
@@ -81,7 +81,7 @@ internal static class SurfaceMistakes
 
     private static Mistake[] OfTriangles =>
     [
-        new Mistake("tri-uv", Concerns.Triangles, Slides.Triangle, "triangle: u ≥ 0 and v ≥ 0, but no u + v ≤ 1: an endless wedge",
+        new Mistake("tri-uv", Affects.Triangles, Slides.Triangle, "triangle: u ≥ 0 and v ≥ 0, but no u + v ≤ 1: an endless wedge",
             TriangleWhere((u, v) => u >= 0 && v >= 0),
             "Triangles reach beyond the side that is opposite to their first corner.",
             "Which condition draws the side from B to C? What are u and v at B and at C?",
@@ -102,7 +102,7 @@ internal static class SurfaceMistakes
                     ("v − u ≤ 1", (u, v) => v - u <= 1), ("u + v ≥ 1", (u, v) => u + v >= 1), ("u v ≤ 1", (u, v) => u * v <= 1),
                 ]
                 select ($"triangle: {third.Is} where u + v ≤ 1 is meant", TriangleWhere((u, v) => u >= 0 && v >= 0 && third.Holds(u, v)))),
-        new Mistake("tri-cull", Concerns.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
+        new Mistake("tri-cull", Affects.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
             Cull(0, 0, 1),
             "Some triangles are missing; they come back when two corners are swapped.",
             "Does the slide say anything of the sign of d·n?",
@@ -111,7 +111,7 @@ internal static class SurfaceMistakes
                 Cull(0, 0, -1))
             .Or("circle and triangle: left out where n points away from the camera (d·n ≥ 0)", Cull(0, 1, 1))
             .Or("circle and triangle: left out where n points to the camera (d·n ≤ 0)", Cull(0, -1, -1)),
-        new Mistake("tri-neg", Concerns.Triangles, Slides.Triangle, "triangle: u + v ≤ 1, but neither u ≥ 0 nor v ≥ 0: a half-plane",
+        new Mistake("tri-neg", Affects.Triangles, Slides.Triangle, "triangle: u + v ≤ 1, but neither u ≥ 0 nor v ≥ 0: a half-plane",
             TriangleWhere((u, v) => u + v <= 1),
             "A triangle covers a large part of the picture.",
             "Which conditions draw the two sides at A?",
@@ -133,7 +133,7 @@ internal static class SurfaceMistakes
             .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
             .Or("triangle: |u| ≤ 1 and |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) <= 1 && Math.Abs(v) <= 1))
             .Or("triangle: |u| ≤ 1, |v| ≤ 1, u + v ≤ 1", TriangleWhere((u, v) => Math.Abs(u) <= 1 && Math.Abs(v) <= 1 && u + v <= 1)),
-        new Mistake("tri-area", Concerns.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
+        new Mistake("tri-area", Affects.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
             lab => lab.TriangleFormula = (triangle, d) => lab.TriangleByAreas(triangle, d, null),
             "Triangles are full of holes, like lace.",
             "Is 0.1 + 0.2 equal to 0.3 in doubles?",
@@ -169,7 +169,7 @@ internal static class SurfaceMistakes
     internal static Action<Lab> CircleRadius(Func<double, double> R) =>
         lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = R(circle.Radius) }, d));
 
-    /// <summary>Some of u ≥ 0, v ≥ 0, u + v ≤ 1, u ≤ 1 and v ≤ 1 asked, the others not, without the first wordings of tri-uv and tri-neg.</summary>
+    /// <summary>Some of u ≥ 0, v ≥ 0, u + v ≤ 1, u ≤ 1 and v ≤ 1 asked, the others not, without the first variants of tri-uv and tri-neg.</summary>
     private static IEnumerable<(string, Action<Lab>)> Asked(Func<(bool U, bool V, bool Sum), bool> belongs)
     {
         string[] names = ["u ≥ 0", "v ≥ 0", "u + v ≤ 1", "u ≤ 1", "v ≤ 1"];

@@ -5,7 +5,7 @@ internal static class VectorMistakes
 {
     public static Mistake[] All =>
     [
-        new Mistake("u-unnorm", Concerns.Camera, Slides.Camera, "U = up × W, not normalised",
+        new Mistake("u-unnorm", Affects.Camera, Slides.Camera, "U = up × W, not normalised",
             lab => lab.AxisU.Becomes(U => (up, w) => lab.Length.Do(lab.Cross.Do(up, w)) * U(up, w)),
             "The more the camera looks up or down, the more the picture is zoomed in.",
             "How long is up × W where they are not perpendicular?",
@@ -16,7 +16,7 @@ internal static class VectorMistakes
             .Or("U is not normalised, but V is", Longer(false, lab => lab.Cross.Do(lab.Camera.Up, lab.W)))
             .Or("U = (up / |up|) × W, not normalised", Longer(true, lab => lab.Cross.Do(lab.Unit.Do(lab.Camera.Up), lab.W)))
             .Or("U = (up / |up|) × W, not normalised, but V is", Longer(false, lab => lab.Cross.Do(lab.Unit.Do(lab.Camera.Up), lab.W))),
-        new Mistake("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",
+        new Mistake("w-unnorm", Affects.Camera, Slides.Camera, "W = −(T − P), not normalised",
             lab => lab.AxisW.Becomes(W => toTarget => lab.Length.Do(toTarget) * W(toTarget)),
             "Everything is drawn out, the more the farther the target is, or zFar has cut all of it away.",
             "The plane lies at distance |W| before the camera. How long is your W?",
@@ -35,7 +35,7 @@ internal static class VectorMistakes
                 select ($"U = {up.Name} × (P − T){(alsoV ? ", V = W × U" : ", and V is normalised")}",
                     Longer(alsoV, lab => lab.Cross.Do(up.Of(lab), lab.P - lab.T))))
             .Or("V = (T − P) × U", lab => lab.AxisV.Becomes(V => (w, u) => -lab.Length.Do(lab.T - lab.P) * V(w, u))),
-        new Mistake("norm-copy", Concerns.Camera, Slides.Vectors,
+        new Mistake("norm-copy", Affects.Camera, Slides.Vectors,
             "W, U and d are not normalised: Normalize() changes a copy, or its result is not used",
             LeaveAll + AllowAnyLength,
             "Everything is far too large and far too bright: a piece of it fills the picture.",
@@ -58,10 +58,10 @@ internal static class VectorMistakes
                 return a with { Z = a.Z / a.Length };
             }))
             .Or("a |a| for a / |a|", Unit(a => a.Length * a)),
-        new Mistake("len-nosqrt", Concerns.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
+        new Mistake("len-nosqrt", Affects.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
             SquareLength + AllowAnyLength,
             "Nearly all is gone or has a wrong size, or the light reaches too far.",
-            "How long is (3, 4, 0)? What does your Length say?",
+            "How long is (1, 2, 2)? What does your Length say?",
             "|a| = √(x² + y² + z²).")
             .In([.. Lengths, ("triangles compare areas", ByAreas)])
             .Or("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach + AllowAnyLength)
@@ -93,13 +93,13 @@ internal static class VectorMistakes
             .Or("the light reaches (2 (T − P))²", lab => lab.FadeDistance.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
         CrossMistakes.OfY,
         CrossMistakes.OfZ,
-        new Mistake("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
+        new Mistake("dir-unnorm", Affects.Camera, Slides.PixelTranslation, "d not normalised",
             LeaveDirection + AllowAnyLength,
             "The borders of the picture are too bright; all places are right.",
             "t is a distance only if d has a certain length. Which?",
             "d = (uc U + ur V − W) normalised.")
             .Or("d = ux U + uy V − W / tan(fovY / 2), not normalised", LeaveDirection + AllowAnyLength + Zoom),
-        new Mistake("dir-unnorm-a1", Concerns.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
+        new Mistake("dir-unnorm-a1", Affects.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
             LeaveDirection + AssumeUnitLength,
             "Spheres bleed into wedges towards the borders, which are too bright.",
             "The sphere's formula left out a = d·d. When is that allowed?",

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>A program with mistakes, and how near its picture is to a given one.</summary>
 /// <param name="Base">What the program does not do yet.</param>
 /// <param name="OtherSample">Whether rays pass through the other place of each pixel.</param>
-internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Wordings, bool OtherSample, Misfit Misfit = default)
+internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Variants, bool OtherSample, Misfit Misfit = default)
 {
     /// <summary>The factor by which each mistake makes a program costlier.</summary>
     private const double PerMistake = 1 / 0.6;
@@ -11,11 +11,11 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>Rays through the other place of each pixel, as a mistake.</summary>
     public static readonly Mistake Center = MistakeCatalog.Named("center")!;
 
-    /// <summary>Equal for trials that differ only in wordings and samples.</summary>
-    public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id)).Order(StringComparer.Ordinal));
+    /// <summary>Equal for candidates that differ only in variants and samples.</summary>
+    public string Id => string.Join(' ', Base.NotYet.Concat(Variants.Select(variant => variant.Id)).Order(StringComparer.Ordinal));
 
     /// <summary>Its mistakes; rays through the other place of each pixel are one.</summary>
-    public IEnumerable<Mistake> Mistakes => Wordings.Concat(OtherSample ? [Center] : []);
+    public IEnumerable<Mistake> Mistakes => Variants.Concat(OtherSample ? [Center] : []);
 
     public IEnumerable<string> MistakeIds => Mistakes.Select(mistake => mistake.Id);
 
@@ -25,28 +25,28 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>The same without one of its mistakes, or without one of its missing parts; not measured yet.</summary>
     public IEnumerable<WrongProgram> Less =>
     [
-        .. Base.NotYet.Select(part => (this with { Base = new([.. Base.NotYet.Where(other => other != part)]) }).InOneWay),
-        .. Wordings.Select((_, i) => this with { Wordings = [.. Wordings.Where((_, k) => k != i)] }),
+        .. Base.NotYet.Select(part => (this with { Base = new([.. Base.NotYet.Where(other => other != part)]) }).Canonical),
+        .. Variants.Select((_, i) => this with { Variants = [.. Variants.Where((_, k) => k != i)] }),
     ];
 
     /// <summary>The same with rays through the other place of each pixel as a mistake only if nothing else is wrong.</summary>
-    public WrongProgram InOneWay => this switch
+    public WrongProgram Canonical => this switch
     {
-        { OtherSample: true, Wordings: [], Base.NotYet: [] } => this with { Wordings = [Center], OtherSample = false },
-        { Wordings.Count: > 1 } when Wordings.Contains(Center) => this with { Wordings = [.. Wordings.Except([Center])], OtherSample = true },
+        { OtherSample: true, Variants: [], Base.NotYet: [] } => this with { Variants = [Center], OtherSample = false },
+        { Variants.Count: > 1 } when Variants.Contains(Center) => this with { Variants = [.. Variants.Except([Center])], OtherSample = true },
         _ => this,
     };
 
-    /// <summary>The same with one of its mistakes in another wording; not measured yet.</summary>
-    public WrongProgram With(int place, Mistake wording) =>
-        this with { Wordings = [.. Wordings.Select((own, i) => i == place ? wording : own)] };
+    /// <summary>The same with one of its mistakes in another variant; not measured yet.</summary>
+    public WrongProgram With(int place, Mistake variant) =>
+        this with { Variants = [.. Variants.Select((own, i) => i == place ? variant : own)] };
 
-    /// <summary>How many of its mistakes are not in their usual wording, the first.</summary>
-    public int Unusual => Wordings.Count(wording => wording != MistakeCatalog.Named(wording.Id));
+    /// <summary>How many of its mistakes are not in their usual variant, the first.</summary>
+    public int Unusual => Variants.Count(variant => variant != MistakeCatalog.Named(variant.Id));
 
     public Lab Draw(Scene scene) => new(Base.PartOf(scene), [.. Base.AsMistakes, .. Mistakes]);
 
-    public IReadOnlyList<Mistake> Named => [.. Wordings, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
+    public IReadOnlyList<Mistake> Named => [.. Variants, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
 
     /// <summary>
     /// What it leaves unexplained, with a factor for what it assumes: two mistakes explain any picture better than one, and a part that is not
@@ -56,8 +56,8 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <param name="rounding">How much of it another program's rounding may leave: what is left below that says little.</param>
     public double Cost(double wrong, double rounding) =>
         (Misfit.Unexplained + 0.02 * Misfit.Error + rounding * wrong)
-        * Math.Pow(PerMistake, Wordings.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count)
-        * Math.Pow(1.2, Wordings.Sum(wording => wording.Manners)); // a shape that is lost in a manner is rather not written
+        * Math.Pow(PerMistake, Variants.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count)
+        * Math.Pow(1.2, Variants.Sum(variant => variant.Styles)); // a shape that is lost in a formula style is rather not written
 
     /// <summary>What may be left so that no program with one more mistake costs less.</summary>
     public double LeastLeft(double wrong, double rounding) => rounding * wrong * (Math.Pow(PerMistake, OtherSample ? 0.5 : 1) - 1);

@@ -41,7 +41,7 @@ public static class StepHint
         else if (level == HintLevel.Symptom) yield return "A known mistake makes this picture.";
         if (level == HintLevel.Question) yield return $"Ask yourself: {mistake.Hint.Question}";
         if (level < HintLevel.Answer) yield break;
-        yield return hasSymptom ? mistake.Cause : $"For example: {mistake.Cause}"; // in this wording, or in another one
+        yield return hasSymptom ? mistake.Cause : $"For example: {mistake.Cause}"; // in this variant, or in another one
         yield return mistake.Hint.Answer;
         yield return $"Slide \"{mistake.Slide}\"";
     }

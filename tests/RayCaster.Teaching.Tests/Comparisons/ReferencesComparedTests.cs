@@ -3,13 +3,6 @@ namespace RayCaster.Teaching.Tests.Comparisons;
 /// <summary>What another program draws is the same, and what half a pixel changes is not, with the scene and without it.</summary>
 public class ReferencesComparedTests
 {
-    public static TheoryData<string> Names => [.. Reference.Names];
-
-    [Theory]
-    [Trait("kind", "campaign")]
-    [MemberData(nameof(Names))]
-    public void EachPictureThatPovRayDrawsIsTheSame(string name) => ThePictureThatPovRayDrawsIsTheSame(name);
-
     [Theory]
     [InlineData("room")]
     [InlineData("mesh")]

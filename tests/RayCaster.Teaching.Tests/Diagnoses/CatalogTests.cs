@@ -38,51 +38,6 @@ public class CatalogTests
     }
 
     [Fact]
-    public void EveryWordingKeepsTheIdAndShowsSomewhere()
-    {
-        Assert.All(MistakeCatalog.All, mistake => Assert.Same(mistake, mistake.Wordings[0]));
-        Assert.All(MistakeCatalog.All, mistake => Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id)));
-        var worded = MistakeCatalog.All.Where(mistake => mistake.Wordings.Count > 1); // SceneFitnessTests show it for the others
-        Mistake[] hidden = [.. worded.SelectMany(mistake => mistake.Wordings)
-            .Where(wording => rights.All(scene => AreAlike(scene.Right, MistakeCatalog.Draw(scene.Scene, [wording]))))];
-        Assert.True(hidden.Length == 0, string.Join(Environment.NewLine, hidden.Select(wording => $"{wording}: {wording.Cause}")));
-    }
-
-    private static readonly (Scene Scene, Picture Right)[] rights =
-        [.. scenes.Values.Append(SceneFolder.Small("room", 4)).Append(Everywhere).Select(scene => (scene, ScalarRenderer.Render(scene)))];
-
-    /// <summary>A small scene with each kind of shape before zNear, beyond zFar and behind the camera, where depth and t are on different sides of
-    /// zNear and of zFar, and with a red over 1.</summary>
-    private static Scene Everywhere
-    {
-        get
-        {
-            Model[] models =
-            [
-                new Model<Plane>(new(new(0, 0, -1.2), new(0, 0, 1))) { Color = new(1.9, 1, 1) },
-                .. ((Vector3[])[new(0, -8, 0.8), new(0, 6, 4), new(0, -14, 0), new(0, -6.3, 1.7), new(0, 1.6, 4)])
-                    .SelectMany(place => Row(place, Math.Abs(place.Y + 10) / 8)),
-            ];
-            return new(new(new(0, -10, 0), Vector3.Zero) { FovY = 60, Width = 36, Height = 24, ZNear = 4, ZFar = 12 }, models);
-
-            static Model[] Row(Vector3 at, double size)
-            {
-                var (right, half) = (size * new Vector3(1, 0, 0), size / 2 * new Vector3(1, 1, 1));
-                return
-                [
-                    Model.Of(new Sphere(at - 3 * right, size / 2)),
-                    Model.Of(new Aabb(at - right - half, at - right + half)),
-                    Model.Of(new Circle(at + right, new(0, 1, 0.2), size / 2)),
-                    Model.Of(new Triangle(at + 3 * right, at + 4 * right, at + 3 * right + size * new Vector3(0, 0.2, 1))),
-                ];
-            }
-        }
-    }
-
-    private static bool AreAlike(Picture a, Picture b) =>
-        (a.Width, a.Height) == (b.Width, b.Height) && a.Rgb.AsSpan().SequenceEqual(b.Rgb);
-
-    [Fact]
     public void WhatASceneDoesNotHaveIsNotTouched()
     {
         var scene = SceneFolder.Small("sphere", 4);

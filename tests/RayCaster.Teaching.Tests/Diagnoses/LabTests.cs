@@ -15,15 +15,15 @@ public class LabTests
     }
 
     [Fact]
-    public void EachMannerIsRightByItself()
+    public void EachFormulaStyleIsRightByItself()
     {
         var scene = SceneFolder.Small("mistakes/generic");
         var right = Of().Render();
         var nothing = Mistake.Unnamed(_ => { });
-        foreach (var manner in MistakeCatalog.All.SelectMany(mistake => mistake.InManners(nothing)).DistinctBy(manner => manner.Cause))
+        foreach (var style in MistakeCatalog.All.SelectMany(mistake => mistake.InStyles(nothing)).DistinctBy(style => style.Cause))
         {
-            var evidence = new Evidence(scene, right, new Lab(scene, manner).Render(), int.MaxValue);
-            Assert.True(evidence.IsRight, $"{evidence.WrongCount} pixels are wrong{manner.Cause}");
+            var evidence = new Evidence(scene, right, new Lab(scene, style).Render(), int.MaxValue);
+            Assert.True(evidence.IsRight, $"{evidence.WrongCount} pixels are wrong{style.Cause}");
         }
     }
 
@@ -128,9 +128,9 @@ public class LabTests
     [InlineData("plane-no-p", "B0 / d and B1 / d without P", 0, 1, 0, -1, 1)] // X = (0, −6, 0) and (0, −4, 0), x and z of which are in it
     [InlineData("slab-2axes", "only the next", 0, 1, 0.5, -2, 2)] // z = −1 and z = 1 at x = 0
     [InlineData("slab-2axes", "only the coordinate before", 0, 1, 0.5, 4, 6)] // y = −1 and y = 1 at x = 0
-    public void ABoxIsAskedFaceByFace(string id, string wording, double x, double y, double z, double near, double far)
+    public void ABoxIsAskedFaceByFace(string id, string variant, double x, double y, double z, double near, double far)
     {
-        var crossed = Worded(id, $"box: face by face, {wording}").Box.Do(new(new(-1, -1, -1), new(1, 1, 1)), new(x, y, z));
+        var crossed = Worded(id, $"box: face by face, {variant}").Box.Do(new(new(-1, -1, -1), new(1, 1, 1)), new(x, y, z));
         Assert.Equal((near, far), ((double)crossed.Near, (double)crossed.Far));
     }
 
@@ -144,7 +144,7 @@ public class LabTests
     }
 
     private static Lab Worded(string id, string cause) => new(new Scene(new(new(0, -5, 0), Vector3.Zero) { Width = 8, Height = 8 }, []),
-        MistakeCatalog.Named(id)!.Wordings.Single(wording => wording.Cause.StartsWith(cause, StringComparison.Ordinal)));
+        MistakeCatalog.Named(id)!.Variants.Single(variant => variant.Cause.StartsWith(cause, StringComparison.Ordinal)));
 
     private static Lab Of(params string[] ids) =>
         new(SceneFolder.Small("mistakes/generic"), [.. ids.Select(id => MistakeCatalog.Named(id)!)]);

@@ -76,7 +76,7 @@ public class StepHintTests
     [Theory]
     [InlineData("clip-depth")]
     [InlineData("far-plane")]
-    public void DividedDepthIsAWordingWhoseSymptomIsNotClaimed(string file)
+    public void DividedDepthIsAVariantWhoseSymptomIsNotClaimed(string file)
     {
         var (hint, _) = Hint(file, 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
         Assert.StartsWith($"  Ask yourself: {MistakeCatalog.Named("zboth-t")!.Hint.Question}", hint);
@@ -84,7 +84,7 @@ public class StepHintTests
 
     /// <summary>With the divided depth nothing is nearer than zNear here, as if zNear was forgotten.</summary>
     [Fact]
-    public void OfMistakesThatDrawTheSameTheUsualWordingIsNamed()
+    public void OfMistakesThatDrawTheSameTheUsualVariantIsNamed()
     {
         var (hint, _) = Hint("near-plane", 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
         Assert.StartsWith("  " + MistakeCatalog.Named("no-znear")!.Hint.Symptom, hint);
@@ -105,14 +105,14 @@ public class StepHintTests
     [InlineData("plane")]
     [InlineData("room")]
     [InlineData("mistakes/generic")]
-    public void MultipliedByDnIsAWordingOfThePlanes(string file)
+    public void MultipliedByDnIsAVariantOfThePlanes(string file)
     {
         var (hint, _) = Hint(file, 4, lab => lab.Plane.Is((plane, d) => new((plane.Point - lab.P) * plane.Normal * (d * plane.Normal))));
         Assert.Contains(MistakeCatalog.Named("plane-sign")!.Hint.Question, hint);
     }
 
     [Fact]
-    public void ANormalisedNormalIsAWordingOfTheTriangles()
+    public void ANormalisedNormalIsAVariantOfTheTriangles()
     {
         var (hint, _) = Hint("mistakes/generic", 10, lab => lab.Whole.Is(n => n.Length));
         Assert.Contains(MistakeCatalog.Named("tri-uv")!.Hint.Question, hint);
@@ -122,7 +122,7 @@ public class StepHintTests
     private static (string Hint, Finding Finding) Hint(string file, int step, Action<Lab> plant)
     {
         var scene = LabSteps.SceneAt(SceneFolder.Small(file, 5), step);
-        var planted = new Mistake("planted", Concerns.Hit, "", "", plant, "", "", "");
+        var planted = new Mistake("planted", Affects.Hit, "", "", plant, "", "", "");
         var picture = (step < 5 ? new Lab(scene, planted, MistakeCatalog.Named("att-none")!) : new Lab(scene, planted)).Render();
         var diagnosis = StepHint.Judge(scene, picture, step);
         return (StepHint.Of(scene, diagnosis, step, HintLevel.Question), diagnosis.Finding);

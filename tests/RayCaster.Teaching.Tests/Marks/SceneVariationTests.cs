@@ -5,35 +5,20 @@ namespace RayCaster.Teaching.Tests.Marks;
 
 public class SceneVariationTests
 {
-    private static readonly byte[] scene = Encoding.UTF8.GetBytes(File.ReadAllText(ProjectFolder.PathOf("scenes/weeks/3-boxes.json"))
+    internal static readonly byte[] scene = Encoding.UTF8.GetBytes(File.ReadAllText(ProjectFolder.PathOf("scenes/weeks/3-boxes.json"))
         .Replace("\"width\": 300, \"height\": 200", "\"width\": 48, \"height\": 32"));
 
-    private static readonly string annas = Vary("anna");
+    internal static readonly string annas = Vary("anna");
 
-    private static string Vary(string seed) => Encoding.UTF8.GetString(SceneVariation.Of(scene, "", seed, "")!);
+    internal static string Vary(string seed) => Encoding.UTF8.GetString(SceneVariation.Of(scene, "", seed, "")!);
 
     private static Scene Parsed(byte[] utf8) => SceneReader.Parse(utf8, "", "").Scene!;
-
-    [Fact]
-    public void TheSameSeedGivesTheSameSceneAndAnotherAnother()
-    {
-        Assert.Equal(annas, Vary("anna"));
-        Assert.NotEqual(annas, Vary("boris"));
-    }
 
     [Fact]
     public void OnlyNumbersAreReplaced()
     {
         static string WithoutNumbers(string text) => Regex.Replace(text, @"-?\d+(\.\d+)?", "#");
         Assert.Equal(WithoutNumbers(Encoding.UTF8.GetString(scene)), WithoutNumbers(annas));
-    }
-
-    [Fact]
-    public void InAnotherFolderTheSchemaIsFound()
-    {
-        var weeks = ProjectFolder.PathOf("scenes/weeks");
-        var moved = Encoding.UTF8.GetString(SceneVariation.Of(scene, weeks, "anna", Path.Combine(weeks, "..", "my", "anna"))!);
-        Assert.Contains("\"$schema\": \"../../scene.schema.json\"", moved);
     }
 
     [Fact]

@@ -52,4 +52,32 @@ public class DiagnosisCampaign
         Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "att-depth"));
         Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "dir-unnorm"));
     }
+
+    [Fact]
+    public void WhereNoneExplainsThePictureTheNearestIsToldAsSuch()
+    {
+        var skew = new Mistake("new", Affects.Camera, "", "V is skew", lab => lab.AxisV.Becomes(V => (w, u) => V(w, u) + 0.2 * u), "", "", "");
+        var diagnosis = Diagnosis.Of(scene, new Lab(scene, skew, MistakeCatalog.Named("bgr")!).Render());
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.Contains(diagnosis.Nearest, nearest => Named(nearest).Contains("bgr"));
+        Assert.Contains("none explains the picture", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+    }
+
+    [Fact]
+    public void AForeignPictureHasNoneOfThem()
+    {
+        var camera = scene.Camera;
+        var foreign = new Picture(camera.Width, camera.Height);
+        new Random(1).NextBytes(foreign.Rgb);
+        var diagnosis = Diagnosis.Of(scene, foreign);
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith("This is another picture", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    public void ASmallMistakeIsNamedBesideOneThatChangesEverything()
+    {
+        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("gamma")!, MistakeCatalog.Named("tri-uv")!]);
+        Assert.Equal(["gamma", "tri-uv"], Diagnosis.Of(scene, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
+    }
 }

@@ -1,4 +1,5 @@
 using RayCaster.Teaching.Tests.Mistakes;
+using static RayCaster.Teaching.Tests.Diagnoses.UnfinishedTests;
 
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
@@ -16,4 +17,15 @@ public class UnfinishedCampaign
     [InlineData("aabb", "nohalf")]
     [InlineData("sphere,triangle", "bgr")]
     public void OtherMistakesOnTopAreNamed(string kinds, string id) => new UnfinishedTests().AMistakeOnTopOfWhatIsThereIsNamed(kinds, id);
+
+    [Fact]
+    public void AMistakeThatLosesAShapeIsListedBesideAnother()
+    {
+        var diagnosis = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [Named("aspect-none"), Named("box-size")]));
+        Assert.Equal((Finding.Mistake, "aspect-none"), (diagnosis.Finding, diagnosis.Suspects[0].Mistakes[0].Id));
+        Assert.Contains(diagnosis.Suspects, suspect => suspect.SamePicture
+            && suspect.Mistakes.Select(mistake => mistake.Id).Order().SequenceEqual(["aspect-none", "box-size"]));
+
+        static Mistake Named(string id) => MistakeCatalog.Named(id)!;
+    }
 }

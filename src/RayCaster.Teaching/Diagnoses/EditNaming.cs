@@ -1,0 +1,80 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Where in the slides' formulas an edit lies that makes a picture, as far as the picture tells.</summary>
+/// <param name="Section">The step, as its formulas' text calls it; several with commas.</param>
+/// <param name="Step">The name that the edited formula computes; null if several do.</param>
+/// <param name="Formula">That formula as the slides have it; null if there are several.</param>
+public sealed record EditPlace(string Section, string? Step, string? Formula);
+
+/// <summary>Says of small edits of formulas what a known mistake's hints say: first what one sees, at last what was written.</summary>
+internal static class EditNaming
+{
+    /// <summary>The id of all edits that are not in the catalogue.</summary>
+    public const string Id = "edit";
+
+    /// <summary>Of edits that draw the same, those that cost more than the likeliest by this are not thought of.</summary>
+    private const double Likely = 0.25;
+
+    /// <summary>Most names that are listed where a picture cannot tell formulas apart.</summary>
+    private const int MaxNames = 5;
+
+    /// <summary>A mistake without a label.</summary>
+    public static Mistake Of(EditGroup group)
+    {
+        var first = group.Edits[0];
+        FormulaEdit[] likely = [.. group.Edits.Where(edit => edit.Cost <= group.Cost + Likely)];
+        SectionKind[] kinds = [.. likely.Select(edit => edit.Section.Kind).Distinct()];
+        var isOneStep = kinds.Length == 1;
+        // Other styles have other formulas: what is said is said in the likeliest one's.
+        Formula?[] formulas = [.. likely.Where(edit => edit.Right == first.Right).Select(edit => edit.Formula).Distinct()];
+        var formula = isOneStep && formulas.Length == 1 ? formulas[0] : null;
+        var section = string.Join(", ", kinds.Select(kind => kind.ToString().ToLowerInvariant()));
+        return new(Id, AffectsOf(first.Section.Kind), first.Section.Slide, $"{section}: {Says(first)}", _ => { },
+            isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
+            formula is not null ? $"Look at {formula.Step}. {EditOperators.QuestionOf(first.Operator)}"
+                : isOneStep ? $"Something is wrong in the formulas of the step \"{section}\"; this scene cannot tell {NamesOf(formulas)} apart."
+                : $"Something is wrong in one of these steps: {section}. This scene cannot tell them apart.",
+            $"{(formula is null ? "For example, it" : "It")} looks as if {Says(first)}.")
+        {
+            Place = new(section, formula?.Step, formula?.ToString()),
+        };
+    }
+
+    private static string Says(FormulaEdit edit)
+    {
+        var where = edit.Formula is { } formula ? $"in {formula}" : "in the whole formula";
+        return edit.Operator switch
+        {
+            EditOperator.ConditionLeftOut => $"{edit.Meant} were not asked {where}",
+            EditOperator.ConditionPutIn => $"{edit.Written} were asked {where}",
+            _ => $"{edit.Written} stood where {edit.Meant} is meant {where}",
+        };
+    }
+
+    private static string NamesOf(IEnumerable<Formula?> formulas)
+    {
+        string[] names = [.. formulas.Select(formula => formula?.Step ?? "all of them").Distinct()];
+        return names.Length > MaxNames ? "its formulas" : string.Join(names.Length == 2 ? " and " : ", ", names);
+    }
+
+    private static string SymptomOf(SectionKind kind) => kind switch
+    {
+        SectionKind.Vectors => "All that is computed with products and lengths of vectors is wrong.",
+        SectionKind.Camera or SectionKind.File or SectionKind.Pixel => "Everything stands elsewhere or is deformed: the rays are wrong.",
+        SectionKind.Rule => "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
+        SectionKind.Light => "All outlines are right, only the light is not.",
+        SectionKind.Bytes => "All outlines are right, only the colours are not.",
+        _ => $"Only {ShapeOf(kind).Many} are wrong; all else is right.",
+    };
+
+    private static ShapeKind ShapeOf(SectionKind kind) => ShapeKind.Of(kind.ToString().ToLowerInvariant())!;
+
+    internal static Affects AffectsOf(SectionKind kind) => kind switch
+    {
+        SectionKind.Vectors or SectionKind.Camera or SectionKind.Pixel => Affects.Camera,
+        SectionKind.File => Affects.File,
+        SectionKind.Rule => Affects.Hit,
+        SectionKind.Light or SectionKind.Bytes => Affects.Color,
+        _ => ShapeOf(kind).Formula,
+    };
+}

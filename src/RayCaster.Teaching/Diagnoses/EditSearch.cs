@@ -1,0 +1,157 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Edits that draw the same evidence, the likeliest first.</summary>
+/// <param name="Unexplained">The share of the wrong pixels that they leave unexplained.</param>
+internal sealed record EditGroup(double Unexplained, ImmutableArray<FormulaEdit> Edits)
+{
+    public double Cost => Edits[0].Cost;
+}
+
+/// <summary>Finds the small edits of the slides' formulas that draw a wrong picture.</summary>
+/// <remarks>All edits are tried on a few pixels, the nearest on more, and the nearest of these on all of the evidence.</remarks>
+/// <param name="budget">If it is spent, nothing is found.</param>
+internal sealed class EditSearch(Evidence evidence, SearchBudget? budget)
+{
+    /// <summary>How many wrong pixels, and how many right ones, each round compares.</summary>
+    private const int FewPixels = 24, MorePixels = 200, AllPixels = 1500;
+
+    /// <summary>How many edits each round takes on at least, and at most if they are nearly as good as the last of these.</summary>
+    private const int FewEdits = 300, MaxFewEdits = 700, LastEdits = 40, MaxLastEdits = 250;
+
+    private const double NearlyAsGood = 0.05, AlmostAsGood = 0.01;
+
+    /// <summary>How much a cost counts beside an unexplained share while edits are sorted, and when the best group is chosen.</summary>
+    private const double SmallCost = 0.001, GroupCost = 1 / 150.0;
+
+    /// <summary>If the best edit leaves more, the styles of other steps are tried with the nearest ones of the camera.</summary>
+    private const double TriesStyles = 0.03;
+
+    private const int EditsInStyles = 24;
+
+    private readonly Scene scene = evidence.Scene;
+    private readonly FormulaProgram right = FormulaProgram.For(evidence.Scene.Camera);
+
+    private static readonly SectionKind[] shapes =
+        [SectionKind.Plane, SectionKind.Circle, SectionKind.Sphere, SectionKind.Aabb, SectionKind.Triangle];
+
+    /// <summary>In a scene of more models that have formulas, nothing is searched for.</summary>
+    private const int MaxModels = 200;
+
+    /// <summary>What the likeliest edits may leave, in pixels or as a share of the picture, and as a share of what is wrong: less is the right
+    /// edit, drawn with other last bits; more is chance.</summary>
+    private const double MayLeavePixels = 8, MayLeaveOfPicture = 0.001, MayLeave = 0.05;
+
+    /// <summary>The likeliest edits, if they explain the picture.</summary>
+    public EditGroup? Find()
+    {
+        if (scene.Models.Count > MaxModels || !evidence.HasRightSize) return null;
+        try
+        {
+            var best = Run()[0];
+            var most = Math.Min(MayLeave * evidence.WrongCount, Math.Max(MayLeavePixels, MayLeaveOfPicture * evidence.PixelCount));
+            return best.Unexplained * evidence.WrongCount <= most ? best : null;
+        }
+        catch (TimeoutException)
+        {
+            return null;
+        }
+    }
+
+    /// <summary>The groups of edits that come nearest, the best first.</summary>
+    private List<EditGroup> Run()
+    {
+        var few = new EditSample(evidence, right, FewPixels);
+        var more = new EditSample(evidence, right, MorePixels);
+        var nearest = Nearest(few, AllEdits());
+        var closer = Measured(more, nearest);
+        if (closer is [( > TriesStyles, _), ..])
+        {
+            var ofRays = closer.Select(edit => edit.Edit).Where(ShowsInShapes).Take(EditsInStyles);
+            closer = Sorted([.. closer, .. ofRays.Select(edit => InStyles(more, edit)).OfType<(double, FormulaEdit)>()]);
+        }
+        var all = new EditSample(evidence, right, AllPixels);
+        var groups = new List<(double Unexplained, byte[] Drawn, List<FormulaEdit> Edits)>();
+        foreach (var (_, edit) in closer.TakeWhile((edit, i) =>
+            i < LastEdits || (i < MaxLastEdits && edit.Unexplained < closer[0].Unexplained + AlmostAsGood)))
+        {
+            budget?.ThrowIfSpent();
+            var drawn = all.Draw(edit);
+            var same = groups.Find(group => EditSample.AreAlike(group.Drawn, drawn));
+            if (same.Edits is not null) same.Edits.Add(edit);
+            else groups.Add((all.Unexplained(drawn), drawn, [edit]));
+        }
+        return
+        [
+            .. groups.Select(group => new EditGroup(group.Unexplained, [.. group.Edits.OrderBy(edit => edit.Cost)]))
+                .OrderBy(group => group.Unexplained + GroupCost * group.Cost),
+        ];
+    }
+
+    /// <summary>The edits of each step that the scene shows, in each style.</summary>
+    private IEnumerable<FormulaEdit> AllEdits()
+    {
+        var kinds = scene.Models.Select(model => FormulaEvaluator.KindOf(model)).ToHashSet();
+        foreach (var kind in Enum.GetValues<SectionKind>().Where(kind => !shapes.Contains(kind) || kinds.Contains(kind)))
+        {
+            foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(IsPossible))
+            {
+                foreach (var edit in EditFactory.EditsOf(section))
+                {
+                    yield return edit;
+                    if (kind == SectionKind.Camera && edit.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
+                        yield return edit with { Beside = right.With(FormulaBook.Slides[SectionKind.Rule, "aim"]), Cost = edit.Cost + 0.1 };
+                }
+            }
+        }
+    }
+
+    /// <summary>Whether a style computes what the scene asks for.</summary>
+    private bool IsPossible(FormulaSection section) => section.Kind switch
+    {
+        SectionKind.File => section == right[SectionKind.File],
+        SectionKind.Rule => section.Style == "distance" == (scene.Camera.Clip == ClipMode.Distance),
+        _ => true,
+    };
+
+    /// <summary>Whether it shows otherwise in shapes of another style.</summary>
+    private static bool ShowsInShapes(FormulaEdit edit) => edit.Section.Kind is SectionKind.Vectors or SectionKind.Camera or SectionKind.Pixel;
+
+    private List<FormulaEdit> Nearest(EditSample few, IEnumerable<FormulaEdit> edits)
+    {
+        var sorted = Measured(few, edits);
+        var last = sorted[Math.Min(FewEdits, sorted.Count) - 1].Unexplained + NearlyAsGood;
+        return [.. sorted.TakeWhile((edit, i) => i < FewEdits || (i < MaxFewEdits && edit.Unexplained <= last)).Select(edit => edit.Edit)];
+    }
+
+    private List<(double Unexplained, FormulaEdit Edit)> Measured(EditSample sample, IEnumerable<FormulaEdit> edits)
+    {
+        var measured = new List<(double, FormulaEdit)>();
+        foreach (var edit in edits)
+        {
+            budget?.ThrowIfSpent();
+            measured.Add((sample.Unexplained(sample.Draw(edit)), edit));
+        }
+        return Sorted(measured);
+    }
+
+    private static List<(double Unexplained, FormulaEdit Edit)> Sorted(List<(double Unexplained, FormulaEdit Edit)> edits) =>
+        [.. edits.OrderBy(edit => edit.Unexplained + SmallCost * edit.Edit.Cost)];
+
+    /// <summary>An edit with each shape and the rule in the style in which it explains most; null if that is no better.</summary>
+    private (double, FormulaEdit)? InStyles(EditSample sample, FormulaEdit edit)
+    {
+        var (best, program) = (sample.Unexplained(sample.Draw(edit)), edit.Beside ?? right);
+        var isBetter = false;
+        foreach (var kind in shapes.Append(SectionKind.Rule))
+        {
+            foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(section => section != right[kind] && IsPossible(section)))
+            {
+                budget?.ThrowIfSpent();
+                var other = program.With(section);
+                if (sample.Unexplained(sample.Draw(edit with { Beside = other })) is var left && left < best - AlmostAsGood)
+                    (best, program, isBetter) = (left, other, true);
+            }
+        }
+        return isBetter ? (best, edit with { Beside = program, Cost = edit.Cost + 0.3 }) : null;
+    }
+}

@@ -1,0 +1,105 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Evaluates expressions in many pixels at once. Truth is 1 or 0.</summary>
+/// <param name="pixels">How many pixels a batch has that is not the same in all of them.</param>
+/// <remarks>Not for several threads: arrays that <see cref="Forget"/> gives back are used again.</remarks>
+internal sealed class BatchArithmetic(int pixels)
+{
+    private readonly List<double[]> pool = [];
+    private int used;
+
+    /// <summary>The functions of vectors.</summary>
+    public FormulaSection Functions { get; set; } = FormulaBook.Slides.StylesOf(SectionKind.Vectors)[0];
+
+    /// <summary>Whether what is computed from now on must outlive <see cref="Forget"/>.</summary>
+    public bool Keeps { get; set; }
+
+    /// <summary>Gives back all arrays that need not be kept.</summary>
+    public void Forget() => used = 0;
+
+    /// <param name="frame">The values of names, by <see cref="Symbol.Place"/>; of a function's parameters in its body.</param>
+    public Batch Evaluate(Expression e, Batch[] frame)
+    {
+        switch (e.Operator)
+        {
+            case Operator.Number: return Batch.Of(e.Value);
+            case Operator.Name: return frame[e.Symbol!.Place];
+            case Operator.X: return new(Evaluate(e.Operands[0], frame).X);
+            case Operator.Y: return new(Evaluate(e.Operands[0], frame).Y!);
+            case Operator.Z: return new(Evaluate(e.Operands[0], frame).Z!);
+            case Operator.Vector:
+                return new(Evaluate(e.Operands[0], frame).X, Evaluate(e.Operands[1], frame).X, Evaluate(e.Operands[2], frame).X);
+            case Operator.Call:
+                var arguments = new Batch[e.Operands.Length];
+                for (var i = 0; i < arguments.Length; i++) arguments[i] = Evaluate(e.Operands[i], frame);
+                return Evaluate(Functions.Formulas[e.Function].Right, arguments);
+            default:
+                var a = Evaluate(e.Operands[0], frame);
+                if (e.Operands.Length == 1)
+                    return a.Y is null ? new(Map(e.Operator, a.X)) : new(Map(e.Operator, a.X), Map(e.Operator, a.Y), Map(e.Operator, a.Z!));
+                var b = Evaluate(e.Operands[1], frame);
+                return a.Y is null && b.Y is null ? new(Zip(e.Operator, a.X, b.X))
+                    : new(Zip(e.Operator, a.X, b.X), Zip(e.Operator, a.Y ?? a.X, b.Y ?? b.X), Zip(e.Operator, a.Z ?? a.X, b.Z ?? b.X));
+        }
+    }
+
+    /// <summary>An array for a result; its content is undefined.</summary>
+    public double[] New(int length)
+    {
+        if (Keeps || length != pixels) return new double[length];
+        if (used == pool.Count) pool.Add(new double[pixels]);
+        return pool[used++];
+    }
+
+    public Batch NewVector(int length) => new(New(length), New(length), New(length));
+
+    private double[] Map(Operator op, double[] a)
+    {
+        var r = New(a.Length);
+        switch (op)
+        {
+            case Operator.Negate: for (var i = 0; i < r.Length; i++) r[i] = -a[i]; break;
+            case Operator.Not: for (var i = 0; i < r.Length; i++) r[i] = a[i] == 0 ? 1 : 0; break;
+            case Operator.Sqrt: for (var i = 0; i < r.Length; i++) r[i] = Math.Sqrt(a[i]); break;
+            case Operator.Abs: for (var i = 0; i < r.Length; i++) r[i] = Math.Abs(a[i]); break;
+            case Operator.Sin: for (var i = 0; i < r.Length; i++) r[i] = Math.Sin(a[i]); break;
+            case Operator.Cos: for (var i = 0; i < r.Length; i++) r[i] = Math.Cos(a[i]); break;
+            case Operator.Tan: for (var i = 0; i < r.Length; i++) r[i] = Math.Tan(a[i]); break;
+            case Operator.Truncate: for (var i = 0; i < r.Length; i++) r[i] = Math.Truncate(a[i]); break;
+            case Operator.Cast: for (var i = 0; i < r.Length; i++) r[i] = double.IsFinite(a[i]) ? (byte)(long)a[i] : 0; break;
+            default: throw new ArgumentOutOfRangeException(nameof(op), op, null);
+        }
+        return r;
+    }
+
+    private double[] Zip(Operator op, double[] a, double[] b)
+    {
+        var r = New(Math.Max(a.Length, b.Length));
+        var (da, db) = (a.Length == 1 ? 0 : 1, b.Length == 1 ? 0 : 1);
+        switch (op)
+        {
+            case Operator.Add: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] + b[db * i]; break;
+            case Operator.Subtract: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] - b[db * i]; break;
+            case Operator.Multiply: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] * b[db * i]; break;
+            case Operator.Divide: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] / b[db * i]; break;
+            case Operator.Less: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] < b[db * i] ? 1 : 0; break;
+            case Operator.Greater: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] > b[db * i] ? 1 : 0; break;
+            case Operator.AtMost: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] <= b[db * i] ? 1 : 0; break;
+            case Operator.AtLeast: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] >= b[db * i] ? 1 : 0; break;
+            case Operator.And: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] * b[db * i]; break;
+            case Operator.Or: for (var i = 0; i < r.Length; i++) r[i] = Math.Max(a[da * i], b[db * i]); break;
+            case Operator.Min: for (var i = 0; i < r.Length; i++) r[i] = Min(a[da * i], b[db * i]); break;
+            case Operator.Max: for (var i = 0; i < r.Length; i++) r[i] = -Min(-a[da * i], -b[db * i]); break;
+            default: throw new ArgumentOutOfRangeException(nameof(op), op, null);
+        }
+        return r;
+    }
+
+    /// <summary>
+    /// The least. A ray in a face of a box gets 0 / 0 for that face and ±∞ for the other; the face belongs to the box, so the ray is in this slab
+    /// from −∞ on. Other numbers that are none are ignored.
+    /// </summary>
+    private static double Min(double a, double b) => a < b ? a : b <= a ? b
+        : double.IsInfinity(a) || double.IsInfinity(b) ? double.NegativeInfinity
+        : double.IsNaN(a) ? b : a;
+}

@@ -1,0 +1,149 @@
+namespace RayCaster.Teaching;
+
+/// <summary>What an <see cref="Expression"/> does with its operands.</summary>
+internal enum Operator
+{
+    Number,
+    Name,
+    X,
+    Y,
+    Z,
+    Negate,
+    Not,
+    Or,
+    And,
+    Less,
+    Greater,
+    AtMost,
+    AtLeast,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Vector, // of three numbers
+    Call, // of dot, cross, length or normalize, which the section of vectors defines
+    Sqrt,
+    Abs,
+    Sin,
+    Cos,
+    Tan,
+    Truncate,
+    Cast, // to a byte, as C# does it: 256 becomes 0
+    Min,
+    Max,
+}
+
+/// <summary>A formula's tree; it never changes. Each node knows its kind and unit.</summary>
+internal sealed class Expression
+{
+    private Expression(Operator op, Quantity quantity, ImmutableArray<Expression> operands, Symbol? symbol = null, double number = 0)
+    {
+        (Operator, Quantity, Operands, Symbol, Value) = (op, quantity, operands, symbol, number);
+        Reads = symbol?.Bit ?? 0;
+        foreach (var operand in operands) Reads |= operand.Reads;
+        Size = 1 + operands.Sum(operand => operand.Size);
+    }
+
+    public Operator Operator { get; }
+
+    public Quantity Quantity { get; }
+
+    public ImmutableArray<Expression> Operands { get; }
+
+    /// <summary>The name that is read, or the function that is called.</summary>
+    public Symbol? Symbol { get; }
+
+    /// <summary>The place of the function that is called in the section of vectors.</summary>
+    public int Function => Symbol!.Text switch { "dot" => 0, "cross" => 1, "length" => 2, _ => 3 };
+
+    /// <summary>The number that is written.</summary>
+    public double Value { get; }
+
+    /// <summary>The bits of all names and functions in it.</summary>
+    public UInt128 Reads { get; }
+
+    /// <summary>How many nodes it has.</summary>
+    public int Size { get; }
+
+    public static Expression Number(double value) => new(Operator.Number, Quantity.Number, [], number: value);
+
+    public static Expression Name(Symbol symbol, Quantity quantity) => new(Operator.Name, quantity, [], symbol);
+
+    /// <summary>A function's parameter: any vector.</summary>
+    public static Expression Parameter(Symbol symbol) => Name(symbol, Quantity.Words["displacement"]);
+
+    /// <summary>An operation; null if its operands are not of the kinds that it takes.</summary>
+    public static Expression? Of(Operator op, params ImmutableArray<Expression> operands) =>
+        QuantityOf(op, operands) is { } quantity ? new(op, quantity, operands) : null;
+
+    /// <summary>The call of a function of vectors; null if its operands are no vectors.</summary>
+    public static Expression? Call(string function, params ImmutableArray<Expression> operands)
+    {
+        if (operands.Any(operand => operand.Quantity.Kind != ValueKind.Vector)) return null;
+        var length = operands.Sum(operand => operand.Quantity.Length);
+        Quantity? quantity = (function, operands.Length) switch
+        {
+            ("dot", 2) or ("length", 1) => new(ValueKind.Number, length),
+            ("cross", 2) => new(ValueKind.Vector, length),
+            ("normalize", 1) => new(ValueKind.Vector),
+            _ => null,
+        };
+        return quantity is { } known ? new(Operator.Call, known, operands, Symbol.Of(function)) : null;
+    }
+
+    /// <summary>The same with another operand; null if the kinds do not fit.</summary>
+    public Expression? With(int place, Expression operand)
+    {
+        var operands = Operands.SetItem(place, operand);
+        return Operator == Operator.Call ? Call(Symbol!.Text, operands) : Of(Operator, operands);
+    }
+
+    /// <summary>Whether two operands have units that can be added or compared. Edits need not keep that, the slides do.</summary>
+    public bool IsConsistent => Operands.All(operand => operand.IsConsistent)
+        && (!(Operator is >= Operator.Less and <= Operator.Subtract or Operator.Min or Operator.Max) || Operands is not [var a, var b]
+            || a.Quantity.IsPure || b.Quantity.IsPure || a.Quantity.Length == b.Quantity.Length && a.Quantity.Measure switch
+            {
+                Measure.Point => Operator is Operator.Subtract || b.Quantity.Measure == Measure.None,
+                Measure.None => b.Quantity.Measure == Measure.None || (b.Quantity.Measure == Measure.Point && Operator == Operator.Add),
+                var measure => b.Quantity.Measure == measure,
+            });
+
+    public override string ToString() => FormulaText.Of(this);
+
+    private static Quantity? QuantityOf(Operator op, ImmutableArray<Expression> operands)
+    {
+        if (operands.Length != op switch
+        {
+            Operator.Number or Operator.Name or Operator.Call => -1,
+            Operator.Vector => 3,
+            >= Operator.Or and <= Operator.Divide or Operator.Min or Operator.Max => 2,
+            _ => 1,
+        }) return null;
+        var a = operands[0].Quantity;
+        var b = operands[^1].Quantity;
+        return op switch
+        {
+            Operator.And or Operator.Or or Operator.Not => a.Kind == ValueKind.Truth && b.Kind == ValueKind.Truth ? Quantity.Truth : null,
+            _ when a.Kind == ValueKind.Truth || b.Kind == ValueKind.Truth => null,
+            Operator.X or Operator.Y or Operator.Z => a.Kind == ValueKind.Vector ? a with { Kind = ValueKind.Number, Measure = 0 } : null,
+            Operator.Vector => operands.All(operand => operand.Quantity.Kind == ValueKind.Number) ? new(ValueKind.Vector, a.Length) : null,
+            Operator.Negate or Operator.Abs or Operator.Truncate or Operator.Cast => a,
+            Operator.Sqrt => a with { Length = a.Length / 2 },
+            Operator.Sin or Operator.Cos or Operator.Tan => a.Kind == ValueKind.Number ? Quantity.Number : null,
+            Operator.Multiply => a.Kind == ValueKind.Vector && b.Kind == ValueKind.Vector ? null : Product(a, b, 1),
+            Operator.Divide => a.Kind == ValueKind.Number && b.Kind == ValueKind.Vector ? null : Product(a, b, -1),
+            _ when a.Kind != b.Kind => null,
+            Operator.Less or Operator.Greater or Operator.AtMost or Operator.AtLeast => a.Kind == ValueKind.Number ? Quantity.Truth : null,
+            Operator.Subtract when a.Measure == Measure.Point && b.Measure == Measure.Point => a with { Measure = 0 },
+            Operator.Add when b.Measure == Measure.Point => b,
+            _ => a.IsPure ? b with { Measure = b.Measure == Measure.Point ? 0 : b.Measure } : a,
+        };
+    }
+
+    private static Quantity Product(Quantity a, Quantity b, int sign)
+    {
+        var kind = a.Kind == ValueKind.Vector || b.Kind == ValueKind.Vector ? ValueKind.Vector : ValueKind.Number;
+        var measure = sign < 0 && a.Measure == b.Measure ? 0 : a.IsPure ? b.Measure : a.Measure; // pixels / pixels is a pure number
+        return new(kind, a.Length + sign * b.Length, measure == Measure.Point ? 0 : measure);
+    }
+}

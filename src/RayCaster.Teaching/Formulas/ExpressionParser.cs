@@ -1,0 +1,130 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Reads an expression in the slides' notation: L·d, a × b, |T − P|, √(R² − D2), t &gt; bias and z ≤ zFar.</summary>
+/// <param name="scope">The names that may be read.</param>
+/// <remarks>A Pratt parser: an operand, then infix operators as long as they bind more tightly than what stands before.</remarks>
+internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, Expression> scope)
+{
+    private static readonly Dictionary<string, Operator> infix = Enum.GetValues<Operator>().Where(op => FormulaText.Infix(op).Strength > 0)
+        .ToDictionary(op => FormulaText.Infix(op).Sign.Replace('−', '-'));
+
+    private static readonly Dictionary<string, Operator> functions = Enum.GetValues<Operator>().Where(op => op >= Operator.Abs)
+        .ToDictionary(op => op.ToString().ToLowerInvariant());
+
+    private readonly List<string> tokens = Tokens(text);
+    private int next;
+
+    /// <summary>The whole text as one expression.</summary>
+    public Expression Parse()
+    {
+        var expression = Operation(0);
+        return next == tokens.Count ? expression : throw new FormatException($"'{tokens[next]}' after the end of an expression");
+    }
+
+    private static List<string> Tokens(string text)
+    {
+        List<string> tokens = [];
+        for (var i = 0; i < text.Length;)
+        {
+            var end = i + 1;
+            if (char.IsLetterOrDigit(text[i]) && text[i] != '²')
+                while (end < text.Length && (char.IsLetterOrDigit(text[end]) || (text[end] == '.' && char.IsDigit(text[i])))) end++;
+            if (text[i] != ' ') tokens.Add(text[i..end] is "−" ? "-" : text[i..end]);
+            i = end;
+        }
+        return tokens;
+    }
+
+    private Expression Operation(int least)
+    {
+        var left = Operand();
+        while (next < tokens.Count)
+        {
+            var sign = tokens[next];
+            var strength = sign == "×" ? FormulaText.Product : infix.TryGetValue(sign, out var op) ? FormulaText.Infix(op).Strength : 0;
+            if (strength <= least) break;
+            next++;
+            var right = Operation(strength);
+            var areVectors = (left.Quantity.Kind, right.Quantity.Kind) == (ValueKind.Vector, ValueKind.Vector);
+            left = Checked(sign switch
+            {
+                "×" => Expression.Call("cross", left, right),
+                "·" when areVectors => Expression.Call("dot", left, right),
+                _ => Expression.Of(infix[sign], left, right),
+            }, sign);
+        }
+        return left;
+    }
+
+    private Expression Operand()
+    {
+        var operand = Prefixed();
+        while (next < tokens.Count && tokens[next] is "." or "²")
+        {
+            if (tokens[next++] == "²") operand = Checked(Expression.Of(Operator.Multiply, operand, operand), "²");
+            else operand = Checked(Expression.Of(Take() switch
+            {
+                "x" => Operator.X,
+                "y" => Operator.Y,
+                "z" => Operator.Z,
+                var other => throw new FormatException($"'.{other}'; a vector has .x, .y and .z"),
+            }, operand), ".");
+        }
+        return operand;
+    }
+
+    private Expression Prefixed()
+    {
+        var token = Take();
+        if (token == "-") return Checked(Expression.Of(Operator.Negate, Operation(FormulaText.Product)), token);
+        if (token == "not") return Checked(Expression.Of(Operator.Not, Operand()), token);
+        if (token == "√") return Checked(Expression.Of(Operator.Sqrt, Operand()), token);
+        if (token == "|")
+        {
+            var inner = Operation(0);
+            Expect("|");
+            return Checked(inner.Quantity.Kind == ValueKind.Vector ? Expression.Call("length", inner) : Expression.Of(Operator.Abs, inner), token);
+        }
+        if (token == "(")
+        {
+            var list = List(token, ")");
+            return list.Count == 1 ? list[0] : Checked(Expression.Of(Operator.Vector, [.. list]), "(x, y, z)");
+        }
+        if (double.TryParse(token, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var number)) return Expression.Number(number);
+        if (next < tokens.Count && tokens[next] == "(")
+        {
+            next++;
+            var operands = List(token, ")");
+            var isOperator = functions.TryGetValue(token, out var op);
+            return Checked(isOperator ? Expression.Of(op, [.. operands]) : Expression.Call(token, [.. operands]), token);
+        }
+        return scope.TryGetValue(token, out var name) ? name : throw new FormatException($"unknown name '{token}'");
+    }
+
+    private List<Expression> List(string before, string end)
+    {
+        List<Expression> list = [];
+        while (true)
+        {
+            list.Add(Operation(0));
+            var token = Take();
+            if (token == end) return list;
+            if (token != ",") throw new FormatException($"'{token}' in what follows '{before}'");
+        }
+    }
+
+    private string Take() => next < tokens.Count ? tokens[next++] : throw new FormatException("the expression ends too early");
+
+    private void Expect(string token)
+    {
+        if (Take() is var found && found != token) throw new FormatException($"'{found}' where '{token}' is expected");
+    }
+
+    private static Expression Checked(Expression? made, string sign) => made switch
+    {
+        null => throw new FormatException($"'{sign}' does not take such operands"),
+        { IsConsistent: false } => throw new FormatException($"the units on both sides of '{sign}' differ: "
+            + string.Join(" and ", made.Operands.Select(operand => $"{operand} is {operand.Quantity}"))),
+        _ => made,
+    };
+}

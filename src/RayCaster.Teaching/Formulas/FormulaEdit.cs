@@ -1,0 +1,22 @@
+namespace RayCaster.Teaching;
+
+/// <summary>A small edit of a section.</summary>
+/// <param name="Section">The section with the edit.</param>
+/// <param name="Place">Which of its formulas is edited; the first, if the same slip is in several; null if it is in all of them.</param>
+/// <param name="Meant">What should stand where <paramref name="Written"/> stands.</param>
+/// <param name="Cost">The less, the likelier people make it.</param>
+internal sealed record FormulaEdit(FormulaSection Section, int? Place, string Meant, string Written, EditOperator Operator, double Cost)
+{
+    /// <summary>The program in which an edit of a step shows, if other steps are not written as the slides have them.</summary>
+    public FormulaProgram? Beside { get; init; }
+
+    /// <summary>The unedited section.</summary>
+    public FormulaSection Right => FormulaBook.Slides[Section.Kind, Section.Style];
+
+    /// <summary>The formula that is edited, as the slides have it; null if the slip is in all.</summary>
+    public Formula? Formula => Place is { } place ? Right.Formulas[place] : null;
+
+    public FormulaProgram In(FormulaProgram program) => (Beside ?? program).With(Section);
+
+    public override string ToString() => $"{Section.Name}: {Formula?.ToString() ?? "everywhere"}: {Written} for {Meant} ({Operator})";
+}

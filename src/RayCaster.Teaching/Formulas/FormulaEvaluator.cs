@@ -1,0 +1,257 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Draws pixels of a scene by formulas. Of a program that differs from the first one by an edit, it computes only what the edit reaches.
+/// </summary>
+/// <remarks>Not for several threads.</remarks>
+internal sealed class FormulaEvaluator
+{
+    /// <summary>A mesh with more triangles is asked through its tree, and its triangles are crossed as the definition says.</summary>
+    public const int MaxTriangles = 100;
+
+    private readonly Scene scene;
+    private readonly int count;
+    private readonly BatchArithmetic arithmetic;
+    private readonly Batch[] givens = new Batch[Symbol.Max];
+    private readonly Part[] parts;
+    private readonly Dictionary<(int Part, FormulaSection Section), Batch[]> rightFrames = [];
+    private readonly State right;
+
+    /// <param name="pixels">Columns from the left and lines from the top.</param>
+    /// <param name="program">The program that others are edits of.</param>
+    public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program)
+    {
+        (this.scene, count, arithmetic) = (scene, pixels.Count, new(pixels.Count) { Keeps = true });
+        var camera = scene.Camera;
+        Give("P", Batch.Of(camera.Position));
+        Give("T", Batch.Of(camera.Target));
+        Give("up", Batch.Of(camera.Up));
+        Give("fovY", Batch.Of(camera.FovY));
+        Give("width", Batch.Of(camera.Width));
+        Give("height", Batch.Of(camera.Height));
+        Give("zNear", Batch.Of(camera.ZNear));
+        Give("zFar", Batch.Of(Math.Min(camera.ZFar, double.MaxValue))); // so that the infinite t of a parallel ray never counts
+        Give("bias", Batch.Of(camera.Bias == 0 ? -double.Epsilon : camera.Bias)); // with a bias of 0, t = 0 counts
+        Give("π", Batch.Of(Math.PI));
+        Give("x", new([.. pixels.Select(pixel => (double)pixel.X)]));
+        Give("y", new([.. pixels.Select(pixel => (double)pixel.Y)]));
+        parts = [.. scene.Models.SelectMany(PartsOf)];
+        right = Run(program, null);
+        arithmetic.Keeps = false;
+
+        void Give(string name, Batch value) => givens[Symbol.Of(name).Place] = value;
+    }
+
+    /// <summary>The bytes of all pixels: red, green, blue, and so on.</summary>
+    public byte[] Draw(FormulaProgram program)
+    {
+        arithmetic.Forget();
+        return ReferenceEquals(program, right.Program) ? right.Bytes : Run(program, right).Bytes;
+    }
+
+    /// <summary>The bytes of the program that others are edits of.</summary>
+    public byte[] Right => right.Bytes;
+
+    private State Run(FormulaProgram program, State? basis)
+    {
+        arithmetic.Functions = program[SectionKind.Vectors];
+        var changed = basis is null ? 0 : ChangedFunctions(basis.Program[SectionKind.Vectors], arithmetic.Functions);
+        var frame = (Batch[])givens.Clone();
+        foreach (var kind in (ReadOnlySpan<SectionKind>)[SectionKind.Camera, SectionKind.File, SectionKind.Pixel])
+            Define(program[kind], frame, basis?.Program[kind], basis?.Frame, ref changed);
+
+        var rule = program[SectionKind.Rule];
+        var sameRule = IsSame(SectionKind.Rule);
+        var (hits, areNew) = (new double[parts.Length][], false);
+        for (var i = 0; i < parts.Length; i++)
+        {
+            var isSame = sameRule && (parts[i].Kind is { } kind ? IsSame(kind) : (changed & ray) == 0);
+            areNew |= !isSame;
+            hits[i] = isSame ? basis!.Hits[i]
+                : parts[i].Kind is { } shape ? HitsOf(i, program[shape], rule, frame, changed, basis)
+                : HitsOf(parts[i].Model, rule, frame);
+        }
+        var (nearest, t) = areNew || basis is null ? Nearest(hits) : (basis.Nearest, basis.T);
+        if (!areNew && IsSame(SectionKind.Light) && IsSame(SectionKind.Bytes)) return basis!;
+        return new(program, frame, hits, nearest, t, BytesOf(program, frame, nearest, t));
+
+        bool IsSame(SectionKind kind) =>
+            basis is not null && ReferenceEquals(program[kind], basis.Program[kind]) && (program[kind].Reads & changed) == 0;
+    }
+
+    private static readonly UInt128 ray = Symbol.Of("P").Bit | Symbol.Of("d").Bit;
+
+    /// <summary>The functions whose values an edit changes, also through another function.</summary>
+    private static UInt128 ChangedFunctions(FormulaSection before, FormulaSection now)
+    {
+        UInt128 changed = 0;
+        if (ReferenceEquals(before, now)) return changed;
+        for (var i = 0; i < now.Formulas.Length; i++)
+        {
+            var formula = now.Formulas[i];
+            if (!ReferenceEquals(formula.Right, before.Formulas[i].Right) || (formula.Right.Reads & changed) != 0) changed |= formula.Name.Bit;
+        }
+        return changed;
+    }
+
+    /// <summary>Computes a section's formulas, or takes their values from another frame where nothing that they read has changed.</summary>
+    private void Define(FormulaSection section, Batch[] frame, FormulaSection? before, Batch[]? old, ref UInt128 changed)
+    {
+        for (var i = 0; i < section.Formulas.Length; i++)
+        {
+            var (name, expression, _) = section.Formulas[i];
+            var known = before is not null && i < before.Formulas.Length && before.Formulas[i].Name == name ? before.Formulas[i] : null;
+            if (known is not null && ReferenceEquals(known.Right, expression) && (expression.Reads & changed) == 0)
+            {
+                frame[name.Place] = old![name.Place];
+                changed &= ~name.Bit;
+                continue;
+            }
+            var value = arithmetic.Evaluate(expression, frame);
+            if (known is not null && value.IsSameAs(old![name.Place])) changed &= ~name.Bit;
+            else changed |= name.Bit;
+            frame[name.Place] = value;
+        }
+    }
+
+    /// <summary>The first crossing of a shape that counts, in each pixel; NaN for none.</summary>
+    private double[] HitsOf(int part, FormulaSection section, FormulaSection rule, Batch[] camera, UInt128 changed, State? basis)
+    {
+        var before = basis is null ? null : StyleOf(section, basis.Program);
+        var old = before is null ? null : RightFrame(part, before, basis!.Frame);
+        var frame = FrameOf(part, camera);
+        foreach (var (symbol, _) in parts[part].Numbers) changed &= ~symbol.Bit;
+        Define(section, frame, before, old, ref changed);
+
+        var hits = arithmetic.New(count);
+        Array.Fill(hits, double.NaN);
+        var when = !section.Has(Formula.When) ? Batch.Of(1) : frame[Formula.When.Place];
+        foreach (var crossing in (ReadOnlySpan<Symbol>)[Formula.Near, Formula.Far])
+        {
+            if (!section.Has(crossing)) continue;
+            var (t, counts) = Counted(frame[crossing.Place], rule, camera);
+            for (var i = 0; i < count; i++)
+                if (double.IsNaN(hits[i]) && counts[i] != 0 && when[i] != 0) hits[i] = t[i];
+        }
+        return hits;
+    }
+
+    /// <summary>The unedited section in the same style.</summary>
+    private static FormulaSection StyleOf(FormulaSection section, FormulaProgram program) =>
+        program[section.Kind].Style == section.Style ? program[section.Kind] : FormulaBook.Slides[section.Kind, section.Style];
+
+    /// <summary>A shape's frame in a style, as the program that others are edits of has it.</summary>
+    private Batch[] RightFrame(int part, FormulaSection section, Batch[] camera)
+    {
+        if (rightFrames.TryGetValue((part, section), out var frame)) return frame;
+        var (keeps, functions) = (arithmetic.Keeps, arithmetic.Functions);
+        (arithmetic.Keeps, arithmetic.Functions) = (true, right.Program[SectionKind.Vectors]);
+        frame = FrameOf(part, camera);
+        UInt128 changed = 0;
+        Define(section, frame, null, null, ref changed);
+        (arithmetic.Keeps, arithmetic.Functions) = (keeps, functions);
+        return rightFrames[(part, section)] = frame;
+    }
+
+    private Batch[] FrameOf(int part, Batch[] camera)
+    {
+        var frame = (Batch[])camera.Clone();
+        foreach (var (symbol, value) in parts[part].Numbers) frame[symbol.Place] = value;
+        return frame;
+    }
+
+    /// <summary>A crossing's t as the rule has it, and whether it counts.</summary>
+    private (Batch T, Batch Counts) Counted(Batch crossing, FormulaSection rule, Batch[] camera)
+    {
+        var frame = (Batch[])camera.Clone();
+        frame[Symbol.Of("t").Place] = crossing;
+        UInt128 changed = 0;
+        Define(rule, frame, null, null, ref changed);
+        return (frame[Formula.Near.Place], !rule.Has(Formula.When) ? Batch.Of(1) : frame[Formula.When.Place]);
+    }
+
+    /// <summary>The same for a model that has no section: a large mesh, a shape of one's own.</summary>
+    private double[] HitsOf(Model model, FormulaSection rule, Batch[] camera)
+    {
+        var hits = arithmetic.New(count);
+        for (var i = 0; i < count; i++)
+        {
+            var (origin, d) = (camera[Symbol.Of("P").Place].At(i), camera[Symbol.Of("d").Place].At(i));
+            hits[i] = double.IsNaN(d.X + d.Y + d.Z) ? double.NaN
+                : model is Mesh mesh ? mesh.Tree.Nearest(origin, d, triangle => Counts(mesh[triangle].Intersect(new Ray<Scalar>(origin, d)).Near, i))
+                    ?? double.NaN
+                : model.Intersect(new Ray(origin, d) { ClipRange = scene.Camera.ClipRange, DepthPerT = scene.Camera.DepthPerT<Scalar>(d) })
+                    ?? double.NaN;
+        }
+        return hits;
+
+        double? Counts(double t, int pixel)
+        {
+            if (double.IsNaN(t)) return null;
+            var only = (Batch[])camera.Clone();
+            only[Symbol.Of("d").Place] = Batch.Of(camera[Symbol.Of("d").Place].At(pixel));
+            var counted = Counted(Batch.Of(t), rule, only);
+            return counted.Counts[0] != 0 ? counted.T[0] : null;
+        }
+    }
+
+    private (int[] Nearest, double[] T) Nearest(double[][] hits)
+    {
+        var (nearest, t) = (new int[count], arithmetic.New(count));
+        for (var i = 0; i < count; i++)
+        {
+            (nearest[i], t[i]) = (-1, double.PositiveInfinity);
+            for (var k = 0; k < hits.Length; k++)
+                if (hits[k][i] < t[i]) (nearest[i], t[i]) = (k, hits[k][i]);
+        }
+        return (nearest, t);
+    }
+
+    private byte[] BytesOf(FormulaProgram program, Batch[] camera, int[] nearest, double[] t)
+    {
+        var frame = (Batch[])camera.Clone();
+        var (own, shown) = (arithmetic.NewVector(count), arithmetic.NewVector(count));
+        for (var i = 0; i < count; i++) own.Set(i, ColorOf(nearest[i]));
+        (frame[Symbol.Of("t").Place], frame[Symbol.Of("K").Place]) = (new(t), own);
+        UInt128 changed = 0;
+        Define(program[SectionKind.Light], frame, null, null, ref changed);
+        var lit = frame[Symbol.Of("colour").Place];
+        for (var i = 0; i < count; i++) shown.Set(i, nearest[i] < 0 ? own.At(i) : lit.At(i)); // the background does not fade
+        frame[Symbol.Of("colour").Place] = shown;
+        Define(program[SectionKind.Bytes], frame, null, null, ref changed);
+        var rgb = frame[Symbol.Of("rgb").Place];
+        var bytes = new byte[3 * count];
+        for (var i = 0; i < count; i++)
+            if (rgb.At(i) is var shade) (bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]) = ((byte)shade.X, (byte)shade.Y, (byte)shade.Z);
+        return bytes;
+
+        Vector3 ColorOf(int part) => (part < 0 ? scene.Background : parts[part].Model.Color) is var (r, g, b) ? new(r, g, b) : default;
+    }
+
+    /// <summary>The step whose formulas cross a model; null for a shape of one's own.</summary>
+    public static SectionKind? KindOf(Model model) => PartsOf(model).First().Kind;
+
+    /// <summary>A model as its section knows it; a small mesh is its triangles.</summary>
+    private static IEnumerable<Part> PartsOf(Model model) => model switch
+    {
+        Model<Plane> { Primitive: var p } => [new(model, SectionKind.Plane, [Of("Q", p.Point), Of("n", p.Normal)])],
+        Model<Sphere> { Primitive: var s } => [new(model, SectionKind.Sphere, [Of("C", s.Center), Of("R", s.Radius)])],
+        Model<Circle> { Primitive: var c } => [new(model, SectionKind.Circle, [Of("C", c.Center), Of("n", c.Normal), Of("R", c.Radius)])],
+        Model<Aabb> { Primitive: var b } => [new(model, SectionKind.Aabb, [Of("B0", b.Min), Of("B1", b.Max)])],
+        Model<Triangle> { Primitive: var t } => [OfTriangle(model, t)],
+        Mesh { TriangleCount: > 0 and <= MaxTriangles } mesh => Enumerable.Range(0, mesh.TriangleCount).Select(i => OfTriangle(mesh, mesh[i])),
+        _ => [new(model, null, [])],
+    };
+
+    private static Part OfTriangle(Model model, Triangle t) => new(model, SectionKind.Triangle, [Of("A", t.A), Of("B", t.B), Of("C", t.C)]);
+
+    private static (Symbol, Batch) Of(string name, Vector3 value) => (Symbol.Of(name), Batch.Of(value));
+
+    private static (Symbol, Batch) Of(string name, double value) => (Symbol.Of(name), Batch.Of(value));
+
+    private sealed record Part(Model Model, SectionKind? Kind, (Symbol Name, Batch Value)[] Numbers);
+
+    /// <param name="Frame">What camera and pixel have computed.</param>
+    /// <param name="Hits">For each part the t of its hit in each pixel.</param>
+    /// <param name="Nearest">The part that each pixel shows; −1 for none.</param>
+    private sealed record State(FormulaProgram Program, Batch[] Frame, double[][] Hits, int[] Nearest, double[] T, byte[] Bytes);
+}

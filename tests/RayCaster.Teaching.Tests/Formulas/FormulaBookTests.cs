@@ -1,0 +1,69 @@
+namespace RayCaster.Teaching.Tests.Formulas;
+
+/// <summary>The texts of the slides' formulas: each right style draws the definition's picture, and errors say where they are.</summary>
+public class FormulaBookTests
+{
+    public static TheoryData<string> Scenes =>
+        [.. SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Select(SceneFolder.NameOf)];
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void EachSectionDrawsTheDefinitionsPicture(string name)
+    {
+        var scene = SceneFolder.Small(name, 4);
+        var definition = Renderer.Render(scene);
+        var slides = FormulaProgram.For(scene.Camera);
+        var evaluator = new FormulaEvaluator(
+            scene, [.. Enumerable.Range(0, definition.Count).Select(i => (i % definition.Width, i / definition.Width))], slides);
+        foreach (var kind in Enum.GetValues<SectionKind>())
+        {
+            foreach (var section in FormulaBook.Slides.StylesOf(kind))
+            {
+                if (kind is SectionKind.File && section != slides[kind]) continue; // the scene says which
+                if (kind is SectionKind.Rule && section.Style == "distance" != (slides[kind].Style == "distance")) continue;
+                var evidence = new Evidence(scene, definition, Picture(definition, evaluator.Draw(slides.With(section))), int.MaxValue);
+                Assert.True(evidence.IsRight, $"[{section.Name}]: {evidence.WrongCount} pixels are wrong");
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData("L: displacement = C - P", "L = C − P")]
+    [InlineData("thc: length = √(R² - |C - P|²)", "thc = √(R² − |C − P|²)")]
+    [InlineData("t: length = n·(Q - P) / (n·d)", "t = n·(Q − P) / (n·d)")]
+    [InlineData("t: length² = -(n × d)·n / 2", "t = −(n × d)·n / 2")]
+    [InlineData("in: truth = R ≥ 0 and (C.x - P.x ≤ R or not (R > 1))", "in = R ≥ 0 and (C.x − P.x ≤ R or not (R > 1))")]
+    [InlineData("a: length = R - (R - R) - R", "a = R − (R − R) − R")]
+    public void AFormulaIsWrittenAsItWasRead(string line, string written)
+    {
+        var book = Book($"[camera]\nd: direction = up\n[file]\n[pixel]\n[sphere]\ngiven C: point, Q: point, n: displacement, R: length\n{line}");
+        Assert.Equal(written, book.StylesOf(SectionKind.Sphere)[0].Formulas[0].ToString());
+    }
+
+    [Theory]
+    [InlineData("h: none = 2·tan(fov)", "unknown name 'fov'")]
+    [InlineData("h: none = 2·(T - P)", "2·(T − P) is displacement, not none")]
+    [InlineData("h: none = width + zNear", "the units on both sides of '+' differ: width is pixels and zNear is length")]
+    [InlineData("h: none = zNear·zNear + zNear", "the units on both sides of '+' differ: zNear² is length² and zNear is length")]
+    [InlineData("h: none = T + P", "the units on both sides of '+' differ: T is point and P is point")]
+    [InlineData("h: none = up + 1", "'+' does not take such operands")]
+    [InlineData("h: none = (2", "the expression ends too early")]
+    [InlineData("h: none = 2 3", "'3' after the end of an expression")]
+    [InlineData("h: none = P.w", "'.w'; a vector has .x, .y and .z")]
+    [InlineData("h: metres = 2", "unknown unit 'metres'")]
+    [InlineData("h = 2", "'h = 2' where 'name: unit = expression' is expected")]
+    public void AnErrorNamesSectionAndLine(string line, string message)
+    {
+        var error = Assert.Throws<FormatException>(() => Book($"# the camera\n[camera] short\n{line}\n"));
+        Assert.StartsWith($"Test.txt(3): [camera] short: {message}", error.Message, StringComparison.Ordinal);
+    }
+
+    private static FormulaBook Book(string text) => new([("Test.txt", text)]);
+
+    private static Picture Picture(Picture size, byte[] bytes)
+    {
+        var picture = new Picture(size.Width, size.Height);
+        bytes.CopyTo(picture.Rgb);
+        return picture;
+    }
+}
