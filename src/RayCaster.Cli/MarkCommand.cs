@@ -21,7 +21,7 @@ internal sealed class MarkCommand : Command
         Options:
           -o, --output <folder>  The folder for the marks: marks.csv, class.html for the teacher, and
                                  feedback.html in a folder for each student.
-              --junit <file>     Also writes the marks as JUnit XML.
+              --ids <file>       Names rows and pages by ids: a CSV file of folders and ids.
               --resume           Keeps finished marks of submissions that have not changed.
           -t, --threads <n>      How many submissions are marked at a time. [default: one per core;
                                  two where programs run, since some wait for ever]
@@ -57,8 +57,11 @@ internal sealed class MarkCommand : Command
         using var progress = ProgressLine.For(line, 0, 0, "submissions");
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(
-            line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit],
-            (done, all) => progress?.Show(done, all), StandardStreams.WriteError);
+            line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume),
+            (done, all, next) => progress?.Show(done, all, next), StandardStreams.WriteError)
+        {
+            Ids = line[Option.Ids],
+        };
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
         progress?.Dispose();
         var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);

@@ -32,15 +32,16 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     public void LinesDone(int lines) => Show(Interlocked.Add(ref linesDone, lines), height);
 
     /// <summary>Shows how many are done of all. Any thread may call it.</summary>
-    public void Show(int done, int all)
+    /// <param name="now">What is being done; empty if that needs no name.</param>
+    public void Show(int done, int all, string now = "")
     {
         var elapsed = clock.GetElapsedTime(start);
-        if (isGone || elapsed < InitialDelay || !drawing.TryEnter()) return;
+        if (isGone || done == 0 || elapsed < InitialDelay || !drawing.TryEnter()) return;
         try
         {
             if (elapsed - lastDrawn < UpdateInterval) return;
             lastDrawn = elapsed;
-            Draw(Text(done, all, elapsed));
+            Draw($"{Text(done, all, elapsed)}  {now}".TrimEnd());
         }
         finally
         {

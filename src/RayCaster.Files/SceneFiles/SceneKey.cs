@@ -4,6 +4,7 @@ internal enum KeyKind
 {
     Number,
     Whole,
+    Flag,
     Vector,
     Vectors,
     Faces,

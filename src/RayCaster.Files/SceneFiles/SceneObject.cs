@@ -129,6 +129,16 @@ internal sealed class SceneObject
         return new(color.X, color.Y, color.Z);
     }
 
+    /// <summary>True or false; false where it is left out.</summary>
+    public bool Flag(string key, string meaning)
+    {
+        described?.Add(new(key, KeyKind.Flag, meaning, false));
+        if (Take(key, meaning, false) is not { } value) return false;
+        if (value.Kind is not (JsonTokenType.True or JsonTokenType.False))
+            Report(true, value, key, " must be true or false, but is " + value.InWords);
+        return value.Kind == JsonTokenType.True;
+    }
+
     /// <summary>A text; null where it is left out or something else. A required one must not be empty.</summary>
     public string? Text(string key, string meaning, bool isRequired) => Text(key, KeyKind.Text, meaning, isRequired)?.Text;
 

@@ -61,7 +61,7 @@ internal static class VectorMistakes
         new Mistake("len-nosqrt", Affects.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
             SquareLength + AllowAnyLength,
             "Nearly all is gone or has a wrong size, or the light reaches too far.",
-            "How long is (3, 4, 0)? What does your Length say?",
+            "How long is (1, 2, 2)? What does your Length say?",
             "|a| = √(x² + y² + z²).")
             .In([.. Lengths, ("triangles compare areas", ByAreas)])
             .Or("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach + AllowAnyLength)

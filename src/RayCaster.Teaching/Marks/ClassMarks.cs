@@ -1,42 +1,48 @@
 using System.Collections.Concurrent;
+using System.Diagnostics;
 using System.Runtime.ExceptionServices;
-using System.Text.Json;
 
 namespace RayCaster.Teaching;
 
 /// <summary>Marks the submissions of a class, and writes a table, a page for each student, and a page for the teacher.</summary>
 public sealed class ClassMarks
 {
-    /// <summary>
-    /// The folder of finished marks, from which an interrupted run continues. They name mistakes, so they are not in the students' folders.
-    /// </summary>
-    private const string Kept = ".kept";
-
-    private const string TableFile = "marks.csv";
-    private const string PageFile = "class.html";
-
     private readonly Rubric rubric;
-    private readonly string output;
+    private readonly MarksFolder folder;
+    private readonly ProgramRunner programs;
     private readonly SubmissionRunner runner;
     private readonly Marker marker;
-    private readonly OtherFiles others;
+    private readonly ConcurrentDictionary<string, (long Start, long End)> times = [];
+    private readonly ConcurrentDictionary<string, StudentMarks> done = [];
+    private readonly Dictionary<string, TeacherDecision> decisions;
+    private readonly Dictionary<string, string?> digestsAtStart;
 
-    private ClassMarks(Rubric rubric, string submissions, string output)
+    private ClassMarks(
+        Rubric rubric, IReadOnlyList<Submission> all, MarksFolder folder, Dictionary<string, TeacherDecision> decisions, Containment containment)
     {
-        (this.rubric, this.output) = (rubric, output);
-        runner = new(rubric, new(rubric.Source.Run.Count > 0 ? Containment.Here : Containment.None));
+        (this.rubric, this.folder, this.decisions) = (rubric, folder, decisions);
+        programs = new(containment);
+        runner = new(rubric, programs);
         marker = new(rubric);
-        others = new([rubric.Path, .. rubric.Scenes.Select(scene => scene.Path)], submissions);
+        digestsAtStart = MayChangeOthers ? all.ToDictionary(submission => submission.Student, submission => submission.Digest()) : [];
     }
 
     /// <summary>Options for marking a class.</summary>
     /// <param name="Threads">How many submissions are marked at the same time.</param>
     /// <param name="Resume">Whether to keep finished marks if neither rubric nor submission has changed.</param>
-    /// <param name="JUnit">A file for the marks as JUnit XML, which continuous integration reads; null for none.</param>
-    /// <param name="Progress">Called with the number of finished submissions and the number of all.</param>
+    /// <param name="Progress">Called with the number of finished submissions, the number of all, and who is marked next.</param>
     /// <param name="Notice">Called with what the teacher must know besides the marks.</param>
-    public sealed record Options(
-        int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null, Action<string>? Notice = null);
+    public sealed record Options(int Threads, bool Resume = false, Action<int, int, string>? Progress = null, Action<string>? Notice = null)
+    {
+        /// <summary>A file with the ids by which rows and pages are named; null for the folders' names.</summary>
+        public string? Ids { get; init; }
+
+        /// <summary>The limits that the system enforces on programs; null for all that this machine offers.</summary>
+        internal Containment? Containment { get; init; }
+    }
+
+    /// <summary>Whether a student's program could change the files of others.</summary>
+    private bool MayChangeOthers => rubric.Source.Run.Count > 0 && !programs.IsApart;
 
     /// <summary>Marks all submissions in a folder.</summary>
     /// <param name="submissions">A folder that contains a folder for each student.</param>
@@ -46,35 +52,30 @@ public sealed class ClassMarks
     /// <exception cref="ProblemException">A folder cannot be read, or a file not be written.</exception>
     public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
     {
-        var all = Submission.In(submissions);
+        var all = Submission.In(submissions, options.Ids is { } ids ? TeacherTable.Ids(ids) : new Dictionary<string, string>());
         RefuseSharedPlaces(all, submissions, output);
+        var runs = rubric.Source.Run.Count > 0;
+        if (runs) Containment.ThrowIfUnfit();
         if (Submission.LooseFiles(submissions) is [var loose, .. var more])
             options.Notice?.Invoke($"a submission is a folder, so {PrintableText.Of(Path.Combine(submissions, loose))}" +
                 (more.Length == 0 ? " is not marked" : $" and {more.Length} more are not marked"));
-        var marks = new ClassMarks(rubric, submissions, output);
-        var done = new ConcurrentDictionary<string, StudentMarks>();
-        try
-        {
-            Parallel.ForEach(Partitioner.Create(all, EnumerablePartitionerOptions.NoBuffering),
-                new() { MaxDegreeOfParallelism = options.Threads, CancellationToken = cancellation }, submission =>
-                {
-                    done[submission.Student] = marks.MarkOne(submission, options.Resume, cancellation);
-                    options.Progress?.Invoke(done.Count, all.Count);
-                });
-        }
-        catch (AggregateException several)
-        {
-            ExceptionDispatchInfo.Throw(several.InnerExceptions[0]);
-        }
-        StudentMarks[] inOrder = [.. all.Select(submission => done[submission.Student])];
-        if (KeepEditedTable(output) is { } copy)
-            options.Notice?.Invoke($"{TableFile} was edited since the last run; that table is now {copy}");
-        var table = MarksTable.Of(rubric, inOrder);
-        Write(Path.Combine(output, TableFile), table);
-        Write(Path.Combine(output, Kept, TableFile), table);
-        Write(Path.Combine(output, PageFile), ClassPage.Of(rubric, inOrder));
-        if (options.JUnit is { } file) Write(file, JUnitReport.Of(rubric, inOrder));
-        return inOrder;
+        var decisions = TeacherTable.Decisions(Path.Combine(output, MarksFolder.Table));
+        if (decisions.Count > 0)
+            options.Notice?.Invoke($"{Path.Combine(output, MarksFolder.Table)}: taken from you are the points or comments of " +
+                string.Join(", ", decisions.Keys.Select(student => PrintableText.Of(student))));
+        var (key, files) = (MarksKey.Read(), rubric.HashOfFiles());
+        if (rubric.Vary) rubric = rubric.WithVariedScenes(MarksKey.Sign(key, Encoding.UTF8.GetBytes(rubric.Digest)), options.Notice);
+        var folder = new MarksFolder(output, key);
+        new ClassMarks(rubric, all, folder, decisions, runs ? options.Containment ?? Containment.Here : Containment.None)
+            .MarkAll(all, options, cancellation, out var marks);
+        if (rubric.HashOfFiles() != files)
+            options.Notice?.Invoke($"{rubric.Path} or one of its scenes was changed meanwhile: the marks are by what was read at the start");
+        foreach (var page in folder.ChangedPages())
+            options.Notice?.Invoke($"{page} was changed after it was written, perhaps by a student's program: --resume writes it again");
+        var others = decisions.Where(decision => !all.Any(submission => submission.Student == decision.Key));
+        MarksFolder.Write(folder.PathOf(MarksFolder.Table), Encoding.UTF8.GetBytes(MarksTable.Of(rubric, marks, others)));
+        MarksFolder.Write(folder.PathOf(MarksFolder.ClassPage), Encoding.UTF8.GetBytes(ClassPage.Of(rubric, marks)));
+        return marks;
     }
 
     /// <summary>Marks and submissions must not write to the same place, which would show only after all programs have run.</summary>
@@ -85,66 +86,65 @@ public sealed class ClassMarks
             throw new ProblemException($"the marks cannot go to {output}, which is in the folder of submissions: name a folder outside it");
         if (File.Exists(output)) throw new ProblemException($"the marks cannot go to {output}, which is a file: name a folder");
         foreach (var submission in all)
-            if (submission.Student.ToLowerInvariant() is TableFile or PageFile)
+            if (submission.Student.ToLowerInvariant() is MarksFolder.Table or MarksFolder.ClassPage)
                 throw new ProblemException($"the submission '{submission.Student}' is named like a file of the marks: rename the folder");
+        foreach (var file in (string[])[MarksFolder.Table, MarksFolder.ClassPage])
+            if (Directory.Exists(Path.Combine(output, file)))
+                throw new ProblemException($"cannot write {Path.Combine(output, file)}, which is a folder: rename it");
     }
 
-    /// <summary>Copies the table of the last run if it is no longer the one that was written: it may hold points that the teacher has
-    /// decided.</summary>
-    /// <returns>The copy's path; null if the table was not edited.</returns>
-    private static string? KeepEditedTable(string output)
-    {
-        var (table, written) = (Path.Combine(output, TableFile), Path.Combine(output, Kept, TableFile));
-        if (!File.Exists(table)) return null;
-        var bytes = File.ReadAllBytes(table); // in whatever encoding a spreadsheet has saved it
-        if (File.Exists(written) && File.ReadAllBytes(written).AsSpan().SequenceEqual(bytes)) return null;
-        var places = from number in Enumerable.Range(1, int.MaxValue - 1) select Path.Combine(output, $"marks-edited-{number}.csv");
-        var place = places.First(place => !File.Exists(place));
-        Write(place, bytes);
-        return place;
-    }
-
-    private StudentMarks MarkOne(Submission submission, bool resume, CancellationToken cancellation)
-    {
-        var folder = Path.Combine(output, submission.Student);
-        var digest = rubric.Digest + submission.Digest();
-        var keptPath = Path.Combine(output, Kept, submission.Student + ".json");
-        if (resume && ReadKept(keptPath) is { } kept && kept.Digest == digest && kept.Student == submission.Student) return kept;
-
-        IReadOnlyList<SubmittedPicture> pictures;
-        string[] changed = [];
-        if (rubric.Source.Run.Count == 0) pictures = runner.Pictures(submission, cancellation);
-        else
-        {
-            using var watch = others.WatchWhile(submission);
-            pictures = runner.Pictures(submission, cancellation);
-            changed = [.. watch.Changed()];
-        }
-        cancellation.ThrowIfCancellationRequested();
-        var marks = marker.Mark(submission.Student, digest, pictures, changed);
-        Write(Path.Combine(folder, "feedback.html"), FeedbackPage.Of(rubric, marks, pictures));
-        Write(keptPath, JsonSerializer.Serialize(marks, KeptMarks.Default.StudentMarks));
-        return marks;
-    }
-
-    private static StudentMarks? ReadKept(string path)
+    private void MarkAll(IReadOnlyList<Submission> all, Options options, CancellationToken cancellation, out StudentMarks[] marks)
     {
         try
         {
-            return File.Exists(path) ? JsonSerializer.Deserialize(File.ReadAllBytes(path), KeptMarks.Default.StudentMarks) : null;
+            Parallel.ForEach(Partitioner.Create(all, EnumerablePartitionerOptions.NoBuffering),
+                new() { MaxDegreeOfParallelism = options.Threads, CancellationToken = cancellation }, submission =>
+                {
+                    options.Progress?.Invoke(done.Count, all.Count, submission.Student);
+                    done[submission.Student] = MarkOne(submission, options, cancellation);
+                });
         }
-        catch (Exception e) when (e is JsonException or IOException or UnauthorizedAccessException or NotSupportedException)
+        catch (AggregateException several)
         {
-            return null; // a damaged file, or one of an older version, counts as missing
+            ExceptionDispatchInfo.Throw(several.InnerExceptions[0]);
+        }
+        foreach (var submission in options.Threads > 1 ? all.Where(IsVictim) : [])
+            done[submission.Student] = MarkOne(submission, options with { Resume = false }, cancellation);
+        var same = SourceTokens.Repeated(all);
+        marks = [.. all.Select(submission => done[submission.Student]).Select(student => same.TryGetValue(student.Student, out var others)
+            ? student with { LookYourself = [.. student.LookYourself, $"the same source as {others}, up to names and layout"] } : student)];
+    }
+
+    /// <summary>Whether a picture is missing of a submission that ran beside a program which took all processes: it is run again, alone.</summary>
+    private bool IsVictim(Submission submission) =>
+        times.TryGetValue(submission.Student, out var time) && programs.HasMultiplied(time.Start, time.End)
+            && done[submission.Student].Scenes.Any(scene => scene.Verdict == SceneVerdict.NoPicture);
+
+    /// <summary>Marks a submission. Whatever goes wrong with it, the others are marked, too.</summary>
+    private StudentMarks MarkOne(Submission submission, Options options, CancellationToken cancellation)
+    {
+        try
+        {
+            if (options.Resume && folder.Read(submission.Student, DigestOf(submission)) is { } kept) return kept;
+            var start = Stopwatch.GetTimestamp();
+            string[] notes = digestsAtStart.TryGetValue(submission.Student, out var digest) && digest != submission.Digest()
+                ? ["its files were changed after the run began and before it was its turn, perhaps by another program"] : [];
+            var pictures = runner.Pictures(submission, cancellation);
+            times[submission.Student] = (start, Stopwatch.GetTimestamp());
+            cancellation.ThrowIfCancellationRequested();
+            var marks = marker.Mark(submission.Student, pictures, [.. notes, .. LibraryCalls.In(submission.Folder)]);
+            if (decisions.GetValueOrDefault(submission.Student) is { } decision)
+                marks = marks with { TeacherPoints = decision.Points, Comment = decision.Comment };
+            return folder.Write(marks, FeedbackPage.Of(rubric, marks, pictures), DigestOf(submission));
+        }
+        catch (Exception e) when (e is not OperationCanceledException)
+        {
+            options.Notice?.Invoke($"{submission.Student}: {e.Message}");
+            return marker.Mark(submission.Student, runner.None($"not marked: {e.Message}"));
         }
     }
 
-    private static void Write(string path, string text) => Write(path, Encoding.UTF8.GetBytes(text));
-
-    /// <summary>Writes a file, and makes its folder: a student's program may have deleted it.</summary>
-    private static void Write(string path, byte[] bytes)
-    {
-        WorkFolder.Make(Path.GetDirectoryName(Path.GetFullPath(path))!);
-        WrittenFiles.Write(path, file => file.Write(bytes));
-    }
+    /// <summary>A hash of the rubric and the submission, with what building has made in it.</summary>
+    private string? DigestOf(Submission submission) =>
+        submission.Digest() is { } digest ? $"{rubric.Digest}{digest}{decisions.GetValueOrDefault(submission.Student)}" : null;
 }

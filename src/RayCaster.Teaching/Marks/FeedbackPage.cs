@@ -6,10 +6,13 @@ internal static class FeedbackPage
     public static string Of(Rubric rubric, StudentMarks marks, IReadOnlyList<SubmittedPicture> pictures)
     {
         var page = new Page($"{rubric.Title}: {marks.Student}");
-        page.Element("p", $"{MarksTable.Number(marks.Points)} of {MarksTable.Number(rubric.Points)} points"
-            + (marks.Open > 0 ? $"; {MarksTable.Number(marks.Open)} more are not decided: your teacher will look." : "."));
-        page.Html("<table><tr><th>Part</th><th class=\"n\">Points</th><th>Why</th></tr>");
-        foreach (var item in marks.Items) AddItem(page, rubric, item, marks.Losing);
+        page.Element("p", $"{marks.RightPictures} of {marks.Scenes.Count} pictures are right. {NextStep(rubric, marks)}".TrimEnd());
+        page.Element("p", (marks.TeacherPoints is null ? "" : "Your teacher has decided: ")
+            + $"{MarksTable.Number(marks.Points)} of {MarksTable.Number(rubric.Points)} points"
+            + (marks.Undecided > 0 ? $"; {MarksTable.Number(marks.Undecided)} more are not decided: your teacher will look." : "."));
+        if (marks.Comment is { Length: > 0 } comment) page.Element("p", comment);
+        page.Html($"<table><tr>{Page.Head("Part")}{Page.Head("Points", true)}{Page.Head("Why")}</tr>");
+        foreach (var item in marks.Items) AddItem(page, rubric, item, marks);
         page.Html("</table>");
         AddOthers(page, rubric, marks);
         var common = pictures.All(picture => picture.Picture is null) ? marks.CommonProblem : null;
@@ -18,32 +21,37 @@ internal static class FeedbackPage
         return page.ToString();
     }
 
-    private static void AddItem(Page page, Rubric rubric, ItemMarks item, IReadOnlyList<string> losing)
+    /// <summary>The first thing to think about; empty if all is right, or if the rubric has no hints.</summary>
+    private static string NextStep(Rubric rubric, StudentMarks marks) =>
+        rubric.Hint == HintLevel.Question && marks.Items.Where(item => item is { Undecided: 0 }).SelectMany(item => item.Because)
+            .Select(because => MarkWords.Question(because, marks.Losing)).FirstOrDefault(question => question != "") is { } question
+            ? $"A next step: {question}" : "";
+
+    private static void AddItem(Page page, Rubric rubric, ItemMarks item, StudentMarks marks)
     {
-        var style = item.Open > 0 ? "open" : item.Points < item.Of ? "lost" : "";
-        var why = item.Open > 0 ? "Not decided: your teacher will look."
-            : string.Join("<br>", item.Because.Select(because => Hint(rubric, because, losing)).Where(hint => hint != ""));
-        page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">{MarksTable.Item(item)} of " +
-            $"{MarksTable.Number(item.Of)}</td><td>{why}</td></tr>");
+        var style = item.Undecided > 0 ? "undecided" : item.Points < item.Of ? "lost" : "";
+        var why = item.Undecided > 0 ? "Not decided: your teacher will look."
+            : string.Join("<br>", item.Because.Select(because => Hint(rubric, because, marks)).Where(hint => hint != ""));
+        page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">" +
+            $"{(item.Undecided > 0 ? "not decided" : $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)}")}</td><td>{why}</td></tr>");
     }
 
     /// <summary>Mistakes that cost no points.</summary>
     private static void AddOthers(Page page, Rubric rubric, StudentMarks marks)
     {
         string[] free = [.. marks.Mistakes.Concat(marks.NotDrawn).Except(marks.Items.SelectMany(item => item.Because))
-            .Select(because => Hint(rubric, because)).Where(hint => hint != "")];
+            .Select(because => Hint(rubric, because, marks)).Where(hint => hint != "")];
         if (free.Length == 0) return;
         page.Element("h2", "Other mistakes, which cost no points");
         foreach (var hint in free) page.Html($"<p>{hint}</p>");
     }
 
     /// <summary>A hint; empty for a mistake if the rubric has no hints.</summary>
-    /// <param name="losing">The mistakes that may have lost a missing part.</param>
-    private static string Hint(Rubric rubric, string because, params IReadOnlyList<string> losing) => rubric.Hint switch
+    private static string Hint(Rubric rubric, string because, StudentMarks marks) => rubric.Hint switch
     {
         null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.NotDrawn(because)) : "",
-        HintLevel.Symptom => Page.Escaped(MarkWords.Symptom(because)),
-        _ => Page.Escaped($"{MarkWords.Symptom(because)} {MarkWords.Question(because, losing)}".TrimEnd()),
+        HintLevel.Symptom => Page.Escaped(MarkWords.Symptom(because, marks.Typical)),
+        _ => Page.Escaped($"{MarkWords.Symptom(because, marks.Typical)} {MarkWords.Question(because, marks.Losing)}".Trim()),
     };
 
     private static string Sentence(string problem) => char.ToUpperInvariant(problem[0]) + problem[1..].TrimEnd('.') + ".";
@@ -53,7 +61,7 @@ internal static class FeedbackPage
         page.Element("h2",
             $"{scene.Name}: {(submitted.CanBeJudged || submitted.Picture is null ? scene.Verdict.InWords() : "another size")}");
         if (submitted.Problem is { } problem && problem != common) page.Element("p", Sentence(problem));
-        var mine = submitted.Picture is { } picture ? Page.Image(picture.ToPng(), "your picture") : "";
+        var mine = submitted.Picture is { } picture ? Page.Image(picture, $"your picture of {scene.Name}") : "";
         if (!submitted.CanBeJudged)
         {
             page.Html($"<p>{mine}</p><p class=\"small\">The right picture:</p><p>{Right()}</p>");
@@ -77,6 +85,6 @@ internal static class FeedbackPage
                 """);
         }
 
-        string Right() => Page.Image(submitted.Scene.Right.ToPng(), "the right picture"); // not needed beside a right one
+        string Right() => Page.Image(submitted.Scene.Right, $"the right picture of {scene.Name}"); // not needed beside a right one
     }
 }

@@ -15,6 +15,9 @@ internal sealed class JointDiagnosis
     /// <summary>How many pictures are diagnosed by themselves where no program explains all.</summary>
     private const int Consulted = 2;
 
+    /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
+    private const double Slight = 0.05;
+
     /// <summary>Losses that differ by less are taken as equal.</summary>
     private const double Alike = 0.01;
 
@@ -31,6 +34,7 @@ internal sealed class JointDiagnosis
         Unexplained = [.. wrong.Where(picture => !picture.Evidence.IsExplainedBy(Verdict))];
         if (2 * Unexplained.Count <= wrong.Length)
         {
+            if (!TellsNothing && WithoutSlight(wrong) is { } less) Alternatives = [.. Alternatives, less];
             IsGuess = Unexplained.Any(picture => IsHardlyExplained(picture.Evidence));
             return;
         }
@@ -54,6 +58,9 @@ internal sealed class JointDiagnosis
     /// <summary>Whether the verdict changes a picture and leaves more than half of its wrong pixels unexplained. Then it is only a guess in the
     /// other pictures, too.</summary>
     public bool IsGuess { get; }
+
+    /// <summary>Whether the verdict explains all pictures.</summary>
+    public bool IsCertain => Unexplained.Count == 0;
 
     /// <summary>The program that comes nearest where none explains the pictures; null where one does.</summary>
     public WrongProgram? Nearest { get; }
@@ -96,6 +103,14 @@ internal sealed class JointDiagnosis
         let way = new Unfinished(suspect.NotYet)
         select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)],
             suspect.OtherSample && suspect.Mistakes.All(mistake => mistake.Id != "center"));
+
+    /// <summary>The verdict without one of its mistakes or missing parts, if this explains only a few pixels; otherwise null.</summary>
+    private WrongProgram? WithoutSlight(SubmittedPicture[] wrong) =>
+        Verdict.Parts is (var missing, var mistakes) && missing + mistakes < 2 ? null : Verdict.Less.FirstOrDefault(less => wrong.All(picture =>
+            Weight(less, picture) - Weight(Verdict, picture) < Slight * Weight(right, picture)));
+
+    private static double Weight(WrongProgram program, SubmittedPicture picture) =>
+        picture.Evidence.Misfit(program.Draw(picture.Scene.Scene)).Weight;
 
     private bool IsHardlyExplained(Evidence picture)
     {

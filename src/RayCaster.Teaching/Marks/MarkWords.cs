@@ -2,8 +2,9 @@ namespace RayCaster.Teaching;
 
 internal static class MarkWords
 {
-    /// <summary>What one sees of a mistake, or what is not drawn yet.</summary>
-    public static string Symptom(string because) => MistakeCatalog.Named(because)?.Hint.Symptom ?? NotDrawn(because);
+    /// <summary>What one sees of a mistake, if the pictures certainly show it, or what is not drawn yet.</summary>
+    public static string Symptom(string because, IReadOnlyList<string> typical) =>
+        MistakeCatalog.Named(because) is not { } mistake ? NotDrawn(because) : typical.Contains(because) ? mistake.Hint.Symptom : "";
 
     /// <summary>The question that leads to a mistake; for a missing shape that to a mistake which loses it, or empty.</summary>
     public static string Question(string because, IReadOnlyList<string> losing) => MistakeCatalog.Named(because)?.Hint.Question

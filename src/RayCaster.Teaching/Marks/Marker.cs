@@ -4,15 +4,15 @@ namespace RayCaster.Teaching;
 internal sealed class Marker(Rubric rubric)
 {
     /// <summary>Judges the pictures of a submission together.</summary>
-    /// <param name="digest">A hash of the rubric and the submission.</param>
-    public StudentMarks Mark(string student, string digest, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
+    public StudentMarks Mark(string student, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
         List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = new JointDiagnosis(pictures, rubric.Known);
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, diagnosis))];
         var verdict = diagnosis.Verdict;
-        return new(student, digest, Items(diagnosis, pictures), scenes,
+        return new(student, "", Items(diagnosis, pictures), scenes,
             [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.MistakeIds],
+            [.. verdict.Variants.Where(mistake => diagnosis.IsCertain && mistake == MistakeCatalog.Named(mistake.Id)).Select(mistake => mistake.Id)],
             [.. diagnosis.Losing.Select(mistake => mistake.Id)],
             [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
@@ -83,9 +83,7 @@ internal sealed class Marker(Rubric rubric)
             : picture.Evidence.IsRight ? SceneVerdict.Right
             : diagnosis.Unexplained.Contains(picture) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
-        var shown = verdict == SceneVerdict.Right ? null : picture.Picture;
-        return new(picture.Scene.Name, verdict, picture.Problem,
-            shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Seen).ToPng(), shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Tiny).Rgb);
+        return new(picture.Scene.Name, verdict, picture.Problem);
     }
 
     private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)

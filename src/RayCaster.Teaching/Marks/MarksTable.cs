@@ -5,27 +5,31 @@ namespace RayCaster.Teaching;
 internal static class MarksTable
 {
     /// <summary>A header line, and a line for each student. Items that are not decided have a question mark.</summary>
-    public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
+    /// <param name="others">What a teacher has decided for students without a submission.</param>
+    public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks, IEnumerable<KeyValuePair<string, TeacherDecision>> others)
     {
         string[] head =
         [
-            "student", "points", "open", "of", .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes",
-            "right pictures",
+            "student", "points", "undecided", "of", TeacherTable.PointsColumn, TeacherTable.CommentColumn,
+            .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes", "right pictures",
         ];
         var lines = marks.Select(student => (string[])
         [
-            student.Student, Number(student.Points), Number(student.Open), Number(rubric.Points), .. student.Items.Select(Item),
+            student.Student, Number(student.Points), Number(student.Undecided), Number(rubric.Points),
+            Number(student.TeacherPoints), student.Comment ?? "", .. student.Items.Select(Item),
             string.Join("; ", student.LookYourself), string.Join(" ", student.NotDrawn), string.Join(" ", student.Mistakes),
-            $"{student.Scenes.Count(scene => scene.Verdict == SceneVerdict.Right)} of {student.Scenes.Count}",
+            $"{student.RightPictures} of {student.Scenes.Count}",
         ]);
-        return "\uFEFF" + string.Concat(lines.Prepend(head).Select(cells => string.Join(',', cells.Select(Cell)) + "\r\n"));
+        var rest = others.Select(other => (string[])
+            [other.Key, Number(other.Value.Points), "", Number(rubric.Points), Number(other.Value.Points), other.Value.Comment]);
+        return "\uFEFF" + string.Concat(lines.Concat(rest).Prepend(head).Select(cells => string.Join(',', cells.Select(Cell)) + "\r\n"));
     }
 
-    /// <summary>Points, with at most two decimals.</summary>
-    public static string Number(double points) => points.ToString("0.##", CultureInfo.InvariantCulture);
+    /// <summary>Points, with at most two decimals; empty for none.</summary>
+    public static string Number(double? points) => points?.ToString("0.##", CultureInfo.InvariantCulture) ?? "";
 
     /// <summary>An item's certain points, with a question mark if more are not decided.</summary>
-    public static string Item(ItemMarks item) => item.Open > 0 ? $"{Number(item.Points)}?" : Number(item.Points);
+    public static string Item(ItemMarks item) => item.Undecided > 0 ? $"{Number(item.Points)}?" : Number(item.Points);
 
     /// <summary>
     /// A cell, in quotes if necessary. A text that begins with = + - @ gets an apostrophe, because a spreadsheet would run it as a formula, and
@@ -34,6 +38,6 @@ internal static class MarksTable
     private static string Cell(string text)
     {
         if (text is ['=' or '+' or '-' or '@' or '\t' or '\r', ..]) text = "'" + text;
-        return text.AsSpan().ContainsAny(",\"\r\n") ? $"\"{text.Replace("\"", "\"\"")}\"" : text;
+        return text.AsSpan().ContainsAny(",;\t\"\r\n") ? $"\"{text.Replace("\"", "\"\"")}\"" : text;
     }
 }

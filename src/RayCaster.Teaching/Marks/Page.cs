@@ -14,15 +14,15 @@ internal sealed class Page(string title)
         td.n, th.n { text-align: right; } td.n { white-space: nowrap; } .wide { overflow-x: auto; } .wide th, .wide td { padding: .3rem .4rem; }
         .wide td:last-child { min-width: 10rem; }
         td.long, p { overflow-wrap: anywhere; }
-        tr.lost td { background: #fff1ee; } tr.open td { background: #fff8dd; }
+        tr.lost td { background: #fff1ee; } tr.undecided td { background: #fff8dd; }
         .small { color: #555; font-size: .9rem; } img { image-rendering: pixelated; }
         .slid { display: inline-block; } .pair { position: relative; line-height: 0; max-width: 100%; border: 1px solid #999; }
         .pair img { max-width: 100%; } .pair img + img { position: absolute; left: 0; top: 0; clip-path: inset(0 0 0 var(--at, 50%)); }
         .pair::after { content: ""; position: absolute; top: 0; bottom: 0; left: var(--at, 50%);
           border-left: 2px solid #fff; mix-blend-mode: difference; }
         input[type=range] { display: block; width: 100%; margin: 0; }
-        @media (scripting: none) { .pair img + img { position: static; clip-path: none; } input[type=range] { display: none; } }
-        .tile { display: inline-block; margin: 0 1rem 1rem 0; vertical-align: top; max-width: 20rem; }
+        @media print, (scripting: none) { .pair img + img { position: static; clip-path: none; } input[type=range] { display: none; }
+          .pair::after { border: 0; } }
         """;
 
     private static readonly HtmlEncoder encoder = HtmlEncoder.Create(UnicodeRanges.All);
@@ -42,10 +42,18 @@ internal sealed class Page(string title)
     /// <summary>Text, escaped for an element or an attribute.</summary>
     public static string Escaped(string text) => encoder.Encode(text);
 
+    /// <summary>The head of a column.</summary>
+    public static string Head(string text, bool isOfNumbers = false) =>
+        $"<th scope=\"col\"{(isOfNumbers ? " class=\"n\"" : "")}>{Escaped(text)}</th>";
+
     /// <summary>A picture inside the page.</summary>
     /// <param name="words">A description for people who cannot see it.</param>
-    public static string Image(byte[] png, string words) =>
-        $"<img alt=\"{Escaped(words)}\" src=\"data:image/png;base64,{Convert.ToBase64String(png)}\">";
+    public static string Image(Picture picture, string words)
+    {
+        using var png = new MemoryStream();
+        PictureFile.Write(png, picture, PictureFormat.Png);
+        return $"<img alt=\"{Escaped(words)}\" src=\"data:image/png;base64,{Convert.ToBase64String(png.ToArray())}\">";
+    }
 
     public override string ToString() => $"""
         <!DOCTYPE html>

@@ -1,3 +1,5 @@
+using System.Security.Cryptography;
+
 namespace RayCaster.Teaching;
 
 /// <summary>How a class is marked (docs/teaching.md): the scenes, how to get a submission's pictures, and what costs points.</summary>
@@ -27,6 +29,9 @@ public sealed class Rubric
     /// <summary>How to get the pictures.</summary>
     public required PictureSource Source { get; init; }
 
+    /// <summary>Whether programs draw variations of the scenes.</summary>
+    public bool Vary { get; init; }
+
     /// <summary>The sum of all items' points.</summary>
     public double Points => Items.Sum(item => item.Points);
 
@@ -36,6 +41,33 @@ public sealed class Rubric
     internal IReadOnlyList<MarkedScene> Scenes { get; }
 
     internal IReadOnlyList<Mistake> Known { get; }
+
+    /// <summary>The rubric with a variation of each scene.</summary>
+    /// <param name="seed">The same seed makes the same scenes; students must not know it.</param>
+    /// <param name="notice">Called with what is wrong with a scene that stays as it is.</param>
+    internal Rubric WithVariedScenes(string seed, Action<string>? notice)
+    {
+        var varied = Scenes.AsParallel().AsOrdered().Select(scene => scene.Varied(seed, mayShowLess: false)).ToArray();
+        for (var i = 0; i < varied.Length; i++)
+        {
+            if (varied[i] is not null) continue;
+            varied[i] = Scenes[i].Varied(seed, mayShowLess: true) ?? Scenes[i];
+            notice?.Invoke($"{Scenes[i].Name}: no variation of it that was tried shows all its mistakes, so " +
+                (varied[i] == Scenes[i] ? "it is drawn as it is" : "one that shows less is drawn"));
+        }
+        return new(varied!, $"{Digest}{seed}")
+        {
+            Title = Title,
+            Path = Path,
+            Hint = Hint,
+            Items = Items,
+            Source = Source,
+        };
+    }
+
+    /// <summary>A hash of the files that the rubric was read from, as they are now.</summary>
+    internal string HashOfFiles() => Convert.ToHexStringLower(SHA256.HashData(
+        [.. Scenes.Select(scene => scene.Path).Prepend(Path).SelectMany(path => RegularFile.Read(path, SceneReader.MaxBytes) ?? [])]));
 
     /// <summary>The item whose points a mistake costs; null if it costs none.</summary>
     internal RubricItem? ItemOf(string mistake) => Items.FirstOrDefault(item => item.Mistakes.Contains(mistake));
@@ -67,4 +99,11 @@ public sealed record PictureSource(string Pictures, IReadOnlyList<string> Build,
 /// <param name="OutputBytes">The bytes that it may print, and the size of a file that it may write.</param>
 /// <param name="MemoryBytes">The memory of all its processes together.</param>
 /// <param name="Network">Whether it may use the network; some systems cannot forbid it.</param>
-public sealed record ProgramLimits(TimeSpan Time, TimeSpan BuildTime, long OutputBytes, long MemoryBytes, int Processes, bool Network);
+public sealed record ProgramLimits(TimeSpan Time, TimeSpan BuildTime, long OutputBytes, long MemoryBytes, int Processes, bool Network)
+{
+    /// <summary>The names of further variables of the teacher's environment that it gets.</summary>
+    public IReadOnlyList<string> Environment { get; init; } = [];
+
+    /// <summary>Further files and folders that it may read, as full paths, where others are hidden from it.</summary>
+    public IReadOnlyList<string> Readable { get; init; } = [];
+}

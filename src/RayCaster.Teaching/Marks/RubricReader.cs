@@ -6,7 +6,7 @@ namespace RayCaster.Teaching;
 public static class RubricReader
 {
     /// <summary>The most pixels that a scene may have: mistakes show in small pictures, and there are many of them.</summary>
-    public const int MostPixels = 2_000_000;
+    public const int MaxPixels = 2_000_000;
 
     private static readonly string[] places = ["{dir}", "{scene}", "{out}", "{name}"];
 
@@ -29,9 +29,12 @@ public static class RubricReader
         o.Text("$schema", "Where editors find the schema of rubrics; the program does not use it.", false);
         var title = o.Text("title", "What is marked, for the heads of pages.", false) ?? "Marks";
         var files = o.Texts("scenes", "The scene files, an array of paths that start at the rubric's folder.", true);
-        var source = ReadSource(o);
+        var source = ReadSource(o, Path.GetDirectoryName(Path.GetFullPath(Path.Combine(".", path))) ?? "/");
         if (files.Count > 1 && source.Run.Count == 0 && !source.Pictures.Contains("{name}"))
             o.Refuse("pictures", $" must contain {"{name}"}, the scene's name, since there are {files.Count} scenes");
+        var vary = o.Flag("vary",
+            "Whether programs draw variations of the scenes, which nobody knows before: then a program that copies pictures fails.");
+        if (vary && source.Run.Count == 0 && o.IsSound) o.Refuse("vary", $" needs run: pictures that are there already show the scenes as they are");
         var hint = o.OptionalChoice("hint", "How much of a hint the students' pages tell: what is to be seen, what to ask oneself, or nothing.",
             "question", "symptom", "none");
         var items = new List<RubricItem>();
@@ -46,6 +49,7 @@ public static class RubricReader
             Path = Path.GetFullPath(path),
             Hint = hint switch { "question" => HintLevel.Question, "symptom" => HintLevel.Symptom, _ => null },
             Items = items,
+            Vary = vary,
             Source = source,
         };
     }
@@ -74,7 +78,7 @@ public static class RubricReader
         return new(name, points, each, mistakes, undone.Contains("triangle") ? [.. undone, "mesh"] : undone); // a mesh is its triangles
     }
 
-    private static PictureSource ReadSource(SceneObject o)
+    private static PictureSource ReadSource(SceneObject o, string folder)
     {
         var pictures = o.FileName("pictures",
             "The file of a picture in the submission's folder; {name} stands for the scene's name. Default: {name}.png, or {name}.ppm.", false);
@@ -91,6 +95,10 @@ public static class RubricReader
         var processes = o.Whole("processLimit", "How many processes a program may be.", 1, 10_000, 100);
         var network = o.OptionalChoice(
             "network", "Whether programs may use the network, where that can be forbidden.", "none", "allowed") == "allowed";
+        var environment = o.Texts("environment", "The names of further variables of your environment that programs get, an array.", false);
+        var readable = o.Texts("readable",
+            "Further files and folders that programs may read, where others are hidden from them, an array of paths from the rubric's folder.",
+            false);
 
         if (pictures is not null && o.Has("run"))
             o.Refuse("pictures", $" and run exclude each other: the pictures are there, or a command draws them");
@@ -111,6 +119,10 @@ public static class RubricReader
             ? new ProgramLimits(
                 TimeSpan.FromSeconds(time), TimeSpan.FromSeconds(buildTime), (long)(output * megabyte), (long)(memory * megabyte),
                 processes, network)
+            {
+                Environment = environment,
+                Readable = [.. readable.Select(file => Path.GetFullPath(file, folder))],
+            }
             : new(default, default, 0, 0, 0, false);
         return new(pictures ?? "{name}.png", build, run, limits);
     }
@@ -158,10 +170,10 @@ public static class RubricReader
                 o.Refuse("scenes", $" cannot be used: {files[i]} has errors", i);
             else if (StoredReference.Contradiction(path, scene) is { } message)
                 o.Refuse("scenes", $" cannot be used. {message}: undo the change in src/RayCaster", i);
-            else if ((long)scene.Camera.Width * scene.Camera.Height > MostPixels)
-                o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MostPixels:N0} in all", i);
+            else if ((long)scene.Camera.Width * scene.Camera.Height > MaxPixels)
+                o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MaxPixels:N0} in all", i);
             else
-                scenes.Add(new(name, Path.GetFullPath(path), new(scene)));
+                scenes.Add(new(name, Path.GetFullPath(path), reading.Text, new(scene)));
         }
         if (o.IsSound) foreach (var scene in scenes) digest.AppendData(scene.Right.Rgb); // which also depends on mesh files and on src/RayCaster
         return scenes;

@@ -4,7 +4,12 @@ namespace RayCaster.Teaching;
 public static class RubricReport
 {
     /// <summary>The limits for students' programs on this machine.</summary>
-    public static string LimitsOf(Rubric rubric) => Containment.Here.InWords(rubric.Source.Limits.Network);
+    /// <exception cref="ProblemException">Students' programs must not be run here.</exception>
+    public static string LimitsOf(Rubric rubric)
+    {
+        Containment.ThrowIfUnfit();
+        return Containment.Here.InWords(rubric.Source.Limits.Network);
+    }
 
     /// <summary>Lines of text: the items with their points, and the mistakes that no scene can show.</summary>
     public static string Text(Rubric rubric)

@@ -9,7 +9,7 @@ namespace RayCaster.Teaching;
 /// </summary>
 public sealed class SceneVariation
 {
-    private const int MostTries = 16;
+    private const int MaxTries = 16;
 
     /// <summary>How far points move at most, as a share of the distance from camera to target. After some tries it is halved.</summary>
     private const double Amplitude = 0.035;
@@ -17,7 +17,7 @@ public sealed class SceneVariation
     /// <summary>How much a radius changes at most, as a share of it.</summary>
     private const double Growth = 0.08;
 
-    private const int TriesOfOneAmplitude = 4;
+    private const int TriesPerAmplitude = 4;
 
     private static readonly string[] cameraPoints = ["position", "target"];
     private static readonly string[] modelPoints = ["point", "center", "min", "max", "a", "b", "c", "translate"];
@@ -45,16 +45,18 @@ public sealed class SceneVariation
     /// <param name="newFolder">The folder of the new scene, from which its schema is found.</param>
     /// <param name="budget">How long the mistakes of the scene are tried; those that are left out are not tried on the new one either. Any time if
     /// left out.</param>
+    /// <param name="mayShowLess">Whether the new scene need not show every mistake.</param>
     /// <returns>The new text; null if no try succeeds.</returns>
-    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder, SearchBudget? budget = null)
+    public static byte[]? Of(
+        ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder, SearchBudget? budget = null, bool mayShowLess = false)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
         if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
-        var shown = Shown(scene, budget);
+        var shown = mayShowLess ? [] : Shown(scene, budget);
         var distance = (scene.Camera.Target - scene.Camera.Position).Length;
-        for (var attempt = 0; attempt < MostTries; attempt++)
+        for (var attempt = 0; attempt < MaxTries; attempt++)
         {
-            var amplitude = Amplitude / (1 << attempt / TriesOfOneAmplitude);
+            var amplitude = Amplitude / (1 << attempt / TriesPerAmplitude);
             var variation = new SceneVariation(tree, distance, $"{seed}\n{attempt}", amplitude);
             variation.MoveSchema(folder, newFolder);
             var text = variation.Text();

@@ -7,19 +7,27 @@ namespace RayCaster.Teaching;
 /// <param name="Folder">The folder, as a full path.</param>
 internal sealed record Submission(string Folder)
 {
-    /// <summary>Folders that building makes, and others that are not the student's work.</summary>
-    private static readonly string[] leftOut = ["bin", "obj", "node_modules"];
+    /// <summary>The longest name of a folder, in bytes: files are named after it, with endings, and a name has 255 bytes at most.</summary>
+    private const int MaxNameBytes = 200;
+
+    /// <summary>The marks of a submission with more bytes than this are not kept for the next run.</summary>
+    private const long MaxHashedBytes = 1 << 28;
 
     private static readonly EnumerationOptions files =
-        new() { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.ReparsePoint, MaxRecursionDepth = 32 };
+        new() { RecurseSubdirectories = true, AttributesToSkip = 0, MaxRecursionDepth = 64 };
 
-    public string Student => Path.GetFileName(Folder);
+    /// <summary>What the student is called in place of the folder's name; null for none.</summary>
+    public string? Id { get; init; }
+
+    /// <summary>The name of rows and pages: the id, or the folder's name.</summary>
+    public string Student => Id ?? Path.GetFileName(Folder);
 
     /// <summary>The submissions in a folder: each folder in it is one. Sorted by name.</summary>
+    /// <param name="ids">The students' ids by folder; a folder without one keeps its name.</param>
     /// <exception cref="ProblemException">
     /// The folder cannot be listed, contains no folder, or contains a name with an invisible character.
     /// </exception>
-    public static IReadOnlyList<Submission> In(string folder)
+    public static IReadOnlyList<Submission> In(string folder, IReadOnlyDictionary<string, string> ids)
     {
         if (File.Exists(folder)) throw new ProblemException($"{folder} is a file: name the folder that contains a folder for each student");
         try
@@ -27,7 +35,7 @@ internal sealed record Submission(string Folder)
             Submission[] all =
             [
                 .. Directory.EnumerateDirectories(Path.GetFullPath(folder)).Where(path => !Path.GetFileName(path).StartsWith('.'))
-                    .Order(StringComparer.Ordinal).Select(path => new Submission(path)),
+                    .Order(StringComparer.Ordinal).Select(path => new Submission(path) { Id = ids.GetValueOrDefault(Path.GetFileName(path)) }),
             ];
             if (all.Length == 0)
             {
@@ -36,9 +44,16 @@ internal sealed record Submission(string Folder)
                     "but must contain a folder for each student, named after the student");
             }
             foreach (var submission in all)
+            {
                 if (!submission.Student.All(PrintableText.IsPrintable))
                     throw new ProblemException(
-                        $"the submission '{PrintableText.Of(submission.Student)}' has an invisible character in its name: rename the folder");
+                        $"the submission '{PrintableText.Of(submission.Student)}' has an invisible character in its name: rename it");
+                if (submission.Student.AsSpan().ContainsAny('/', '\\') || submission.Student is ['.', ..])
+                    throw new ProblemException($"the id '{submission.Student}' cannot name a folder: choose another one");
+                if (Encoding.UTF8.GetByteCount(submission.Student) is > MaxNameBytes and var bytes)
+                    throw new ProblemException(
+                        $"the submission '{submission.Student}' has a name of {bytes} bytes, the limit is {MaxNameBytes}: rename it");
+            }
             return all;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
@@ -54,12 +69,20 @@ internal sealed record Submission(string Folder)
             .Order(StringComparer.Ordinal),
     ];
 
-    /// <summary>A hash of the names, lengths and times of the submission's files; files that building makes are left out.</summary>
-    public string Digest()
+    /// <summary>A hash of the names and contents of all its files, and of where links lead; null if there is too much to read.</summary>
+    public string? Digest()
     {
-        var lines = State(Folder).Where(file => !IsLeftOut(file.Path)).OrderBy(file => file.Path, StringComparer.Ordinal)
-            .Select(file => $"{Path.GetRelativePath(Folder, file.Path)}|{file.State.Length} {file.State.Time.Ticks}\n");
-        return Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(string.Concat(lines))));
+        using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        var left = MaxHashedBytes;
+        foreach (var (path, (length, _)) in State(Folder).OrderBy(file => file.Path, StringComparer.Ordinal))
+        {
+            var link = new FileInfo(path).LinkTarget;
+            hash.AppendData(Encoding.UTF8.GetBytes($"{Path.GetRelativePath(Folder, path)}\0{link}\0{length}\0"));
+            if (link is not null) continue;
+            if ((left -= length) < 0 || RegularFile.Read(path, MaxHashedBytes) is not { } content) return null;
+            hash.AppendData(content);
+        }
+        return Convert.ToHexStringLower(hash.GetHashAndReset());
     }
 
     /// <summary>The files below a folder, each with its length and the time of its last change.</summary>
@@ -70,7 +93,10 @@ internal sealed record Submission(string Folder)
         {
             found.AddRange(new FileSystemEnumerable<(string, (long, DateTime))>(
                 folder, (ref entry) => (entry.ToFullPath(), (entry.Length, entry.LastWriteTimeUtc.UtcDateTime)), files)
-            { ShouldIncludePredicate = (ref entry) => !entry.IsDirectory });
+            {
+                ShouldIncludePredicate = (ref entry) => !entry.IsDirectory || IsLink(entry),
+                ShouldRecursePredicate = (ref entry) => !IsLink(entry),
+            });
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
@@ -79,7 +105,5 @@ internal sealed record Submission(string Folder)
         return found;
     }
 
-    private bool IsLeftOut(string path) =>
-        Path.GetRelativePath(Folder, path).Split(Path.DirectorySeparatorChar)
-            .Any(part => leftOut.Contains(part) || (part.StartsWith('.') && part.Length > 1));
+    private static bool IsLink(in FileSystemEntry entry) => entry.Attributes.HasFlag(FileAttributes.ReparsePoint);
 }

@@ -13,8 +13,14 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
 
     private const int Pixels = 3000;
 
+    private const double SingleShare = 0.01;
+
     /// <summary>Whether its size is the scene's, or the scene's with width and height swapped, as some mistakes do.</summary>
     public bool CanBeJudged => Picture is not null && HasSizeOf(Scene, Picture);
+
+    /// <summary>Whether it is the right picture of another scene, the one whose variation was to be drawn, but for single pixels.</summary>
+    public bool IsCopied => CanBeJudged && Scene.Known is { } known && known.Width == Picture!.Width && !Evidence.IsRight
+        && new PictureDifference(Picture, known) is var difference && difference.Wrong < SingleShare * difference.Pixels;
 
     /// <summary>What the picture tells, if it can be judged.</summary>
     public Evidence Evidence => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);

@@ -34,7 +34,7 @@ public class MarkerTests
 
     internal static StudentMarks Mark(Func<Scene, Picture?> draw) => Mark(rubric, draw);
 
-    internal static StudentMarks Mark(Rubric rubric, Func<Scene, Picture?> draw) => new Marker(rubric).Mark("somebody", "",
+    internal static StudentMarks Mark(Rubric rubric, Func<Scene, Picture?> draw) => new Marker(rubric).Mark("somebody",
         [.. rubric.Scenes.Select(
             scene => draw(scene.Scene) is { } picture ? new SubmittedPicture(scene, picture, null) : new(scene, null, "no picture"))]);
 
@@ -51,7 +51,7 @@ public class MarkerTests
     public void ARightProgramGetsAllPoints()
     {
         var marks = Mark("ok");
-        Assert.Equal((20.0, 0.0), (marks.Points, marks.Open));
+        Assert.Equal((20.0, 0.0), (marks.Points, marks.Undecided));
         Assert.Empty(marks.LookYourself);
     }
 
@@ -60,7 +60,7 @@ public class MarkerTests
     public void AMistakeCostsItsOwnItemAndNoOther(string mistake, string second, string lost)
     {
         var marks = Mark(mistake, second);
-        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Undecided));
     }
 
     [Theory]
@@ -79,7 +79,7 @@ public class MarkerTests
     public void WhatIsNotDrawnYetCostsItsItems(string mistake, string undone, string lost)
     {
         var marks = Mark(mistake, undone: undone);
-        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Undecided));
         Assert.Equal(undone, string.Join(' ', marks.NotDrawn.Order()));
     }
 
@@ -96,24 +96,24 @@ public class MarkerTests
     public void WherePicturesAreMissingOnlyWhatTheOthersTellIsGiven()
     {
         var marks = Mark(scene => scene == rubric.Scenes[0].Scene ? ScalarRenderer.Render(scene) : null);
-        Assert.Equal((0.0, 2.0), (marks.Items[7].Points, marks.Items[7].Open)); // no sphere is in the only picture
-        Assert.Equal((2.0, 0.0), (marks.Items[2].Points, marks.Items[2].Open)); // planes are
+        Assert.Equal((0.0, 2.0), (marks.Items[7].Points, marks.Items[7].Undecided)); // no sphere is in the only picture
+        Assert.Equal((2.0, 0.0), (marks.Items[2].Points, marks.Items[2].Undecided)); // planes are
         Assert.Single(marks.LookYourself);
     }
 
     [Fact]
-    public void APartThatOnlyAMissingPictureShowsIsOpen()
+    public void APartThatOnlyAMissingPictureShowsIsUndecided()
     {
         var parts = With([new("Plane", 1, 1, [], ["plane"]), new("Sphere", 2, 2, [], ["sphere"])], rubric.Scenes);
         var marks = Mark(parts, scene => scene == rubric.Scenes[0].Scene ? ScalarRenderer.Render(scene) : null);
-        Assert.Equal((1.0, 2.0), (marks.Points, marks.Open)); // no sphere is in the only picture
+        Assert.Equal((1.0, 2.0), (marks.Points, marks.Undecided)); // no sphere is in the only picture
     }
 
     [Fact]
     public void PicturesOfOneColourTellNothing()
     {
         var marks = Mark(scene => new Picture(scene.Camera.Width, scene.Camera.Height));
-        Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
+        Assert.Equal((0.0, 20.0), (marks.Points, marks.Undecided));
         Assert.Equal("all pictures are of one colour: many mistakes cause that", Assert.Single(marks.LookYourself));
     }
 }

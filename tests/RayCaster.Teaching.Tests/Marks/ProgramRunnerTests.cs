@@ -14,16 +14,87 @@ public sealed class ProgramRunnerTests : IDisposable
     public void Dispose() => folder.Dispose();
 
     private ProgramRun Run(bool isContained, string script, ProgramLimits? other = null) =>
-        new ProgramRunner(isContained ? Containment.Here : Containment.None)
-            .Run(["sh", "-c", script], folder.Path, folder.Path, other ?? limits, (other ?? limits).Time, default);
+        Run(isContained ? Containment.Here : Containment.None, other ?? limits, "sh", "-c", script);
+
+    private ProgramRun Run(Containment containment, ProgramLimits limits, params string[] command)
+    {
+        using var work = new WorkFolder();
+        return new ProgramRunner(containment).Run(command, work.Place(folder.Path), limits, limits.Time, default);
+    }
 
     [Theory]
     [InlineData(true, true, true, ", file sizes and processes are limited; the rubric allows the network.")]
     [InlineData(true, true, false, ", file sizes and processes are limited; they have no network.")]
     [InlineData(true, false, false, " and processes are limited; they have no network.")]
     [InlineData(false, true, false, ", file sizes and processes are limited; some processes may go on after them, and they can use the network.")]
-    public void TheLimitsAreTold(bool hasOwnTree, bool hasLimits, bool network, string end) => Assert.Equal(
-        $"Students' programs run with your rights. Their time, output, memory{end}", new Containment(hasOwnTree, hasLimits).InWords(network));
+    public void TheLimitsAreTold(bool isApart, bool hasLimits, bool network, string end)
+    {
+        var files = isApart ? "see their own folder, the scene and installed programs, and none of your other files."
+            : "run with your rights: they can read and change all your files. Use a container (docs/teaching.md).";
+        Assert.Equal($"Students' programs {files} Their time, output, memory{end}", new Containment(isApart, hasLimits).InWords(network));
+    }
+
+    [Theory]
+    [InlineData(false, false, false)]
+    [InlineData(true, true, false)]
+    [InlineData(true, false, true)]
+    public void RootRunsNoProgramsOutsideAContainer(bool isRoot, bool isContainer, bool isRefused) =>
+        Assert.Equal(isRefused, Containment.Refusal(isRoot, isContainer)?.Contains("run mark as another user, or in a container") == true);
+
+    /// <remarks>A program that prints its environment and crashes shows it on the student's page.</remarks>
+    [SkippableFact]
+    public void OfTheEnvironmentOnlyWhatProgramsNeedAndTheRubricNamesIsLeft()
+    {
+        Skip.If(OperatingSystem.IsWindows(), "has other variables");
+        Environment.SetEnvironmentVariable("RAYCASTER_TEST_TOKEN", "secret");
+        Environment.SetEnvironmentVariable("RAYCASTER_TEST_NAMED", "course");
+        var generous = limits with { Time = TimeSpan.FromMinutes(1), Environment = ["RAYCASTER_TEST_NAMED"] };
+        var names = Run(true, "env", generous).Printed.Split('\n').Select(line => line.Split('=')[0]);
+        string[] expected = ["PATH", "HOME", "TMPDIR", "TMP", "TEMP", "USERPROFILE", "LANG", "RAYCASTER_TEST_NAMED", "RAYCASTER_SUBMISSION"];
+        Assert.Empty(names.Where(name => !name.StartsWith("DOTNET_")).Except([.. expected, "PWD", "OLDPWD", "SHLVL", "_"])); // of the shell
+        Assert.Contains("RAYCASTER_TEST_NAMED", names);
+    }
+
+    [SkippableFact] // the shell, unshare and timeout were counted
+    public void OnlyTheStudentsProcessesAreCounted()
+    {
+        Skip.If(!OperatingSystem.IsLinux(), "elsewhere the number is not known");
+        var few = limits with { Time = TimeSpan.FromMinutes(1), Processes = 3 };
+        Assert.Equal(ProgramEnd.Exited, Run(true, "sleep 0.7 & sleep 0.7; exit 0", few).End);
+        Assert.Equal(ProgramEnd.TooManyProcesses, Run(true, "for i in 1 2 3 4; do sleep 20 & done; sleep 20", few).End);
+    }
+
+    [SkippableFact]
+    public void WhereFilesCanBeHiddenAProgramSeesItsOwnAndThoseThatItMayRead()
+    {
+        Skip.If(!Containment.Here.IsApart, "not allowed here");
+        using var others = new TemporaryFolder();
+        var (secret, shared) = (others.Write("secret", "of another"), others.Write("shared file", "for all"));
+        folder.Write("mine", "my own");
+        using var work = new WorkFolder();
+        var generous = limits with { Time = TimeSpan.FromMinutes(1) };
+        var run = new ProgramRunner(Containment.Here).Run(
+            ["sh", "-c", $"cat mine '{shared}' '{secret}'; echo x >>'{shared}'; echo new >mine; ls {MarksKey.File} ~/; umount '{shared}'"],
+            work.Place(folder.Path, folder.Path, shared), generous, generous.Time, default);
+        Assert.Contains("my ownfor all", run.Printed);
+        Assert.DoesNotContain("of another", run.Printed);
+        Assert.Equal(("for all", "new\n"), (File.ReadAllText(shared), File.ReadAllText(folder["mine"])));
+        Assert.Contains("No such file", run.Printed);
+    }
+
+    [SkippableFact]
+    public void FoldersInOneAnotherAreDeletedHoweverDeepTheyAre()
+    {
+        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        using var work = new WorkFolder();
+        const string nested = // 2,105 in one another
+            "p=$(printf 'd/%.0s' $(seq 420)); mkdir -p a/$p; for i in 2 3 4 5; do mkdir -p b/$p && mv a b/$p && mv b a || exit 1; done";
+        var generous = limits with { Time = TimeSpan.FromMinutes(2) };
+        Assert.Equal("", new ProgramRunner(Containment.None)
+            .Run(["sh", "-c", nested], work.Place(work.Files), generous, generous.Time, default).Printed);
+        work.Dispose();
+        Assert.False(Directory.Exists(work.Files));
+    }
 
     [Theory]
     [MemberData(nameof(Contained))]
@@ -80,7 +151,6 @@ public sealed class ProgramRunnerTests : IDisposable
     [Fact]
     public void AProgramThatIsNotThereIsTold()
     {
-        var run = new ProgramRunner(Containment.None).Run([folder["no such program"]], folder.Path, folder.Path, limits, limits.Time, default);
-        Assert.Equal(ProgramEnd.NotStarted, run.End);
+        Assert.Equal(ProgramEnd.NotStarted, Run(Containment.None, limits, folder["no such program"]).End);
     }
 }

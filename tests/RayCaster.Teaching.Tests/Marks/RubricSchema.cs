@@ -44,6 +44,7 @@ internal static class RubricSchema
         {
             KeyKind.Number => NumberOf(key.Limits, "number"),
             KeyKind.Whole => NumberOf(key.Limits, "integer"),
+            KeyKind.Flag => new JsonObject { ["type"] = "boolean" },
             KeyKind.Text or KeyKind.FileName => new JsonObject { ["type"] = "string" },
             KeyKind.Texts => new JsonObject { ["type"] = "array", ["items"] = TextOf(key.Name) },
             KeyKind.Choice => new JsonObject { ["enum"] = new JsonArray([.. key.Choices.Select(word => (JsonNode)word)]) },

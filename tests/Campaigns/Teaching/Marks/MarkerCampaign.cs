@@ -12,13 +12,25 @@ public class MarkerCampaign
     public void AnotherSlipInAShapesOwnFormulaCostsThatShape(string file, string old, string @new, string lost) =>
         new MarkerTests().ASlipInAShapesOwnFormulaCostsThatShape(file, old, @new, lost);
 
+    /// <remarks>Beside a box's mistake, one of the vectors explained a hundredth of the pixels of one scene, and was charged.</remarks>
+    [Theory]
+    [InlineData("Slab(B0.X, B1.X, P.X, d.X)")]
+    [InlineData("Slab(B0.X, B1.X, P.Y, d.Y)")]
+    [InlineData("Slab(B0.Y, B1.Y, P.X, d.X)")]
+    public void AMistakeThatExplainsAFewPixelsBesideAnotherIsNotCharged(string slab)
+    {
+        var slip = new Planted("the y slab with the box's x", "", new Edit("Aabb", "Slab(B0.Y, B1.Y, P.Y, d.Y)", slab));
+        var marks = Mark(whole, scene => EditedLab.Render(scene, slip));
+        Assert.Empty(marks.Items.Where(item => item.Points + item.Undecided < item.Of && item.Name != "7 AABB").Select(item => item.Name));
+    }
+
     [Fact]
-    public void AFewWrongPixelsThatNothingExplainsLeaveTheirItemOpen()
+    public void AFewWrongPixelsThatNothingExplainsLeaveTheirItemUndecided()
     {
         var slip = new Planted("never along a slab", "", new Edit("Aabb", "B0 <= P", "B0 >= P"));
         var marks = Mark(With(whole.Items, Scenes("1-planes", "3-boxes", "3-spheres", "4-all")), scene => EditedLab.Render(scene, slip));
         Assert.Empty(Lost(marks).Except(["7"]));
-        Assert.Equal(["7 AABB"], marks.Items.Where(item => item.Open > 0).Select(item => item.Name));
+        Assert.Equal(["7 AABB"], marks.Items.Where(item => item.Undecided > 0).Select(item => item.Name));
     }
 
     [Theory]
@@ -34,11 +46,11 @@ public class MarkerCampaign
     {
         var slip = new Planted("a wrong letter in the scalar product", "", new Edit("Vector3", "a.Z * b.Z;", "a.Z * a.Z;"));
         var marks = Mark(scene => EditedLab.Render(scene, slip));
-        Assert.Contains("1 Vectors", marks.Items.Where(item => item.Open > 0).Select(item => item.Name));
+        Assert.Contains("1 Vectors", marks.Items.Where(item => item.Undecided > 0).Select(item => item.Name));
     }
 
     [Fact]
-    public void WhatNothingExplainsIsOpenAndFlaggedAndNotLost()
+    public void WhatNothingExplainsIsUndecidedAndFlaggedAndNotLost()
     {
         var random = new Random(1);
         var marks = Mark(two, scene =>
@@ -47,13 +59,13 @@ public class MarkerCampaign
             random.NextBytes(noise.Rgb);
             return noise;
         });
-        Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
+        Assert.Equal((0.0, 20.0), (marks.Points, marks.Undecided));
         Assert.Empty(marks.Mistakes);
         Assert.Equal("3-inside, 4-all: no known mistake explains this", Assert.Single(marks.LookYourself));
     }
 
     [Fact]
-    public void WhereAllOutlinesAreRightOnlyTheLightIsOpen()
+    public void WhereAllOutlinesAreRightOnlyTheLightIsUndecided()
     {
         var marks = Mark(two, scene =>
         {
@@ -66,11 +78,11 @@ public class MarkerCampaign
     }
 
     [Fact]
-    public void WhereTheLightOfOneKindOfShapeIsWrongItsItemIsOpen()
+    public void WhereTheLightOfOneKindOfShapeIsWrongItsItemIsUndecided()
     {
         var spheres = With(whole.Items, Scenes("3-spheres", "4-all").Select(Small));
         var marks = new Marker(spheres).Mark(
-            "somebody", "", [.. spheres.Scenes.Select(scene => new SubmittedPicture(scene, Darkened(scene), null))]);
+            "somebody", [.. spheres.Scenes.Select(scene => new SubmittedPicture(scene, Darkened(scene), null))]);
         Assert.Contains("8", Lost(marks));
 
         static Picture Darkened(MarkedScene scene)
@@ -90,6 +102,6 @@ public class MarkerCampaign
     public void TwoMistakesThatChangeWholePicturesCostTheirItems(string mistake, string second, string lost)
     {
         var marks = Mark(two, scene => EditedLab.Render(scene, Manner.OfTheSlides, Planted.Named(mistake), Planted.Named(second)));
-        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Undecided));
     }
 }

@@ -34,7 +34,7 @@ public class Step01Vectors
         RayAssert.Equal("2.0 * (1, -2, 3)", Slide, new(2, -4, 6), 2.0 * new Vector3(1, -2, 3));
         RayAssert.Equal("(1, 2, 3) * (4, -5, 6), the dot product", Slide, 12, new Vector3(1, 2, 3) * new Vector3(4, -5, 6));
         RayAssert.Equal("(1, 0, 0) % (0, 1, 0), the cross product", Slide, new(0, 0, 1), new Vector3(1, 0, 0) % new Vector3(0, 1, 0));
-        RayAssert.Equal("the length of (3, 4, 0)", Slide, 5, new Vector3(3, 4, 0).Length);
+        RayAssert.Equal("the length of (1, 2, 2)", Slide, 3, new Vector3(1, 2, 2).Length);
         RayAssert.Equal("(0, 0, -2) normalised", Slide, new(0, 0, -1), new Vector3(0, 0, -2).Normalized);
     }
 
