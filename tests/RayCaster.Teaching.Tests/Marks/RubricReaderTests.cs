@@ -37,7 +37,8 @@ public sealed class RubricReaderTests : IDisposable
     [Fact]
     public void TheRubricOfTheTenStepsHasAnItemForEachMistakeBeyondRounding()
     {
-        var rubric = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
+        var rubric = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out var report);
+        Assert.True(rubric is not null, report);
         var beyond = MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding).Select(mistake => mistake.Id);
         Assert.Equal(beyond.Order(), rubric.Items.SelectMany(item => item.Mistakes).Order());
     }
