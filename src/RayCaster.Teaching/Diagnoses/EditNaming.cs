@@ -31,12 +31,12 @@ internal static class EditNaming
         var section = string.Join(", ", kinds.Select(kind => kind.ToString().ToLowerInvariant()));
         return new(Id, AffectsOf(first.Section.Kind), first.Section.Slide, $"{section}: {Says(first)}", _ => { },
             isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
-            formula is not null ? $"Look at {formula.Step}. {EditOperators.QuestionOf(first.Operator)}"
+            formula is not null ? $"Look at {formula.Computed}. {EditOperators.QuestionOf(first.Operator)}"
                 : isOneStep ? $"Something is wrong in the formulas of the step \"{section}\"; this scene cannot tell {NamesOf(formulas)} apart."
                 : $"Something is wrong in one of these steps: {section}. This scene cannot tell them apart.",
             $"{(formula is null ? "For example, it" : "It")} looks as if {Says(first)}.")
         {
-            Place = new(section, formula?.Step, formula?.ToString()),
+            Place = new(section, formula?.Computed, formula?.ToString()),
         };
     }
 
@@ -53,7 +53,7 @@ internal static class EditNaming
 
     private static string NamesOf(IEnumerable<Formula?> formulas)
     {
-        string[] names = [.. formulas.Select(formula => formula?.Step ?? "all of them").Distinct()];
+        string[] names = [.. formulas.Select(formula => formula?.Computed ?? "all of them").Distinct()];
         return names.Length > MaxNames ? "its formulas" : string.Join(names.Length == 2 ? " and " : ", ", names);
     }
 

@@ -17,7 +17,7 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
     /// <summary>The whole text as one expression.</summary>
     public Expression Parse()
     {
-        var expression = Operation(0);
+        var expression = ParseOperation(0);
         return next == tokens.Count ? expression : throw new FormatException($"'{tokens[next]}' after the end of an expression");
     }
 
@@ -35,16 +35,16 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
         return tokens;
     }
 
-    private Expression Operation(int least)
+    private Expression ParseOperation(int least)
     {
-        var left = Operand();
+        var left = ParseOperand();
         while (next < tokens.Count)
         {
             var sign = tokens[next];
             var strength = sign == "×" ? FormulaText.Product : infix.TryGetValue(sign, out var op) ? FormulaText.Infix(op).Strength : 0;
             if (strength <= least) break;
             next++;
-            var right = Operation(strength);
+            var right = ParseOperation(strength);
             var areVectors = (left.Quantity.Kind, right.Quantity.Kind) == (ValueKind.Vector, ValueKind.Vector);
             left = Checked(sign switch
             {
@@ -56,9 +56,9 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
         return left;
     }
 
-    private Expression Operand()
+    private Expression ParseOperand()
     {
-        var operand = Prefixed();
+        var operand = ParsePrefixed();
         while (next < tokens.Count && tokens[next] is "." or "²")
         {
             if (tokens[next++] == "²") operand = Checked(Expression.Of(Operator.Multiply, operand, operand), "²");
@@ -73,40 +73,40 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
         return operand;
     }
 
-    private Expression Prefixed()
+    private Expression ParsePrefixed()
     {
         var token = Take();
-        if (token == "-") return Checked(Expression.Of(Operator.Negate, Operation(FormulaText.Product)), token);
-        if (token == "not") return Checked(Expression.Of(Operator.Not, Operand()), token);
-        if (token == "√") return Checked(Expression.Of(Operator.Sqrt, Operand()), token);
+        if (token == "-") return Checked(Expression.Of(Operator.Negate, ParseOperation(FormulaText.Product)), token);
+        if (token == "not") return Checked(Expression.Of(Operator.Not, ParseOperand()), token);
+        if (token == "√") return Checked(Expression.Of(Operator.Sqrt, ParseOperand()), token);
         if (token == "|")
         {
-            var inner = Operation(0);
+            var inner = ParseOperation(0);
             Expect("|");
             return Checked(inner.Quantity.Kind == ValueKind.Vector ? Expression.Call("length", inner) : Expression.Of(Operator.Abs, inner), token);
         }
         if (token == "(")
         {
-            var list = List(token, ")");
+            var list = ParseList(token, ")");
             return list.Count == 1 ? list[0] : Checked(Expression.Of(Operator.Vector, [.. list]), "(x, y, z)");
         }
         if (double.TryParse(token, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var number)) return Expression.Number(number);
         if (next < tokens.Count && tokens[next] == "(")
         {
             next++;
-            var operands = List(token, ")");
+            var operands = ParseList(token, ")");
             var isOperator = functions.TryGetValue(token, out var op);
             return Checked(isOperator ? Expression.Of(op, [.. operands]) : Expression.Call(token, [.. operands]), token);
         }
         return scope.TryGetValue(token, out var name) ? name : throw new FormatException($"unknown name '{token}'");
     }
 
-    private List<Expression> List(string before, string end)
+    private List<Expression> ParseList(string before, string end)
     {
         List<Expression> list = [];
         while (true)
         {
-            list.Add(Operation(0));
+            list.Add(ParseOperation(0));
             var token = Take();
             if (token == end) return list;
             if (token != ",") throw new FormatException($"'{token}' in what follows '{before}'");

@@ -25,7 +25,7 @@ internal sealed record Formula(Symbol Name, Expression Right, ImmutableArray<Sym
     public static readonly Symbol Near = Symbol.Of("first hit"), Far = Symbol.Of("second hit"), When = Symbol.Of("hit");
 
     /// <summary>What it computes, as a reader calls it.</summary>
-    public string Step => Name == Near || Name == Far ? "t" : Name.Text;
+    public string Computed => Name == Near || Name == Far ? "t" : Name.Text;
 
     public override string ToString() => Name == When ? $"hit if {Right}"
         : Name == Near || Name == Far ? $"t = {Right}"

@@ -1,3 +1,5 @@
+using RayCaster.Tests.Models;
+
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>
@@ -85,19 +87,24 @@ internal static class AccuracyRays
     /// <summary>What our formula says of a row.</summary>
     public static (double Near, double Far) Cross(string shape, double[] row)
     {
-        Vector3 At(int i) => new(row[i], row[i + 1], row[i + 2]);
-        var ray = new Ray<Scalar>(At(0), At(3));
-        var crossings = shape switch
-        {
-            "plane" => new Plane(At(6), At(9)).Intersect(ray),
-            "sphere" => new Sphere(At(6), row[9]).Intersect(ray),
-            "aabb" => new Aabb(At(6), At(9)).Intersect(ray),
-            "circle" => new Circle(At(6), At(9), row[12]).Intersect(ray),
-            "triangle" => new Triangle(At(6), At(9), At(12)).Intersect(ray),
-            _ => throw new ArgumentException(shape),
-        };
+        var crossings = ShapeOf(shape, row).Intersect(new Ray<Scalar>(At(row, 0), At(row, 3)));
         return (crossings.Near, crossings.Far);
     }
+
+    /// <summary>Lines for the end of a message.</summary>
+    public static string Describe(string shape, double[] row) => RayAssert.Describe(ShapeOf(shape, row), At(row, 0), At(row, 3));
+
+    private static IPrimitive ShapeOf(string shape, double[] row) => shape switch
+    {
+        "plane" => new Plane(At(row, 6), At(row, 9)),
+        "sphere" => new Sphere(At(row, 6), row[9]),
+        "aabb" => new Aabb(At(row, 6), At(row, 9)),
+        "circle" => new Circle(At(row, 6), At(row, 9), row[12]),
+        "triangle" => new Triangle(At(row, 6), At(row, 9), At(row, 12)),
+        _ => throw new ArgumentException(shape),
+    };
+
+    private static Vector3 At(double[] row, int i) => new(row[i], row[i + 1], row[i + 2]);
 
     /// <summary>10 to a power between two.</summary>
     public static double Power(Random random, double least, double most) => Math.Pow(10, least + (most - least) * random.NextDouble());

@@ -67,7 +67,8 @@ public class AccuracyTests
             {
                 if (exact == "none") continue;
                 var ulps = ExactDecimal.Ulps(t, exact);
-                Assert.True(ulps <= Most(table[(shape, regime)].Ulps), $"t = {t:R} is {ulps} ulp from {exact}");
+                Assert.True(ulps <= Most(table[(shape, regime)].Ulps),
+                    $"expected t = {exact}, but got t = {t:R}, {ulps:g3} units in the last place away.{AccuracyRays.Describe(shape, kept.Row)}");
             }
         }
         Assert.True(count >= 10);
@@ -89,7 +90,8 @@ public class AccuracyTests
             var step = 100 * Math.Max(Most(table[(shape, regime)].FromOutline) * size, Math.ScaleB(L.Length, -53));
             var moved = P + (kept.IsHit ? Math.Min(step, 0.5 * sideways.Length) : -step) * sideways.Normalized;
             double[] row = [moved.X, moved.Y, moved.Z, .. kept.Row[3..]];
-            Assert.True(double.IsFinite(AccuracyRays.Cross(shape, row).Near) == kept.IsHit, $"{shape} {string.Join(' ', kept.Row)}");
+            Assert.True(double.IsFinite(AccuracyRays.Cross(shape, row).Near) == kept.IsHit,
+                $"expected {(kept.IsHit ? "a crossing, but got none" : "no crossing, but got one")}.{AccuracyRays.Describe(shape, row)}");
         }
     }
 

@@ -28,7 +28,7 @@ public class InvarianceTests
             var (shape, origin, d) = (make(random), Some.GridPoint(random), Some.Direction(random));
             var by = 100 * Some.GridPoint(random);
             var (expected, got) = (Cast.Line(shape, origin, d), Cast.Line(move(shape, by), origin + by, d));
-            if (!expected.Equals(got)) Assert.Fail($"{shape} from {origin} along {d}, moved by {by}: {expected} became {got}");
+            if (!expected.Equals(got)) Assert.Fail($"moved by {by}, t = {expected} becomes {got}{RayAssert.Describe(shape, origin, d)}");
         }
 
         public override void CheckScaled(Random random)
@@ -37,7 +37,7 @@ public class InvarianceTests
             var factor = Math.ScaleB(1, random.Next(-100, 134)); // scenes from 1e-30 to 1e40
             var (near, far) = Cast.Line(shape, origin, d);
             var (expected, got) = ((near * factor, far * factor), Cast.Line(scale(shape, factor), factor * origin, d));
-            if (!expected.Equals(got)) Assert.Fail($"{shape} from {origin} along {d}, scaled by {factor}: {expected} became {got}");
+            if (!expected.Equals(got)) Assert.Fail($"scaled by {factor}, t = {expected} becomes {got}{RayAssert.Describe(shape, origin, d)}");
         }
 
         public override bool CheckOnSurface(Random random)
@@ -45,7 +45,7 @@ public class InvarianceTests
             var (shape, origin, d) = (make(random), Some.Point(random, 16), Some.Direction(random));
             if (Cast.At(shape, origin, d) is not { } t || t > 1000) return false; // far along a plane few digits are left
             var distance = off(shape, origin + t * d);
-            if (!(distance < 1e-9)) Assert.Fail($"{shape} from {origin} along {d}: t = {t} is {distance} off");
+            if (!(distance < 1e-9)) Assert.Fail($"at t = {t} the ray is {distance} off the surface{RayAssert.Describe(shape, origin, d)}");
             return true;
         }
     }

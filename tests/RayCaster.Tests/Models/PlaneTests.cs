@@ -8,22 +8,22 @@ public class PlaneTests
     [InlineData(1e-200)]
     [InlineData(-1e200)]
     public void TheLengthAndTheSideOfTheNormalDoNotMatter(double length) =>
-        Assert.Equal(15, Cast.At(new Plane(new(5, 7, -9), length * new Vector3(1, 0, 0)), new(20, 0, 0), new(-1, 0, 0))!.Value, 1e-14);
+        RayAssert.Hits(new Plane(new(5, 7, -9), length * new Vector3(1, 0, 0)), new(20, 0, 0), new(-1, 0, 0), 15, 1e-14);
 
     [Fact]
     public void ASlantedRayMeetsItWhereTheFormulaSays() => // 3-4-5: 4 down along z takes 5 of t
-        Assert.Equal(5, Cast.At(new Plane(new(0, 0, 0), new(0, 0, 1)), new(0, 0, 4), new(3, 0, -4))!.Value, 1e-14);
+        RayAssert.Hits(new Plane(new(0, 0, 0), new(0, 0, 1)), new(0, 0, 4), new(3, 0, -4), 5, 1e-14);
 
     [Theory]
     [InlineData(1)]
     [InlineData(0)] // in the plane
     [InlineData(-1)]
     public void AParallelRayDoesNotHit(double height) =>
-        Assert.Null(Cast.At(new Plane(new(0, 0, 0), new(0, 0, 1)), new(0, 0, height), new(1, 2, 0)));
+        RayAssert.Hits(new Plane(new(0, 0, 0), new(0, 0, 1)), new(0, 0, height), new(1, 2, 0), null);
 
     [Fact]
-    public void BehindTheOriginIsNoHit() => Assert.Null(Cast.At(new Plane(new(5, 0, 0), new(1, 0, 0)), new(4, 0, 0), new(-1, 0, 0)));
+    public void BehindTheOriginIsNoHit() => RayAssert.Hits(new Plane(new(5, 0, 0), new(1, 0, 0)), new(4, 0, 0), new(-1, 0, 0), null);
 
     [Fact]
-    public void ItIsCrossedOnce() => Assert.Equal(double.NaN, Cast.Line(new Plane(new(5, 0, 0), new(1, 0, 0)), default, new(1, 0, 0)).Far);
+    public void ItIsCrossedOnce() => RayAssert.Crosses(new Plane(new(5, 0, 0), new(1, 0, 0)), default, new(1, 0, 0), 5, double.NaN);
 }

@@ -13,7 +13,14 @@ public class ReferenceTests
         PictureAssert.Equal(name, ScalarRenderer.Render(Reference.SceneOf(name)));
 
     [Fact]
-    public void EverySceneHasAReference() => Assert.Equal(Reference.Scenes, Reference.Names);
+    public void EverySceneHasAReference()
+    {
+        foreach (var name in Reference.Scenes.Except(Reference.Names))
+            Assert.Fail($"scenes/{name}.json has no reference picture. If the scene is your own, move it to scenes/my. Otherwise draw "
+                + $"tests/References/{name}.png with POV-Ray: tests/References/remake.sh {name}");
+        foreach (var name in Reference.Names.Except(Reference.Scenes))
+            Assert.Fail($"tests/References/{name}.png has no scene: scenes/{name}.json is missing");
+    }
 
     /// <summary>On outlines the comparison is less strict; there must be few.</summary>
     [Theory]
