@@ -65,5 +65,11 @@ public sealed class StepTableTests : IDisposable
         [$"   at {Sphere}()", "Stack overflow.", $"   at Lab.Vector3.op_Multiply(Double, Lab.Vector3)\n   at {Vectors}()"])));
 
     [Fact]
+    public void ACallStackIsToldUpToTheTest() => Assert.Equal(
+        $"Stack overflow.\n   at Lab.Vector3.op_Multiply(Lab.Vector3, Lab.Vector3)\n   at {Vectors}()",
+        StoppedTests.WithoutForeignCalls(
+            $"Stack overflow.\n   at Lab.Vector3.op_Multiply(Lab.Vector3, Lab.Vector3)\n   at {Vectors}()\n   at System.Reflection.Invoke()"));
+
+    [Fact]
     public void ARunThatWasStoppedIsAnErrorEvenIfNoTestIsKnown() => Assert.Single(StoppedTests.Of([], []));
 }

@@ -71,7 +71,7 @@ internal static class AxisMistakes
         new Mistake("uv-swap", Affects.Camera, Slides.PixelTranslation, "U and V swapped: d = uc V + ur U − W",
             lab => lab.Towards.Becomes(towards => (uc, ur) => towards(ur, uc)),
             "The picture is mirrored at its rising diagonal; in a wide picture it is stretched, too.",
-            "Columns count to the right. Which of U and V points to the right?",
+            "Columns count to the right. Which of uc and ur do they give, and which of U and V points to the right?",
             "d = (uc U + ur V − W) normalised.")
             .Or("uc = w r / height − w / 2, ur = h c / width − h / 2",
                 lab => lab.Sample.Becomes(sample => (c, r) => sample(c, r) is var (x, y) ? (y * lab.Wide, x * lab.Tall) : default))

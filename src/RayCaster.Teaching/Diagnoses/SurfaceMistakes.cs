@@ -114,7 +114,7 @@ internal static class SurfaceMistakes
         new Mistake("tri-neg", Affects.Triangles, Slides.Triangle, "triangle: u + v ≤ 1, but neither u ≥ 0 nor v ≥ 0: a half-plane",
             TriangleWhere((u, v) => u + v <= 1),
             "A triangle covers a large part of the picture.",
-            "Which conditions draw the two sides at A?",
+            "Are u and v positive in the middle of the triangle? Which conditions draw the two sides at A?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1.")
             .Or(Asked(sides => !sides.U || !sides.V))
             .Or("triangle: u ≤ 0 where u ≥ 0 is meant", TriangleWhere((u, v) => u <= 0 && v >= 0 && u + v <= 1))

@@ -12,21 +12,34 @@ public static class StepHint
     /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
     /// test of no step.
     /// </param>
-    /// <param name="isProved">Whether the formula of a slide is known to be right: then none of its mistakes is named.</param>
-    public static string Of(Scene scene, Picture picture, int step, HintLevel level, Predicate<string>? isProved = null) =>
-        Of(scene, Judge(scene, picture, step, isProved), step, level);
+    /// <param name="isRight">
+    /// Whether the formula of a slide gives the right numbers in the scene; null where that is not known. No mistake of a right formula is named.
+    /// Where one is wrong, it is named, and no mistake of others.
+    /// </param>
+    public static string Of(Scene scene, Picture picture, int step, HintLevel level, Func<string, bool?>? isRight = null)
+    {
+        // What earlier steps compute wrongly may make the numbers of later ones wrong.
+        var wrong = isRight == null ? []
+            : Slides.Steps.Take(step).Select(earlier => earlier.Slides.Where(slide => isRight(slide) == false).ToArray())
+                .FirstOrDefault(slides => slides.Length > 0, []);
+        var diagnosis = Judge(scene, picture, step, slide => wrong.Length > 0 ? !wrong.Contains(slide) : isRight?.Invoke(slide) == true);
+        if (wrong.Length == 0) return Of(scene, diagnosis, step, level);
+        var named = level == HintLevel.Symptom ? [] : wrong.Select(slide => $"  Wrong numbers in this scene: slide \"{slide}\"");
+        return string.Join("\n", [.. named, Of(scene, diagnosis, Slides.StepOf(wrong[0]), level, isFormulaKnown: true)]);
+    }
 
-    internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
-        string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
+    internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level, bool isFormulaKnown = false) =>
+        string.Join("\n", Lines(scene, diagnosis, step, level, isFormulaKnown).Select(line => "  " + line));
 
     internal static Diagnosis Judge(Scene scene, Picture picture, int step, Predicate<string>? isProved = null) => step == 0
         ? Diagnosis.Of(scene, picture)
         : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step && isProved?.Invoke(mistake.Slide) != true)
             .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 
-    private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
+    private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level, bool isFormulaKnown)
     {
-        if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
+        if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] })
+            return isFormulaKnown ? OfStep(step, level) : OfPicture(scene, diagnosis, step, level);
         // light, zNear and zFar may not be written yet
         Mistake[] mistakes = [.. suspect.Mistakes.Where(mistake => step == 0 || Slides.StepOf(mistake.Slide) <= step)];
         if (mistakes.Length == 0) return ["Only a few pixels are wrong: too few to name a mistake.", .. OfStep(step, level)];

@@ -1,5 +1,6 @@
 using Microsoft.VisualStudio.TestPlatform.ObjectModel;
 using Microsoft.VisualStudio.TestPlatform.ObjectModel.Client;
+using Microsoft.VisualStudio.TestPlatform.ObjectModel.Logging;
 
 namespace Lab.TestLogger;
 
@@ -23,9 +24,17 @@ public sealed class StepTable : ITestLoggerWithParameters
             args.Result.ErrorStackTrace = string.Join('\n', stack ?? []);
             results.Add(args.Result);
         };
-        events.TestRunMessage += (_, args) => messages.Add(args.Message);
+        events.TestRunMessage += (_, args) =>
+        {
+            messages.Add(args.Message);
+            if (args.Message.StartsWith("Data collector 'Blame'") || args.Message.EndsWith(" [FAIL]")) args.Level = TestMessageLevel.Informational;
+            else args.Message = StoppedTests.WithoutForeignCalls(args.Message);
+        };
         events.TestRunComplete += (_, args) =>
+        {
             Finish(args.IsAborted || args.IsCanceled ? StoppedTests.Of(args.AttachmentSets, messages) : []);
+            args.AttachmentSets.Clear(); // the list of tests that have begun: the table has said it
+        };
     }
 
     public void Initialize(TestLoggerEvents events, Dictionary<string, string> parameters)

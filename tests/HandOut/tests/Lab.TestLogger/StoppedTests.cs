@@ -26,6 +26,10 @@ internal static partial class StoppedTests
         return listed.Count > 0 ? listed : [Stopped("Lab.Tests.UnknownTest", "Lab.Tests.UnknownTest")];
     }
 
+    /// <summary>A message up to the test in its call stack: xunit's and the runtime's calls help nobody.</summary>
+    public static string WithoutForeignCalls(string message) =>
+        TestName().Match(message) is { Success: true } test && message.IndexOf('\n', test.Index) is >= 0 and var end ? message[..end] : message;
+
     private static IEnumerable<TestResult> TestsIn(string stack) =>
         from name in TestName().Matches(stack).Select(test => test.Value).Distinct()
         select Stopped(name, name);

@@ -1,3 +1,5 @@
+using System.Diagnostics;
+
 namespace Lab.Tests;
 
 /// <summary>Slides "C# Objects", "IDE &amp; Vectors".</summary>
@@ -44,23 +46,36 @@ public class Step01Vectors
         for (var i = 0; i < Teacher.Rays; i++)
         {
             var (a, b, k) = (chance.Point(), chance.Point(), chance.Number());
-            var (x, y) = (RayAssert.Mine(a), RayAssert.Mine(b));
             var (A, B) = (RayAssert.Text(a), RayAssert.Text(b));
-            RayAssert.Equal($"{A} + {B}", Slide, a + b, x + y);
-            RayAssert.Equal($"{A} - {B}", Slide, a - b, x - y);
-            RayAssert.Equal($"{k} * {A}", Slide, k * a, k * x);
-            RayAssert.Equal($"{A} * {B}", Slide, a * b, x * y);
-            RayAssert.Equal($"{A} % {B}", Slide, a % b, x % y);
-            RayAssert.Equal($"the length of {A}", Slide, a.Length, x.Length);
+            RayAssert.Equal($"{A} + {B}", Slide, a + b, X() + Y());
+            RayAssert.Equal($"{A} - {B}", Slide, a - b, X() - Y());
+            RayAssert.Equal($"{RayAssert.Text(k)} * {A}", Slide, k * a, k * X());
+            RayAssert.Equal($"{A} * {B}", Slide, a * b, X() * Y());
+            RayAssert.Equal($"{A} % {B}", Slide, a % b, X() % Y());
+            RayAssert.Equal($"the length of {A}", Slide, a.Length, X().Length);
+
+            Vector3 X() => RayAssert.Mine(a); // new ones, in case an operator changes its operands
+            Vector3 Y() => RayAssert.Mine(b);
         }
     }
 
     [Fact]
     public void OperatorsMakeNewVectorsAndLeaveTheirOperandsAlone()
     {
+        AssertLeavesOperandsAlone("a + b", (a, b) => a + b);
+        AssertLeavesOperandsAlone("a - b", (a, b) => a - b);
+        AssertLeavesOperandsAlone("2 * a", (a, _) => 2 * a);
+        AssertLeavesOperandsAlone("a % b", (a, b) => a % b);
+        AssertLeavesOperandsAlone("a.Normalized", (a, _) => a.Normalized);
+    }
+
+    [StackTraceHidden]
+    private static void AssertLeavesOperandsAlone(string what, Func<Vector3, Vector3, Vector3> calculate)
+    {
         Vector3 a = new(1, 2, 3), b = new(4, 5, 6);
-        foreach (var result in (Vector3[])[a + b, a - b, 2 * a, a % b, a.Normalized]) result.X = 100;
-        RayAssert.Equal("a after a + b, a - b, 2 * a, a % b and a.Normalized", Slide, new(1, 2, 3), a);
-        RayAssert.Equal("b after them", Slide, new(4, 5, 6), b);
+        var result = calculate(a, b);
+        RayAssert.Equal($"a after {what}", Slide, new(1, 2, 3), a);
+        RayAssert.Equal($"b after {what}", Slide, new(4, 5, 6), b);
+        Assert.True(result != a && result != b, $"{what}: expected a new vector, but got the operand.\n  {RayAssert.Cite(Slide)}");
     }
 }

@@ -24,7 +24,7 @@ public class Step02Ray
         {
             var (P, d, t) = (chance.Point(), chance.Direction().Normalized, chance.Number());
             var actual = new Ray(RayAssert.Mine(P), RayAssert.Mine(d)).At(t);
-            RayAssert.Equal($"X({t}) for P = {RayAssert.Text(P)}, d = {RayAssert.Text(d)}", Slide, P + t * d, actual);
+            RayAssert.Equal($"X({RayAssert.Text(t)}) for P = {RayAssert.Text(P)}, d = {RayAssert.Text(d)}", Slide, P + t * d, actual);
         }
     }
 

@@ -39,5 +39,15 @@ public class Step05Shading
     }
 
     [Fact]
+    public void ThePixelShowsWhatShadeMakesOfTheHit()
+    {
+        var camera = new Camera(new(20, 0, 0), Vector3.Zero, new(0, 0, 1), 45, 10, 10);
+        var model = new Plane(Vector3.Zero, new(1, 0, 0)) { Color = new(1, 0, 0) };
+        var shaded = camera.Shade(new(camera.Position, new(-1, 0, 0)) { HitParameter = 20, HitModel = model }).R;
+        var scene = new Scene(camera, new(0, 0, 1)) { Models = { model } };
+        RayAssert.Equal("red of CastRay, which returns what Shade returns", "Ray Casting", shaded, scene.CastRay(5, 5).R);
+    }
+
+    [Fact]
     public void ThePictures() => PictureAssert.EqualAt(5, "plane", "room", "mistakes/generic");
 }

@@ -69,7 +69,7 @@ public static class RayAssert
         double? actual = ray.HitModel == null ? null : ray.HitParameter;
         if (expected is { } a && actual is { } b ? AreEqual(a, b) : expected == actual) return;
         Assert.Fail($"""
-            expected {Hit(expected)}, but got {Hit(actual)}{(actual == null ? ray.Calls() : "")}.
+            expected {Hit(expected)}, but got {Hit(actual)}{ray.Calls(actual)}.
               Ray    P = {Text(P)}, d = {Text(d)}
               {Letters(model)}
               {Cite(slide)}{Chance.Again}
@@ -87,7 +87,8 @@ public static class RayAssert
             base.Hit(t, model);
         }
 
-        public string Calls() => called.Count == 0 ? ": Hit was not called"
+        public string Calls(double? hit) => called.Count == 0 ? hit == null ? ": Hit was not called" : ", which is not from a call of Hit"
+            : hit != null ? ""
             : $": Hit was called with t = {string.Join(" and t = ", called.Select(Text))}, which {(called.Count == 1 ? "does" : "do")} not count";
     }
 
@@ -103,7 +104,8 @@ public static class RayAssert
         _ => model.Kind,
     };
 
-    private static string Text(double number) =>
+    /// <summary>A number as messages have it.</summary>
+    public static string Text(double number) =>
         number.ToString("0.######", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
 
     /// <summary>Whether two numbers are equal except in their last bits.</summary>
