@@ -36,6 +36,7 @@ while IFS= read -r line; do
     case $line in
         '```') [ -z "$fenced" ] && fenced=yes || fenced= ;;
         '```'*) fenced=other ;;
+        '    dotnet test') ;; # all tests: .ci/run does that
         '    dotnet '*) [ -z "$fenced" ] && follow "${line#    }" ;;
         '$ '*) [ "$fenced" = yes ] && follow "${line#$ }" ;;
         ... | '') ;;
