@@ -25,7 +25,7 @@ check "and joins nothing" [ "$code" -eq 1 -a ! -e no.png ]
 
 draw second.log
 check "run again, parallel draws that part only" \
-    [ "$(grep -c 'there already' second.log)" -eq $((parts - 1)) -a "$(grep -c 'lines ' second.log)" -eq 1 ]
+    [ "$(grep -c 'exists already' second.log)" -eq $((parts - 1)) -a "$(grep -c 'lines ' second.log)" -eq 1 ]
 compare
 
 rm parts/3.png parts/5.png

@@ -84,7 +84,7 @@ submit
 wait_until 300 is_over "$drawing" || failed "the array job does not end"
 wait_until 120 is_over "$joining" || failed "the stitch does not end"
 check "submitted again, only these two are drawn" \
-    [ "$(cat draw-"$drawing"_*.log | grep -c 'there already')" -eq $((parts - 2)) -a "$(cat draw-"$drawing"_*.log | grep -c 'lines ')" -eq 2 ]
+    [ "$(cat draw-"$drawing"_*.log | grep -c 'exists already')" -eq $((parts - 2)) -a "$(cat draw-"$drawing"_*.log | grep -c 'lines ')" -eq 2 ]
 check "the stitch ran when they were done" [ -e stitched.ppm ]
 check "the picture is that drawn in one go, to the byte" cmp stitched.ppm whole.ppm
 finish
