@@ -48,15 +48,16 @@ internal sealed class Report
                     $"{c.BestEmbree(Answer.Bytes)!.Name} |");
         }
 
-        var pairs = Comparisons.Where(c => c.Threads > 1)
-            .SelectMany(all => Comparisons.Where(one => one.Threads == 1 && one.Scene == all.Scene && one.Size == all.Size), (all, one) => (one, all))
-            .ToList();
-        if (pairs.Count == 0) return;
+        var pairs = from all in Comparisons
+                    from one in Comparisons
+                    where one.Threads == 1 && all.Threads > 1 && one.Scene == all.Scene && one.Size == all.Size
+                    select (one, all);
+        if (!pairs.Any()) return;
         text.AppendLine("\nTimes as fast as one thread:\n\n| scene | picture | threads | exact t | bytes | Embree, t and model | Embree, bytes |\n" +
             "|---|---|---|---|---|---|---|");
         foreach (var (one, all) in pairs)
         {
-            var ways = new Func<RayComparison, Way?>[] { c => c.Exact, c => c.Bytes, c => c.BestEmbree(Answer.Hits), c => c.BestEmbree(Answer.Bytes) };
+            Func<RayComparison, Way?>[] ways = [c => c.Exact, c => c.Bytes, c => c.BestEmbree(Answer.Hits), c => c.BestEmbree(Answer.Bytes)];
             var cells = ways.Select(way => way(one) is { } slow && way(all) is { } fast ? Text.Ratio(slow.Median / fast.Median) : "–");
             text.AppendLine($"| {all.Scene.Title} | {all.Size} | {all.Threads} | {string.Join(" | ", cells)} |");
         }

@@ -19,7 +19,8 @@ public class PngWriterTests
     [InlineData(1)]
     [InlineData(17)]
     [InlineData(40)]
-    public void TheFileDoesNotDependOnHowManyLinesComeAtOnce(int linesAtOnce) => Assert.Equal(encoded, Encode(PictureFormat.Png, noise, linesAtOnce));
+    public void TheFileDoesNotDependOnHowManyLinesComeAtOnce(int linesAtOnce) =>
+        Assert.Equal(encoded, Encode(PictureFormat.Png, noise, linesAtOnce));
 
     [Theory]
     [InlineData(400_000, 15)] // a line is more than a chunk
