@@ -1,5 +1,3 @@
-using static RayCaster.Cli.Tests.PartTests;
-
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
