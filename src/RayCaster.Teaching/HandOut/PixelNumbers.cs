@@ -4,7 +4,7 @@ using Hit = (int Model, double T);
 
 namespace RayCaster.Teaching;
 
-/// <summary>What a student's bodies compute for one pixel, in the slides' letters, beside the right numbers. The first that differs is marked.</summary>
+/// <summary>What a student's bodies compute for one pixel, beside the right numbers. The first that differs is marked.</summary>
 public sealed class PixelNumbers
 {
     /// <summary>Much longer than any body takes for one ray.</summary>
@@ -44,8 +44,8 @@ public sealed class PixelNumbers
     /// <param name="pixel">The column, the line from the top, and perhaps --hint with its level.</param>
     /// <param name="bodies">
     /// Calls of the bodies for c and r. They give: "a + b" and so on of the vectors (1, 2, 3) and (4, −5, 6), "W", "U", "V", "d" as three doubles;
-    /// "h", "w", "attenuation" as one; for the models "0", "1" and so on each t with which they call Hit, and whether it counts; "hit" as the model's
-    /// index and t; and "bytes".
+    /// "h", "w", "attenuation" as one; for the models "0", "1" and so on each t with which they call Hit, and whether it counts; "hit" as the
+    /// model's index and t; and "bytes".
     /// </param>
     /// <param name="notes">The slides of the called bodies that are not written.</param>
     public static int Print(

@@ -44,7 +44,8 @@ internal static partial class EditedLab
 
     private static readonly MetadataReference[] references =
     [
-        .. ((Assembly[])[typeof(object).Assembly, typeof(Enumerable).Assembly, Assembly.Load("System.Runtime"), typeof(Scene).Assembly, typeof(PixelNumbers).Assembly])
+        .. ((Assembly[])[
+            typeof(object).Assembly, typeof(Enumerable).Assembly, Assembly.Load("System.Runtime"), typeof(Scene).Assembly, typeof(PixelNumbers).Assembly])
             .Select(assembly => MetadataReference.CreateFromFile(assembly.Location)),
     ];
 
@@ -62,7 +63,8 @@ internal static partial class EditedLab
     public static string PixelOf(Scene scene, int column, int line, string hint, string file, string old, string @new)
     {
         var text = new Dictionary<string, string>(source);
-        foreach (var more in (string[])["Pixel", "Todo", "BodyCalls"]) text[more] = File.ReadAllText(ProjectFolder.PathOf($"src/RayCaster.Lab/{more}.cs"));
+        foreach (var more in (string[])["Pixel", "Todo", "BodyCalls"])
+            text[more] = File.ReadAllText(ProjectFolder.PathOf($"src/RayCaster.Lab/{more}.cs"));
         var start = text[file].IndexOf(old, StringComparison.Ordinal);
         if (start < 0) throw new InvalidOperationException($"the lab's {file}.cs does not have \"{old}\"");
         text[file] = text[file][..start] + @new + text[file][(start + old.Length)..];
