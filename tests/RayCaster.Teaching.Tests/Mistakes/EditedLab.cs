@@ -45,7 +45,8 @@ internal static partial class EditedLab
     private static readonly MetadataReference[] references =
     [
         .. ((Assembly[])[
-            typeof(object).Assembly, typeof(Enumerable).Assembly, Assembly.Load("System.Runtime"), typeof(Scene).Assembly, typeof(PixelNumbers).Assembly])
+            typeof(object).Assembly, typeof(Enumerable).Assembly, Assembly.Load("System.Runtime"), typeof(Scene).Assembly,
+            typeof(PixelNumbers).Assembly])
             .Select(assembly => MetadataReference.CreateFromFile(assembly.Location)),
     ];
 
