@@ -10,7 +10,7 @@ public static class Pixel
     public static int Print(RayCaster.Scene from, string[] pixel)
     {
         Todo.Listen();
-        return PixelNumbers.Print(from, pixel, (c, r) => Calls(from, c, r), () => Todo.Noted);
+        return PixelNumbers.Print(from, pixel, (c, r) => Calls(from, c, r), () => Todo.NotWritten);
     }
 
     /// <summary>The calls of the bodies for a pixel, by the names of their results.</summary>

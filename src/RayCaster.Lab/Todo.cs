@@ -40,8 +40,8 @@ public static class Todo
     /// <summary>From now on, each body that is called and not written makes its note.</summary>
     public static void Listen() => Volatile.Write(ref listens, true);
 
-    /// <summary>The slides of the notes so far.</summary>
-    public static string[] Noted { get { lock (notes) return [.. notes.Keys]; } }
+    /// <summary>The slides of the notes so far: their bodies are not written.</summary>
+    public static string[] NotWritten { get { lock (notes) return [.. notes.Keys]; } }
 
     /// <summary>What is not written yet of the first steps.</summary>
     public static (int Step, string Slide, string What)[] Missing(int steps = 10)

@@ -32,7 +32,7 @@ internal static partial class EditedLab
                 Lab.Todo.Listen();
                 return Lab.Pixel.Calls(scene, c, r);
             }
-            public static IEnumerable<string> Notes() => Lab.Todo.Noted;
+            public static IEnumerable<string> Notes() => Lab.Todo.NotWritten;
         }
         """;
 
