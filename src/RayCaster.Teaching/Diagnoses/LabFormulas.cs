@@ -59,8 +59,9 @@ internal sealed partial class Lab
         if (Differs(Rule)) First.Is((crossed, d) => Counted(crossed.Near, d) ?? Counted(crossed.Far, d));
         if (Differs(Light))
         {
-            Shaded.Is((t, d, color) => Of(Light, (parameter, Batch.Of(t)), (direction, Batch.Of(d)), (own, Batch.Of(VectorOf(color))))[colour.Place].At(0)
-                is var (r, g, b) ? new(r, g, b) : default);
+            Shaded.Is((t, d, color) =>
+                Of(Light, (parameter, Batch.Of(t)), (direction, Batch.Of(d)), (own, Batch.Of(VectorOf(color))))[colour.Place].At(0)
+                    is var (r, g, b) ? new(r, g, b) : default);
         }
         if (Differs(SectionKind.Bytes))
         {
@@ -86,8 +87,9 @@ internal sealed partial class Lab
         Crossed Crossed(SectionKind kind, Vector3 d, ReadOnlySpan<(Symbol Name, Batch Value)> numbers)
         {
             var frame = Of(kind, [.. numbers, (direction, Batch.Of(d))]);
-            return !IsHit(program[kind], frame) ? SlideFormulas.None
-                : program[kind].Has(Formula.Far) ? new(frame[Formula.Near.Place][0], frame[Formula.Far.Place][0]) : new(frame[Formula.Near.Place][0]);
+            if (!IsHit(program[kind], frame)) return SlideFormulas.None;
+            var near = frame[Formula.Near.Place][0];
+            return program[kind].Has(Formula.Far) ? new(near, frame[Formula.Far.Place][0]) : new(near);
         }
 
         double? Counted(double t, Vector3 d)

@@ -175,8 +175,8 @@ internal sealed class EditFactory
             var edited = section;
             foreach (var (place, right) in written)
             {
-                var names = section.Scope.Concat(section.Formulas.Take(place)
-                    .Select(formula => KeyValuePair.Create(formula.Name.Text, Expression.Name(formula.Name, formula.Right.Quantity)))).ToDictionary();
+                var names = new Dictionary<string, Expression>(section.Scope);
+                foreach (var (name, own, _) in section.Formulas.Take(place)) names[name.Text] = Expression.Name(name, own.Quantity);
                 edited = edited.With(place, new ExpressionParser(right, names, allUnits: true).Parse());
             }
             var first = written[0].Place;

@@ -30,6 +30,7 @@ public class OtherWordingsCampaign(ITestOutputHelper output)
         }
         times.Sort();
         Assert.InRange(named, 0.95 * shown, shown);
-        output.WriteLine($"{named} of {shown} named, {inStep} more in the right step; median {times[times.Count / 2]:0.0} s, most {times[^1]:0.0} s");
+        output.WriteLine($"{named} of {shown} named, {inStep} more in the right step; "
+            + $"median {times[times.Count / 2]:0.0} s, most {times[^1]:0.0} s");
     }
 }
