@@ -8,7 +8,7 @@ public partial class FloorTests
 {
     private static readonly string[][] floors =
     [
-        ["Threads"], ["Memory"], ["Numbers"], ["Contracts"], ["Shading"], ["Shapes", "Batches", "Meshes"], ["Pictures"], ["."],
+        ["Schedule"], ["Numbers"], ["Screen"], ["Bytes"], ["Shapes", "Meshes"], ["."],
     ];
 
     [Fact]
