@@ -48,7 +48,7 @@ internal sealed class MeshPainter
 
     /// <param name="occluderDepth">The least inverse depth that a pixel's hit may have, row by row of <see cref="TilePixels.Stride"/>.</param>
     /// <param name="candidateDepth">The greatest; 0 where there is no hit.</param>
-    /// <param name="exactT">Less than +∞ where the formula exactT about a pixel; null if there is none.</param>
+    /// <param name="exactT">Less than +∞ where the formula has decided about a pixel; null if there is none.</param>
     /// <param name="first">The position of the lowest row's first pixel.</param>
     /// <param name="step">The distance from a pixel to the one above it.</param>
     public void Paint(in Tile tile, float[] occluderDepth, float[] candidateDepth, double[]? exactT, byte[] rgb, int first, int step)

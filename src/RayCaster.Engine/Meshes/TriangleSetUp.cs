@@ -15,7 +15,7 @@ internal static class TriangleSetUp
     public const int Slack = 15, MinInverseDepth = 16, MaxInverseDepth = 17;
 
     /// <summary>A sample with an edge function below the first is certainly outside; with all above the second it is certainly
-    /// occluderDepth.</summary>
+    /// covered.</summary>
     public const int Outside = 18, Inside = 19;
 
     /// <summary>Numbers in all.</summary>
