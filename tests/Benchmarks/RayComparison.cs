@@ -93,6 +93,9 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
     private void Print()
     {
         Console.WriteLine($"\n{Scene.Title}, {Size}, {Threads} {(Threads == 1 ? "thread" : "threads")}, {Exact.Times.Count} rounds");
+        var drawn = Scene.Create(width, height);
+        foreach (var manyFrames in (bool[])[false, true])
+            Console.WriteLine($"  {(manyFrames ? "many frames" : "one picture")}: {Plan.For(drawn, Threads, manyFrames)}");
         if (!double.IsNaN(Agreement))
             Console.WriteLine($"  Embree sees as far as we see in {100 * Agreement:0.000} % of the pixels; " +
                 $"its hierarchy takes {Text.Ratio(BuildPerTrace)} times its tracing");
