@@ -83,7 +83,8 @@ public class Step04Camera
         {
             var ray = camera.RayThrough(c, r);
             floor.Intersect(ray);
-            var (expected, got) = (ray.HitModel == floor ? "the floor" : "the background", scene.CastRay(c, r).B == 0 ? "the floor" : "the background");
+            var expected = ray.HitModel == floor ? "the floor" : "the background";
+            var got = scene.CastRay(c, r).B == 0 ? "the floor" : "the background";
             Assert.True(expected == got, $"CastRay(c = {c}, r = {r}): expected {expected}, but got {got}.\n  {RayAssert.Cite("Ray Casting")}");
         }
     }
