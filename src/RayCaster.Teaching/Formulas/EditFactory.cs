@@ -162,7 +162,7 @@ internal sealed class EditFactory
         }
     }
 
-    /// <summary>Other laws of light and of depth that people have in mind.</summary>
+    /// <summary>Other laws of light, of depth and of U that people have in mind.</summary>
     private void AddLaws(Dictionary<Symbol, Expression> scope)
     {
         string[] laws = section.Kind switch
@@ -173,9 +173,10 @@ internal sealed class EditFactory
                 "1 - (t - zNear) / (zFar - zNear)", "1 - |X| / (2·|T - P|)", "1 - |X - T| / (2·|T - P|)",
             ],
             SectionKind.Rule => ["t·(-d·W)", "t", "|t·(d·W)|"],
+            SectionKind.Camera => ["normalize((0, 0, 1) × W)", "normalize((0, 1, 0) × W)"], // up ignored
             _ => [],
         };
-        var place = section.Find(section.Kind == SectionKind.Light ? "att" : "z");
+        var place = section.Find(section.Kind switch { SectionKind.Light => "att", SectionKind.Camera => "U", _ => "z" });
         var names = scope.Values.ToDictionary(name => name.Symbol!.Text);
         foreach (var law in laws)
         {

@@ -39,8 +39,8 @@ internal sealed class Marker(Rubric rubric)
                 (least, most) = (Math.Min(least, other), Math.Max(most, other));
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
-            var mayBeAtFault = diagnosis.IsOnlyLight ? ConcernsLight(item) || !Tells(judged, item)
-                : !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item)));
+            var mayBeAtFault = diagnosis.Steps is { } steps ? steps.Any(step => Concerns(item, step)) || !Tells(judged, item)
+                : IsOutOfSight(item, diagnosis, pictures) || !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item)));
             if (mayBeAtFault) most = item.Points;
             if (diagnosis.IsGuess) least = 0;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
@@ -64,9 +64,16 @@ internal sealed class Marker(Rubric rubric)
     /// are right: these use them too.</summary>
     private static bool IsOfShapes(RubricItem item) => item.Undone.Any(part => Mistake.KindOf(part) != 0);
 
-    /// <summary>Whether an item is about the way from a hit to its colour.</summary>
-    private static bool ConcernsLight(RubricItem item) => item.Undone.Contains(Diagnosis.Attenuation)
-        || item.Mistakes.Any(mistake => (MistakeCatalog.Named(mistake)!.Affects & Affects.Color) != 0);
+    /// <summary>Whether an item is about a shape that mistakes keep out of all pictures: it may be unwritten.</summary>
+    private static bool IsOutOfSight(RubricItem item, JointDiagnosis diagnosis, List<SubmittedPicture> pictures) =>
+        diagnosis.Verdict.Variants.Count > 0 && item.Undone.Where(part => Mistake.KindOf(part) != 0).ToArray() is { Length: > 0 } kinds
+            && kinds.Any(kind => pictures.Any(picture => picture.Scene.Needs(kind))) && !kinds.Any(kind => diagnosis.Draws(kind, pictures));
+
+    /// <summary>Whether an item is about a step: its shape is asked for, or a mistake in its formulas or in its effect.</summary>
+    private static bool Concerns(RubricItem item, SectionKind step) =>
+        item.Undone.Contains(step is SectionKind.Light ? Diagnosis.Attenuation : step.ToString().ToLowerInvariant())
+        || item.Mistakes.Select(mistake => MistakeCatalog.Named(mistake)!).Any(mistake => step is SectionKind.Light or SectionKind.Bytes
+            ? (mistake.Affects & Affects.Color) != 0 : mistake.Slide == FormulaBook.Slides.StylesOf(step)[0].Slide);
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
     private (double Lost, string[] Because) Cost(RubricItem item, WrongProgram program)
@@ -98,7 +105,7 @@ internal sealed class Marker(Rubric rubric)
         string[] unexplained = [.. diagnosis.Unexplained.Select(picture => picture.Scene.Name).Except(repeated.SelectMany(scenes => scenes))];
         if (!diagnosis.TellsNothing && unexplained.Length > 0)
             yield return $"{string.Join(", ", unexplained)}: " +
-                (diagnosis.IsOnlyLight ? "all outlines are right, only the light is not, and no known mistake explains it"
+                (diagnosis.Says is { } says ? $"no known mistake explains this, but {says}"
                     : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
         foreach (var other in diagnosis.Alternatives)
             if (rubric.Items.Any(item => Cost(item, other).Lost != Cost(item, diagnosis.Verdict).Lost))
