@@ -41,11 +41,11 @@ internal sealed class LiveCommand : Command
 
     private static Process Start(List<string> arguments)
     {
-        var name = OperatingSystem.IsWindows() ? "raycaster-live.exe" : "raycaster-live";
-        var beside = Path.Combine(AppContext.BaseDirectory, name);
-        var start = File.Exists(beside) ? new ProcessStartInfo(beside, arguments)
+        const string Name = "raycaster-live.dll";
+        var beside = Path.Combine(AppContext.BaseDirectory, Name);
+        var start = File.Exists(beside) ? new ProcessStartInfo("dotnet", [beside, .. arguments])
             : ProjectAbove(AppContext.BaseDirectory) is { } project ? new("dotnet", ["run", "--project", project, "--", .. arguments])
-            : throw new ProblemException($"the live page is a program of its own, {name}, which is not in {AppContext.BaseDirectory}\n" +
+            : throw new ProblemException($"the live page is a program of its own, {Name}, which is not in {AppContext.BaseDirectory}\n" +
                 "  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>");
         try
         {

@@ -24,16 +24,16 @@ internal sealed class DefinitionCheck
         Add(width - 1, end - 1);
         Add(width - 1, first);
         Add(0, end - 1);
+        var outlines = new ScreenBounds(camera);
         foreach (var model in scene.Models.Take(MaxModels))
-            if (model.Bounds is { } bounds && Tile.Of(bounds.PaddedFrom(camera.Position), camera) is { Area: > 0 } seen)
+            if (model.Bounds is { } bounds && outlines.TileOf(bounds) is { Area: > 0 } seen)
                 Add(seen.Column + Math.Min(seen.Width, width) / 2, // bounds around the camera reach beyond the picture
                     camera.Height - 1 - (seen.Row + Math.Min(seen.Height, camera.Height) / 2));
         var random = new Random(1); // the same pixels in each run
         for (var i = 0; i < RandomPixels; i++) Add(random.Next(width), random.Next(first, end));
 
         // One crossing for sixteen pixels takes a small part of the time of drawing them.
-        var shapes = scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
-        var count = Math.Max(minPixels, (long)width * (end - first) / 16 / Math.Max(1, shapes));
+        var count = Math.Max(minPixels, (long)width * (end - first) / 16 / Math.Max(1, scene.ShapeCount));
         if (pixels.Count > count) pixels.RemoveRange((int)count, pixels.Count - (int)count);
         drawn = new byte[3 * pixels.Count];
 

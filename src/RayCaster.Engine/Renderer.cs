@@ -29,6 +29,8 @@ public sealed class Renderer
     /// </summary>
     public bool ManyFrames { get; init; }
 
+    internal Plan Plan => Plan.For(scene, threadCount, ManyFrames);
+
     /// <summary>Draws a whole picture in memory, which must not have more than 2³¹ bytes.</summary>
     public static Picture Render(Scene scene, int? threads = null, CancellationToken cancellation = default)
     {
@@ -45,7 +47,7 @@ public sealed class Renderer
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
         var check = new DefinitionCheck(scene, 0, camera.Height, minPixels: 0);
-        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation))
+        using (var frame = Frame.Of(scene, Plan, cancellation))
         {
             var shader = frame.Shader; // before other threads need it
             Cast(frame, cancellation, () =>
@@ -67,7 +69,7 @@ public sealed class Renderer
         var hits = map ?? new(camera.Width, camera.Height);
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(map));
-        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation)) Cast(frame, cancellation, () => frame.HitsInto(hits));
+        using (var frame = Frame.Of(scene, Plan, cancellation)) Cast(frame, cancellation, () => frame.HitsInto(hits));
         if (!Agrees(new DefinitionCheck(scene, 0, camera.Height, minPixels: 0).Difference(hits))) CastByDefinition(hits);
         return hits;
     }
@@ -86,7 +88,7 @@ public sealed class Renderer
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
         var check = new DefinitionCheck(scene, first, end, minPixels: 1);
-        using (var frame = Frame.Of(scene, threadCount, ManyFrames, cancellation))
+        using (var frame = Frame.Of(scene, Plan, cancellation))
         {
             new BandQueue(frame, first, end, threadCount, linesDone, cancellation).WriteAll(lines =>
             {
@@ -130,7 +132,7 @@ public sealed class Renderer
             {
                 cancellation.ThrowIfCancellationRequested();
                 var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
-                caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), consumer);
+                caster(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), consumer);
             }
         });
     }

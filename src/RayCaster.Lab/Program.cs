@@ -3,20 +3,22 @@ using Lab;
 using RayCaster.Files;
 
 if (args.Length == 0) args = DrawTheRoom(); // as an editor's F5 does
-if (args is not [var sceneFile, var pictureFile])
+if (args is not ([_, _] or [_, "--pixel", ..]))
 {
-    Console.Error.WriteLine("Draws a scene. Tell it the scene's file and the picture's, as in: scenes/room.json room.png");
+    Console.Error.WriteLine("Draws a scene. Tell it the scene's file and the picture's, as in: scenes/room.json room.png\n" +
+        "Or shows your numbers of the pixel in a column and a line from the top: scenes/room.json --pixel 325 359");
     return 2;
 }
-var reading = SceneReader.Read(sceneFile);
+var reading = SceneReader.Read(args[0]);
 Console.Error.Write(reading.Report()); // what is wrong with the file, with line and column
 if (reading.Scene == null) return 2;
+if (args is [_, "--pixel", .. var pixel]) return Pixel.Print(reading.Scene, pixel);
 
 var notWritten = Todo.Report();
 if (notWritten != "") Console.Error.WriteLine(notWritten);
 try
 {
-    PictureFile.Write(pictureFile, SceneFile.Of(reading.Scene).Draw());
+    PictureFile.Write(args[1], SceneFile.Of(reading.Scene).Draw());
     return 0;
 }
 catch (ProblemException problem) // a name that no file can have, a folder that does not exist, a full disk

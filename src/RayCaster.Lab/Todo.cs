@@ -22,7 +22,7 @@ public static class Todo
 
     private static readonly Dictionary<string, string> notes = []; // where the note of a slide stands
 
-    private static bool listens; // only while all bodies are called once: a picture would make a note for each pixel
+    private static bool listens; // only while bodies are called once: a picture would make a note for each pixel
 
     /// <summary>Notes that the body where this stands is not written.</summary>
     public static void Note(string slide, [CallerFilePath] string file = "", [CallerLineNumber] int line = 0)
@@ -36,6 +36,12 @@ public static class Todo
         Note(slide, file, line);
         return value;
     }
+
+    /// <summary>From now on, each body that is called and not written makes its note.</summary>
+    public static void Listen() => Volatile.Write(ref listens, true);
+
+    /// <summary>The slides of the notes so far: their bodies are not written.</summary>
+    public static string[] NotWritten { get { lock (notes) return [.. notes.Keys]; } }
 
     /// <summary>What is not written yet of the first steps.</summary>
     public static (int Step, string Slide, string What)[] Missing(int steps = 10)

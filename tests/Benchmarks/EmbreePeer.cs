@@ -27,14 +27,11 @@ internal sealed class EmbreePeer : IDisposable
         hasUserShapes = scene.Models.Any(model => model is not Mesh);
     }
 
-    /// <summary>Whether compact hierarchies are tried, too: smaller, and as a rule slower.</summary>
-    public bool WithCompact { get; init; } = true;
-
     /// <summary>All hierarchies worth trying: instruction set, scene flags, and who computes the crossings. Embree uses no wider vectors than .NET:
     /// with <c>DOTNET_EnableAVX512=0</c> both have AVX2 alone.</summary>
     public IEnumerable<string> Hierarchies =>
         from isa in Vector512.IsHardwareAccelerated ? new[] { "avx2", "best" } : ["avx2"]
-        from flags in WithCompact ? new[] { "none", "compact" } : ["none"]
+        from flags in (string[])["none", "compact"]
         from shapes in hasUserShapes ? new[] { "user", "native" } : ["user"]
         select $"{isa} {flags} {shapes}";
 

@@ -79,17 +79,10 @@ internal static class Interleaving
     }
 
     /// <summary>Runs all ways once in each round; every round begins with another.</summary>
-    public static void Run(IReadOnlyList<Way> ways, int rounds) => Run([ways], rounds);
-
-    /// <summary>The same for groups whose ways follow each other directly: each group's turn, too, begins with another of its ways every
-    /// time.</summary>
-    public static void Run(IReadOnlyList<IReadOnlyList<Way>> groups, int rounds)
+    public static void Run(IReadOnlyList<Way> ways, int rounds)
     {
         for (var round = 0; round < rounds; round++)
-            foreach (var group in From(groups, round))
-                foreach (var way in From(group, round))
-                    way.Times.Add(way.Run());
+            for (var i = 0; i < ways.Count; i++)
+                ways[(round + i) % ways.Count].Times.Add(ways[(round + i) % ways.Count].Run());
     }
-
-    private static IEnumerable<T> From<T>(IReadOnlyList<T> all, int first) => all.Select((_, i) => all[(first + i) % all.Count]);
 }

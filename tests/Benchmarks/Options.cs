@@ -10,24 +10,21 @@ internal sealed class Options
 
           dotnet run -c Release --project tests/Benchmarks -- [options]
 
-          --quick          A minute: small pictures, few repeats, no charts.
+          --quick          A minute: small pictures, few repeats.
           --scene NAME     Only this scene: room, bumpy-70k, bumpy-1m, bumpy-10m, spheres-100k, or
                            bumpy-N and spheres-N with another number, or a mesh that is hard:
                            inside-N, layers-N, slivers-N, speck-N, shuffled-N. May be repeated.
           --size WxH       Only this size; otherwise 1920x1080 and 500x500. May be repeated.
           --threads N      Only this number of threads; otherwise 1 and 2. May be repeated.
           --repeats N      How often each way runs in each comparison; otherwise 15.
-          --only PART      Only rays, memory, growth or programs (whole processes). May be repeated.
-          --largest        The growth charts go on to 10^8 pixels and 3 10^7 triangles, which needs 16 GB.
-          --write          Writes the tables into the benchmark's README.md and the charts into docs/charts.
+          --only PART      Only rays or programs (whole processes). May be repeated.
+          --write          Writes the tables into the benchmark's README.md.
           --help           Shows this.
 
         Peers: apt-get install libembree-dev povray g++. What is not there is left out, and said.
         """;
 
     public bool Quick { get; private set; }
-
-    public bool Largest { get; private set; }
 
     public bool Write { get; private set; }
 
@@ -43,7 +40,7 @@ internal sealed class Options
 
     private readonly List<string> parts = [];
 
-    public bool Does(string part) => parts.Count == 0 ? !(Quick && part is "growth" or "memory") : parts.Contains(part);
+    public bool Does(string part) => parts.Count == 0 || parts.Contains(part);
 
     /// <exception cref="ArgumentException">The command line cannot be understood.</exception>
     public static Options Parse(string[] arguments)
@@ -64,11 +61,10 @@ internal sealed class Options
             switch (arguments[i])
             {
                 case "--quick": options.Quick = true; break;
-                case "--largest": options.Largest = true; break;
                 case "--write": options.Write = true; break;
                 case "--help": options.ShowHelp = true; break;
                 case "--scene": options.Scenes.Add(Value()); break;
-                case "--only": options.parts.Add(Value(["rays", "memory", "growth", "programs"])); break;
+                case "--only": options.parts.Add(Value(["rays", "programs"])); break;
                 case "--threads": options.Threads.Add(Number(Value())); break;
                 case "--repeats": repeats = Number(Value()); break;
                 case "--size":

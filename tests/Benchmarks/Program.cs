@@ -32,16 +32,10 @@ if (options.Does("rays"))
         foreach (var (width, height) in options.Sizes)
         {
             foreach (var threads in options.Threads)
-            {
-                var comparison = new RayComparison(scene, width, height, threads).Run(embree, options.Repeats, withDefinitions: true, workshop);
-                report.Comparisons.Add(comparison);
-                if (threads > 1 && options.Threads.Contains(1)) report.ThreadComparisons.Add(new ThreadComparison(comparison).Run(options.Repeats));
-            }
+                report.Comparisons.Add(new RayComparison(scene, width, height, threads).Run(embree, options.Repeats, workshop));
         }
     }
 }
-if (options.Does("memory") && PeakMemory.IsKnown) report.Charts.Add(new Growth(options, workshop, peer).Memory());
-if (options.Does("growth")) report.Charts.AddRange(new Growth(options, workshop, peer).Run());
 if (options.Does("programs")) report.Programs.AddRange(new Programs(options, workshop, peer).Run());
 
 var text = report.Write(options, clock.Elapsed);

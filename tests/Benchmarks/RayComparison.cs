@@ -48,13 +48,12 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
     /// <summary>Measures.</summary>
     /// <param name="embree">The peer with this scene, or null.</param>
     /// <param name="rounds">How often each way runs.</param>
-    /// <param name="withDefinitions">Whether the definition and the naive peers run, too.</param>
     /// <param name="workshop">Where files may be left.</param>
     /// <returns>This.</returns>
-    public RayComparison Run(EmbreePeer? embree, int rounds, bool withDefinitions, Workshop workshop)
+    public RayComparison Run(EmbreePeer? embree, int rounds, Workshop workshop)
     {
         ways.AddRange([Exact, Bytes, LaterExact, LaterBytes, SinglePicture]);
-        if (withDefinitions && Threads == 1)
+        if (Threads == 1)
         {
             ways.Add(Scalar = OwnWays.Scalar(Scene, width, height));
             if (Scene.ModelCount <= 2_000_000) // ten million objects of objects are more than a machine should be asked for
@@ -94,6 +93,9 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
     private void Print()
     {
         Console.WriteLine($"\n{Scene.Title}, {Size}, {Threads} {(Threads == 1 ? "thread" : "threads")}, {Exact.Times.Count} rounds");
+        var drawn = Scene.Create(width, height);
+        foreach (var manyFrames in (bool[])[false, true])
+            Console.WriteLine($"  {(manyFrames ? "many frames" : "one picture")}: {Plan.For(drawn, Threads, manyFrames)}");
         if (!double.IsNaN(Agreement))
             Console.WriteLine($"  Embree sees as far as we see in {100 * Agreement:0.000} % of the pixels; " +
                 $"its hierarchy takes {Text.Ratio(BuildPerTrace)} times its tracing");

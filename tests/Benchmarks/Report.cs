@@ -2,18 +2,14 @@ using System.Text;
 
 namespace RayCaster.Benchmarks;
 
-/// <summary>All that was measured, as Markdown and charts.</summary>
+/// <summary>All that was measured, as Markdown.</summary>
 internal sealed class Report
 {
     private const string Begin = "<!-- measured: begin -->", End = "<!-- measured: end -->";
 
     public List<RayComparison> Comparisons { get; } = [];
 
-    public List<ThreadComparison> ThreadComparisons { get; } = [];
-
     public List<ProgramComparison> Programs { get; } = [];
-
-    public List<Chart> Charts { get; } = [];
 
     /// <summary>The tables.</summary>
     public string Write(Options options, TimeSpan elapsed)
@@ -23,8 +19,6 @@ internal sealed class Report
             $"the whole run took {Math.Ceiling(elapsed.TotalMinutes):0} minutes.");
         if (Comparisons.Count > 0) WriteRays(text);
         if (Programs.Count > 0) WritePrograms(text);
-        if (Charts.Count > 0) text.AppendLine("\n## Growth");
-        foreach (var chart in Charts) text.AppendLine($"\n![{chart.Title}](../../docs/charts/{chart.File}.svg)");
         return text.ToString();
     }
 
@@ -54,17 +48,18 @@ internal sealed class Report
                     $"{c.BestEmbree(Answer.Bytes)!.Name} |");
         }
 
-        if (ThreadComparisons.Count == 0) return;
+        var pairs = from all in Comparisons
+                    from one in Comparisons
+                    where one.Threads == 1 && all.Threads > 1 && one.Scene == all.Scene && one.Size == all.Size
+                    select (one, all);
+        if (!pairs.Any()) return;
         text.AppendLine("\nTimes as fast as one thread:\n\n| scene | picture | threads | exact t | bytes | Embree, t and model | Embree, bytes |\n" +
             "|---|---|---|---|---|---|---|");
-        foreach (var c in ThreadComparisons)
+        foreach (var (one, all) in pairs)
         {
-            var gains = new[]
-            {
-                c.Gain(Answer.Hits), c.Gain(Answer.Bytes), c.Gain(Answer.Hits, isEmbree: true), c.Gain(Answer.Bytes, isEmbree: true),
-            };
-            var cells = gains.Select(gain => gain is { } ratio ? Text.Spread(ratio) : "–");
-            text.AppendLine($"| {c.Rays.Scene.Title} | {c.Rays.Size} | {c.Rays.Threads} | {string.Join(" | ", cells)} |");
+            Func<RayComparison, Way?>[] ways = [c => c.Exact, c => c.Bytes, c => c.BestEmbree(Answer.Hits), c => c.BestEmbree(Answer.Bytes)];
+            var cells = ways.Select(way => way(one) is { } slow && way(all) is { } fast ? Text.Ratio(slow.Median / fast.Median) : "–");
+            text.AppendLine($"| {all.Scene.Title} | {all.Size} | {all.Threads} | {string.Join(" | ", cells)} |");
         }
     }
 
@@ -77,7 +72,7 @@ internal sealed class Report
         foreach (var p in Programs) text.AppendLine($"| {p.What} | {p.Measure} | {Text.Spread(p.Ratio)} |");
     }
 
-    /// <summary>Puts the tables between the marks in README.md beside the benchmark, and the charts in docs/charts.</summary>
+    /// <summary>Puts the tables between the marks in README.md beside the benchmark.</summary>
     public void Save(string text)
     {
         var page = Path.Combine(Workshop.Root, "tests", "Benchmarks", "README.md");
@@ -85,8 +80,5 @@ internal sealed class Report
         var (begin, end) = (old.IndexOf(Begin, StringComparison.Ordinal), old.IndexOf(End, StringComparison.Ordinal));
         if (begin < 0 || end < begin) throw new InvalidOperationException($"{page} lacks the lines {Begin} and {End}");
         File.WriteAllText(page, old[..(begin + Begin.Length)] + "\n\n" + text + "\n" + old[end..]);
-        var charts = Path.Combine(Workshop.Root, "docs", "charts");
-        Directory.CreateDirectory(charts);
-        foreach (var chart in Charts) File.WriteAllText(Path.Combine(charts, chart.File + ".svg"), chart.ToSvg());
     }
 }

@@ -36,13 +36,13 @@ internal sealed class Workshop : IDisposable
     }
 
     /// <summary>Starts the Embree peer with a scene.</summary>
-    public EmbreePeer StartEmbree(string program, BenchmarkScene benchmark, int buildThreads, bool withCompact = true)
+    public EmbreePeer StartEmbree(string program, BenchmarkScene benchmark, int buildThreads)
     {
         var scene = benchmark.Create(500, 500);
         var file = PathOf($"{benchmark.Name}.scene");
         if (benchmark.Mesh is { } mesh) PeerScene.WriteMesh(file, scene, mesh);
         else PeerScene.Write(file, scene);
-        return new(program, file, scene, buildThreads) { WithCompact = withCompact };
+        return new(program, file, scene, buildThreads);
     }
 
     /// <summary>POV-Ray, or null, after saying so, where it is not there.</summary>

@@ -3,14 +3,8 @@ using System.Runtime.Versioning;
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Odd names, odd folders and odd inputs: the program answers in a line, with exit code 2, and changes no file.</summary>
-public sealed class AttackTests : IDisposable
+public sealed class AttackTests : CommandTests
 {
-    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     [Theory]
     [InlineData("stitch", "", "-o", "x.png")]
     [InlineData("sheet", "", "-o", "x.png")]
@@ -32,6 +26,7 @@ public sealed class AttackTests : IDisposable
     [InlineData("a\r.json", "U+000D")]
     [InlineData("a\u202Egnp.json", "U+202E")]
     [InlineData("a\u2028b.json", "U+2028")]
+    [InlineData("\u001b[2J.json", "U+001B")]
     public void ANameThatCouldForgeALineIsRefused(string name, string shown)
     {
         if (!OperatingSystem.IsWindows()) raycaster.Write(name, "{}");

@@ -1,11 +1,7 @@
 namespace RayCaster.Cli.Tests;
 
-public sealed class CommandLineTests : IDisposable
+public sealed class CommandLineTests : CommandTests
 {
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     [Fact]
     public void WithoutArgumentsItShowsTheOneCommandToTry()
     {
@@ -78,8 +74,12 @@ public sealed class CommandLineTests : IDisposable
     }
 
     [Fact]
-    public void EveryCommandHasItsUsage() => Assert.All(Command.All.Keys, name =>
-        Assert.EndsWith($"help{(name is "draw" or "help" ? "" : " " + name)}.\n", HelpCommand.HintAfter([name, "--no-such-option"])));
+    public void EveryCommandHasItsUsageAndAPage() => Assert.All(Command.All, command =>
+    {
+        var (name, help) = (command.Key, command.Value.Help);
+        Assert.EndsWith($"help{(name is "draw" or "help" ? "" : " " + name)}.\n", HelpCommand.HintAfter([name, "--no-such-option"]));
+        Assert.All(help.Split('\n'), line => Assert.InRange(line.TrimEnd().Length, 0, 95));
+    });
 
     [Fact]
     public void AfterTwoDashesEverythingIsAScene()
@@ -104,6 +104,52 @@ public sealed class CommandLineTests : IDisposable
     [InlineData(null, "draw", "live")]
     public void TheCommandIsTheFirstWordThatIsNoOption(string? command, params string[] arguments) =>
         Assert.Equal(command, Command.NameIn(arguments));
+
+    [Theory]
+    [InlineData("ROOM -o a.gif", "no picture format for 'a.gif': .gif is not known; use .png or .ppm")]
+    [InlineData("ROOM -o no/a.png", "cannot write no/a.png: its folder does not exist")]
+    [InlineData("ROOM -o ./ --format png", "cannot write ./: it is a folder; name a file in it")]
+    [InlineData("ROOM --preview -o -", "--preview and -o - both write to standard output")]
+    [InlineData("ROOM --color yes", "'yes' is not a value of --color: choose auto, always or never")]
+    [InlineData("ROOM --map z", "'z' is not a map: choose t, depth, model, normal or uv")]
+    [InlineData("ROOM --map t -o a.png", "a map's numbers go to a file that ends in .pfm, but 'a.png' is given")]
+    [InlineData("ROOM --map t --format ppm", "a map is a PFM and a PNG")]
+    [InlineData("ROOM --mistake row", "'row' is not a mistake; did you mean 'rows'?")]
+    [InlineData("ROOM --mistake rows --rows 1/2", "a wrong picture is drawn whole")]
+    [InlineData("a.json --rows 5", "'5' names no lines: write the first and the last as in 0..249, counted from 0 at the top, " +
+        "or 3/8 for the third of eight parts\n")]
+    [InlineData("a.json --rows 9/8", "'9/8' names no lines")]
+    [InlineData("a.json --rows 0..1 -o a.ppm", "--rows and --resume write a PNG, which records what it shows; choose another name or format\n")]
+    [InlineData("a.json --resume --format ppm", "--rows and --resume write a PNG")]
+    [InlineData("a.json --resume -o -", "--resume needs a file: it cannot check what was written to standard output\n")]
+    [InlineData("a.json --missing", "option '--missing' belongs to a command: name the command\n")]
+    [InlineData("ROOM -s 4x10 --rows 5..10", "the lines 5..10 do not all exist: a picture of 10 lines has 0..9\n")]
+    [InlineData("ROOM -s 4x10 --rows 1/11", "a picture of 10 lines cannot be divided into 11 parts\n")]
+    [InlineData("stitch", "no part is given: name files, a pattern or a folder\n")]
+    [InlineData("stitch .", "stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines\n")]
+    [InlineData("stitch . --missing -o a.png", "--missing writes no picture: leave -o out\n")]
+    [InlineData("stitch . --missing", "there are no parts of a picture in .\n")]
+    [InlineData("stitch part*.png --missing", "no file matches part*.png\n")]
+    [InlineData("stitch a.png --missing", "picture file not found: a.png\n")]
+    [InlineData("stitch . --rows 0..1", "option '--rows' is not one of stitch's\n")]
+    [InlineData("orbit", "orbit takes <scene>, but nothing is given\n")]
+    [InlineData("orbit a.json", "orbit needs a number of frames, as in --frames 48\n")]
+    [InlineData("orbit a.json --frames 0", "'0' is not a number of frames: it is a whole number from 1 to 1,000,000\n")]
+    [InlineData("orbit a.json --frames 8 --only 5..9", "the frames 5..9 do not all exist: a film of 8 frames has 0..7\n")]
+    [InlineData("animate .", "animate needs a name for the picture, as in -o animate.png\n")]
+    [InlineData("animate . -o a.ppm", "animate writes a PNG, to a file: choose a name with .png\n")]
+    [InlineData("animate . -o a.png", "no picture is given: name PNG files, a pattern, or a folder with some\n")]
+    [InlineData("animate . -o a.png --fps 2000", "'2000' is not a number of frames per second: it is a whole number from 1 to 1,000\n")]
+    [InlineData("sheet b.png -o a.png --columns x", "'x' is not a number of columns: it is a whole number from 1 to 1,000,000\n")]
+    [InlineData("diagnose scene.json", "diagnose takes <scene> <mine>, but 'scene.json' is given")]
+    [InlineData("diagnose a.json b.png --hint all", "'all' is not a level of hints: choose symptom, question or answer")]
+    [InlineData("diagnose ROOM nothing.png", "picture file not found: nothing.png")]
+    [InlineData("explain ROOM 500 0", "there is no column 500: the picture has columns 0 to 499, left to right")]
+    [InlineData("explain ROOM 0 -1", "there is no line -1: the picture has lines 0 to 499, top to bottom")]
+    [InlineData("explain ROOM x 0", "'x' is not a column: it is a whole number from 0 to 499")]
+    [InlineData("check nosuch.json --for typo -q", "'typo' is not a kind of shape")]
+    public void WhatCannotBeDoneIsRefused(string arguments, string message) =>
+        Refuses(message, Array.ConvertAll(arguments.Split(' '), word => word == "ROOM" ? Room : word));
 
     [Fact]
     public void AMissingRubricIsNoAnswer() => Assert.Equal(2, raycaster.Run("mark", "nosuch.json").ExitCode);

@@ -1,14 +1,11 @@
 namespace RayCaster.Cli.Tests;
 
-public sealed class DiagnoseTests : IDisposable
+public sealed class DiagnoseTests : CommandTests
 {
-    private readonly RayCasterProcess raycaster = new();
     private const string scene = "scene.json"; // the first of the project's, made small
 
     public DiagnoseTests() => raycaster.Write(scene, File.ReadAllText(Path.Combine(RayCasterProcess.Scenes, "first.json"))
         .Replace("\"target\"", "\"width\": 30, \"height\": 20, \"target\"", StringComparison.Ordinal));
-
-    public void Dispose() => raycaster.Dispose();
 
     [Fact]
     public void ARightPictureIs0()
@@ -49,25 +46,6 @@ public sealed class DiagnoseTests : IDisposable
         Assert.Equal(1, raycaster.ExitCode);
         Assert.StartsWith("mine.png is 15 x 10, not the scene's 30 x 20 pixels", raycaster.Error);
         Assert.StartsWith("mine.png matches", raycaster.OutputText);
-    }
-
-    [Theory]
-    [InlineData("diagnose takes <scene> <mine>, but 'scene.json' is given", "diagnose", "scene.json")]
-    [InlineData("'all' is not a level of hints: choose symptom, question or answer", "diagnose", "a.json", "b.png", "--hint", "all")]
-    [InlineData("option '--size' is not one of diagnose's", "diagnose", "a.json", "b.png", "--size", "1x1")]
-    public void AMistakeOnTheCommandLineIs2(string message, params string[] arguments)
-    {
-        raycaster.Run(arguments);
-        Assert.Equal((2, ""), (raycaster.ExitCode, raycaster.OutputText));
-        Assert.StartsWith("raycaster: " + message, raycaster.Error);
-    }
-
-    [Fact]
-    public void APictureThatIsNotThereIs2()
-    {
-        raycaster.Run("diagnose", scene, "nothing.png");
-        Assert.Equal(2, raycaster.ExitCode);
-        Assert.StartsWith("raycaster: picture file not found: nothing.png", raycaster.Error);
     }
 
     private string Draw(string file)

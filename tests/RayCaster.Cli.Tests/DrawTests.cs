@@ -2,14 +2,8 @@ using System.Text;
 
 namespace RayCaster.Cli.Tests;
 
-public sealed class DrawTests : IDisposable
+public sealed class DrawTests : CommandTests
 {
-    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     [Fact]
     public void ThePictureIsNamedAfterTheSceneAndLiesInTheCurrentFolder()
     {
@@ -40,16 +34,6 @@ public sealed class DrawTests : IDisposable
     {
         raycaster.Run("draw", Room, "-s", "30x20");
         Assert.Equal((0, "room.png"), (raycaster.ExitCode, Assert.Single(raycaster.Files)));
-    }
-
-    [Theory]
-    [InlineData("a.png")]
-    [InlineData("a.PPM")]
-    public void TheExtensionChoosesTheFormat(string file)
-    {
-        raycaster.Run(Room, "-s", "31x17", "-o", file).Run(Room, "-s", "31x17", "--output=b.png");
-        Assert.Equal(PictureFile.Read(raycaster.PathOf("b.png")).Rgb, PictureFile.Read(raycaster.PathOf(file)).Rgb);
-        Assert.Equal(file.EndsWith("png") ? (byte)0x89 : (byte)'P', File.ReadAllBytes(raycaster.PathOf(file))[0]);
     }
 
     [Fact]
@@ -97,13 +81,6 @@ public sealed class DrawTests : IDisposable
     }
 
     [Fact]
-    public void ThePictureDoesNotDependOnTheThreads()
-    {
-        raycaster.Run(Room, "-s", "90x60", "-t", "1", "-o", "a.ppm").Run(Room, "-s", "90x60", "--threads", "5", "-o", "b.ppm");
-        Assert.Equal(File.ReadAllBytes(raycaster.PathOf("a.ppm")), File.ReadAllBytes(raycaster.PathOf("b.ppm")));
-    }
-
-    [Fact]
     public void ABrokenSceneLeavesTheOldPictureAndNothingElse()
     {
         raycaster.Write("ball.png", "the old picture").Write("ball.json", """
@@ -119,27 +96,6 @@ public sealed class DrawTests : IDisposable
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("ball.png")));
     }
 
-    [Fact]
-    public void AMissingSceneIsNamedWithTheFullPathAndTheNearestOne()
-    {
-        raycaster.Write("room.json", "{}").Run("rom.json");
-        Assert.Equal(2, raycaster.ExitCode);
-        Assert.Contains("looked for " + raycaster.PathOf("rom.json"), raycaster.Error);
-        Assert.Contains("room.json", raycaster.Error);
-    }
-
-    [Theory]
-    [InlineData("no picture format for 'a.gif': .gif is not known; use .png or .ppm", "-o", "a.gif")]
-    [InlineData("cannot write no/a.png: its folder does not exist", "-o", "no/a.png")]
-    [InlineData("cannot write ./: it is a folder; name a file in it", "-o", "./", "--format", "png")]
-    public void APictureThatCannotBeWrittenIsRefused(string message, params string[] arguments)
-    {
-        raycaster.Run([Room, .. arguments]);
-        Assert.Equal(2, raycaster.ExitCode);
-        Assert.StartsWith("raycaster: " + message, raycaster.Error);
-        Assert.Empty(raycaster.Files);
-    }
-
     [SkippableTheory]
     [InlineData("HUP", 129)]
     [InlineData("INT", 130)]
@@ -149,7 +105,7 @@ public sealed class DrawTests : IDisposable
         Skip.If(OperatingSystem.IsWindows(), "no kill command there");
         raycaster.Write("room.png", "the old picture");
         using var process = raycaster.Start(Room, "--size", "20000x20000");
-        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(10);
+        WaitForTemporaryFile(process);
         Assert.Equal(exitCode, RayCasterProcess.Kill(process, signal));
         Assert.Equal(["room.png"], raycaster.Files);
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("room.png")));
@@ -162,15 +118,5 @@ public sealed class DrawTests : IDisposable
         using var process = raycaster.Start("-");
         Thread.Sleep(300); // it reads by now; where it does not, the runtime's own answer to the signal is the same
         Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
-    }
-
-    [SkippableFact]
-    public void WhatFollowsThePictureInAFileDoesNotOverwriteIt()
-    {
-        Skip.If(OperatingSystem.IsWindows(), "no sh there");
-        raycaster.RunInShell($"{{ raycaster -q '{Room}' -s 4x2 -o - && echo end; }} > both");
-        var bytes = File.ReadAllBytes(raycaster.PathOf("both"));
-        Assert.Equal("P6\n4 2\n255\n", Encoding.ASCII.GetString(bytes, 0, 11));
-        Assert.Equal("end\n", Encoding.ASCII.GetString(bytes, 11 + 4 * 2 * 3, bytes.Length - (11 + 4 * 2 * 3)));
     }
 }

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Runtime.Versioning;
 
 namespace RayCaster.Cli.Tests;
@@ -7,29 +6,17 @@ namespace RayCaster.Cli.Tests;
 /// What may go wrong around the real process: it ends by itself with a message and the right exit code, and what it leaves is the old picture or the
 /// new one, whole. Where a fault cannot be made (no shell, no right to mount), its test is skipped.
 /// </summary>
-public sealed class FaultTests : IDisposable
+public sealed class FaultTests : CommandTests
 {
     internal const string Old = "the old picture";
-    internal static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
-    [SkippableFact]
-    public void AFullDiskLeavesTheOldPictureAndNothingElse()
+    [SkippableTheory]
+    [InlineData("room.ppm", "64k")]
+    [InlineData("room.png", "8k")]
+    public void AFullDiskLeavesTheOldPictureAndNothingElse(string file, string size)
     {
-        InOwnFileSystem("mount -t tmpfs -o size=64k none disk; echo old >disk/room.ppm", "raycaster -q ROOM -s 999x999 -o disk/room.ppm");
-        Assert.Equal((2, "raycaster: cannot write disk/room.ppm: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
-        Assert.Equal("room.ppm old\n", raycaster.OutputText);
-    }
-
-    [SkippableFact]
-    public void AFullDiskIsNoticedWhereThePictureIsCompressed()
-    {
-        InOwnFileSystem("mount -t tmpfs -o size=8k none disk; echo old >disk/room.png", "raycaster -q ROOM -s 999x999 -o disk/room.png");
-        Assert.Equal((2, "raycaster: cannot write disk/room.png: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
-        Assert.Equal("room.png old\n", raycaster.OutputText);
+        InOwnFileSystem($"mount -t tmpfs -o size={size} none disk; echo old >disk/{file}", $"raycaster -q ROOM -s 999x999 -o disk/{file}");
+        Assert.Equal((2, $"raycaster: cannot write disk/{file}: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal($"{file} old\n", raycaster.OutputText);
     }
 
     [SkippableFact]
@@ -170,18 +157,5 @@ public sealed class FaultTests : IDisposable
     {
         Assert.Equal([name], raycaster.Files);
         Assert.Equal(Old, File.ReadAllText(raycaster.PathOf(name)));
-    }
-
-    private void WaitForTemporaryFile(Process process)
-    {
-        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(10);
-    }
-
-    [Fact]
-    public void AFilesNameMovesNoCursor()
-    {
-        raycaster.Run("\u001b[2J.json");
-        Assert.Equal(2, raycaster.ExitCode);
-        Assert.StartsWith("raycaster: '\uFFFD[2J.json' holds the invisible character U+001B: rename the file", raycaster.Error);
     }
 }

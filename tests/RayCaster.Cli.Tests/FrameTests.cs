@@ -5,14 +5,8 @@ using System.Text;
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Frames, and what is made of them, as commands.</summary>
-public sealed class FrameTests : IDisposable
+public sealed class FrameTests : CommandTests
 {
-    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     [Fact]
     public void AnOrbitIsNumberedFramesThatBeginWithTheScenesOwnPicture()
     {
@@ -56,26 +50,6 @@ public sealed class FrameTests : IDisposable
         raycaster.Write("near.json", File.ReadAllText(Room).Replace("\"position\": [20, 0, 0]", "\"position\": [10, 0, 0]"))
             .Run("near.json", "-s", "20x15");
         Assert.Equal(PictureFile.Read(raycaster.PathOf("near.png")).Rgb, PictureFile.Read(raycaster.PathOf("room-0001.png")).Rgb);
-    }
-
-    [Theory]
-    [InlineData("orbit takes <scene>, but nothing is given\n", "orbit")]
-    [InlineData("orbit needs a number of frames, as in --frames 48\n", "orbit", "a.json")]
-    [InlineData("'0' is not a number of frames: it is a whole number from 1 to 1,000,000\n", "orbit", "a.json", "--frames", "0")]
-    [InlineData("the frames 5..9 do not all exist: a film of 8 frames has 0..7\n", "orbit", "a.json", "--frames", "8", "--only", "5..9")]
-    [InlineData("animate needs a name for the picture, as in -o animate.png\n", "animate", ".")]
-    [InlineData("animate writes a PNG, to a file: choose a name with .png\n", "animate", ".", "-o", "a.ppm")]
-    [InlineData("no picture is given: name PNG files, a pattern, or a folder with some\n", "animate", ".", "-o", "a.png")]
-    [InlineData(
-        "'2000' is not a number of frames per second: it is a whole number from 1 to 1,000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
-    [InlineData("picture file not found: b.png\n", "sheet", "b.png", "-o", "a.png")]
-    [InlineData("'x' is not a number of columns: it is a whole number from 1 to 1,000,000\n", "sheet", "b.png", "-o", "a.png", "--columns", "x")]
-    public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)
-    {
-        raycaster.Run(arguments);
-        Assert.Equal((2, ""), (raycaster.ExitCode, raycaster.OutputText));
-        Assert.StartsWith("raycaster: " + message, raycaster.Error);
-        Assert.Empty(raycaster.Files);
     }
 
     [Fact]
@@ -164,19 +138,6 @@ public sealed class FrameTests : IDisposable
                 for (var x = 0; x < 8; x++) picture[x, y] = ((byte)((x + y) % 2 * 255), 100, (byte)(y / 4 * 50));
             return picture;
         }
-    }
-
-    [Theory]
-    [InlineData("stitch")]
-    [InlineData("orbit")]
-    [InlineData("animate")]
-    [InlineData("sheet")]
-    public void EveryCommandHasAPage(string command)
-    {
-        raycaster.Run("help", command);
-        Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.Error));
-        Assert.Contains($"raycaster {command} ", raycaster.OutputText);
-        Assert.All(raycaster.OutputText.Split('\n'), line => Assert.InRange(line.TrimEnd().Length, 0, 90));
     }
 
     private IEnumerable<string> Frames(string folder) => Directory.GetFiles(raycaster.PathOf(folder)).Select(path => Path.GetFileName(path)).Order();

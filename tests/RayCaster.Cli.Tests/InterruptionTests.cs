@@ -4,16 +4,10 @@ namespace RayCaster.Cli.Tests;
 
 /// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says which files are
 /// written.</summary>
-public sealed class InterruptionTests : IDisposable
+public sealed class InterruptionTests : CommandTests
 {
     /// <summary>After this time a program reads or computes. If it does not yet, the runtime ends it with the same exit code.</summary>
     internal const int StartMilliseconds = 300;
-
-    internal static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
 
     /// <summary>A second Ctrl-C neither ends the run sooner nor leaves a file.</summary>
     [SkippableFact]
@@ -45,11 +39,6 @@ public sealed class InterruptionTests : IDisposable
     {
         Assert.Equal(exitCode, RayCasterProcess.Kill(process, signal));
         Assert.Matches(@"(^|\n)raycaster: interrupted; nothing was written\n$|^$", process.StandardError.ReadToEnd());
-    }
-
-    private void WaitForTemporaryFile(Process process)
-    {
-        while (!raycaster.Files.Any(file => file.EndsWith(".tmp")) && !process.HasExited) Thread.Sleep(10);
     }
 
     internal static string[] Words(string arguments) => Array.ConvertAll(arguments.Split(' '), word => word == "ROOM" ? Room : word);

@@ -1,17 +1,11 @@
 namespace RayCaster.Cli.Tests;
 
-public sealed class LedgerTests : IDisposable
+public sealed class LedgerTests : CommandTests
 {
-    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
     private const string LooksAway = """
         { "camera": { "position": [-9, 0, 0], "target": [-12, 0, 0], "width": 30, "height": 20 },
           "models": [ { "type": "sphere", "center": [0, 0, 0], "radius": 2, "name": "ball" } ] }
         """;
-
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
 
     [Fact]
     public void AnEmptyPictureTellsByItselfWhy()

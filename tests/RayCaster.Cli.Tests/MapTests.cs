@@ -1,13 +1,7 @@
 namespace RayCaster.Cli.Tests;
 
-public sealed class MapTests : IDisposable
+public sealed class MapTests : CommandTests
 {
-    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     [Fact]
     public void AMapIsNumbersAndAPictureNamedAfterSceneAndKind()
     {
@@ -26,18 +20,5 @@ public sealed class MapTests : IDisposable
         raycaster.Run(Room, "--map=normal", "-s", "30x20", "-o", "n.pfm", "-q");
         Assert.Equal("", raycaster.Error);
         Assert.Equal(["n.normal.png", "n.pfm"], raycaster.Files);
-    }
-
-    [Theory]
-    [InlineData("'z' is not a map: choose t, depth, model, normal or uv", "--map", "z")]
-    [InlineData("a map's numbers go to a file that ends in .pfm, but 'a.png' is given", "--map", "t", "-o", "a.png")]
-    [InlineData("a map is a PFM and a PNG", "--map", "t", "--format", "ppm")]
-    [InlineData("the limit is 100,000,000", "--map", "t", "-s", "100000x100000")]
-    public void WhatDoesNotFitAMapIsRefused(string message, params string[] arguments)
-    {
-        raycaster.Run([Room, .. arguments]);
-        Assert.Equal(2, raycaster.ExitCode);
-        Assert.Contains(message, raycaster.Error);
-        Assert.Empty(raycaster.Files);
     }
 }

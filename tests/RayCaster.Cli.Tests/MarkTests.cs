@@ -1,12 +1,8 @@
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Marks and varied scenes by the console app itself.</summary>
-public sealed class MarkTests : IDisposable
+public sealed class MarkTests : CommandTests
 {
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     private void WriteRubric(string more)
     {
         raycaster.Write("ball.json", File.ReadAllText(ProjectFolder.PathOf("scenes/first.json"))

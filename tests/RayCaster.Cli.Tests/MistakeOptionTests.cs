@@ -3,40 +3,25 @@ using System.Text.Json;
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Wrong pictures on purpose, and what a scene must show.</summary>
-public sealed class MistakeOptionTests : IDisposable
+public sealed class MistakeOptionTests : CommandTests
 {
-    private readonly RayCasterProcess raycaster = new();
-    private static readonly string room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
-    public void Dispose() => raycaster.Dispose();
-
     [Fact]
     public void AWrongPictureIsDrawnAndDiagnosed()
     {
-        raycaster.Run(room, "--mistake", "rows+bgr", "-s", "60x60");
+        raycaster.Run(Room, "--mistake", "rows+bgr", "-s", "60x60");
         Assert.Equal((0, true), (raycaster.ExitCode, raycaster.Files.Contains("room.rows+bgr.png")));
         Assert.StartsWith("room.rows+bgr.png: wrong on purpose: row r written as line r", raycaster.Error);
-        raycaster.Run("diagnose", room, "room.rows+bgr.png", "--json");
+        raycaster.Run("diagnose", Room, "room.rows+bgr.png", "--json");
         using var json = JsonDocument.Parse(raycaster.Output);
         Assert.Equal("mistake", json.RootElement.GetProperty("finding").GetString());
         Assert.Equal(60, json.RootElement.GetProperty("mine").GetProperty("width").GetInt32());
         Assert.Equal(500, json.RootElement.GetProperty("scene").GetProperty("width").GetInt32());
     }
 
-    [Theory]
-    [InlineData("'row' is not a mistake; did you mean 'rows'?", "--mistake", "row")]
-    [InlineData("a wrong picture is drawn whole", "--mistake", "rows", "--rows", "1/2")]
-    public void AWrongNameIs2(string message, params string[] arguments)
-    {
-        raycaster.Run([room, .. arguments]);
-        Assert.Equal(2, raycaster.ExitCode);
-        Assert.Contains(message, raycaster.Error);
-    }
-
     [Fact]
     public void JsonIsOnStandardOutputWhateverIsInTheWay()
     {
-        raycaster.Run("diagnose", room, "nothing.png", "--json");
+        raycaster.Run("diagnose", Room, "nothing.png", "--json");
         Assert.Equal(2, raycaster.ExitCode);
         using var json = JsonDocument.Parse(raycaster.Output);
         Assert.Equal("could not tell", json.RootElement.GetProperty("finding").GetString());
@@ -46,7 +31,7 @@ public sealed class MistakeOptionTests : IDisposable
     public void CheckAnswersForTheShapesOfAWeekAndForWhatIsRequired()
     {
         raycaster.Write(
-            "small.json", File.ReadAllText(room).Replace("\"width\": 500", "\"width\": 30").Replace("\"height\": 500", "\"height\": 30"));
+            "small.json", File.ReadAllText(Room).Replace("\"width\": 500", "\"width\": 30").Replace("\"height\": 500", "\"height\": 30"));
         raycaster.Run("check", "small.json", "--json", "--for", "plane,sphere", "--require", "rows,aspect-inv");
         Assert.Equal(1, raycaster.ExitCode);
         using var json = JsonDocument.Parse(raycaster.Output);
@@ -66,12 +51,5 @@ public sealed class MistakeOptionTests : IDisposable
         raycaster.Write("empty.json", """{ "camera": { "position": [1, 0, 0], "target": [0, 0, 0], "width": 4, "height": 4 }, "models": [] }""");
         Assert.Equal(0, raycaster.Run("check", "empty.json", "--json", "-q").ExitCode);
         Assert.Equal(1, JsonDocument.Parse(raycaster.Output).RootElement.GetProperty("scenes").GetInt32());
-    }
-
-    [Fact]
-    public void AWrongShapeIsRefusedAlsoWhereOnlyErrorsArePrinted()
-    {
-        Assert.Equal(2, raycaster.Run("check", "nosuch.json", "--for", "typo", "-q").ExitCode);
-        Assert.StartsWith("raycaster: 'typo' is not a kind of shape", raycaster.Error);
     }
 }

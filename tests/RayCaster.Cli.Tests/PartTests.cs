@@ -1,14 +1,8 @@
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
-public sealed class PartTests : IDisposable
+public sealed class PartTests : CommandTests
 {
-    internal static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     [Fact]
     public void APartIsNamedAfterItsLines()
     {
@@ -82,42 +76,6 @@ public sealed class PartTests : IDisposable
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("room.png")));
     }
 
-    [Theory]
-    [InlineData("no part is given: name files, a pattern or a folder\n", "stitch")]
-    [InlineData("stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines\n", "stitch", ".")]
-    [InlineData("--missing writes no picture: leave -o out\n", "stitch", ".", "--missing", "-o", "a.png")]
-    [InlineData("there are no parts of a picture in .\n", "stitch", ".", "--missing")]
-    [InlineData("no file matches part*.png\n", "stitch", "part*.png", "--missing")]
-    [InlineData("picture file not found: a.png\n", "stitch", "a.png", "--missing")]
-    [InlineData("no picture format for 'a.gif'", "stitch", ".", "-o", "a.gif")]
-    [InlineData("option '--rows' is not one of stitch's\n", "stitch", ".", "--rows", "0..1")]
-    [InlineData("option '--missing' belongs to a command: name the command\n", "a.json", "--missing")]
-    [InlineData("'5' names no lines: write the first and the last as in 0..249, counted from 0 at the top, " +
-        "or 3/8 for the third of eight parts\n", "a.json", "--rows", "5")]
-    [InlineData("'9/8' names no lines", "a.json", "--rows", "9/8")]
-    [InlineData("--rows and --resume write a PNG, which records what it shows; choose another name or format\n", "a.json", "--rows",
-        "0..1", "-o", "a.ppm")]
-    [InlineData("--rows and --resume write a PNG", "a.json", "--resume", "--format", "ppm")]
-    [InlineData(
-        "--resume needs a file: it cannot check what was written to standard output\n", "a.json", "--resume", "-o", "-")]
-    public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)
-    {
-        raycaster.Run(arguments);
-        Assert.Equal((2, ""), (raycaster.ExitCode, raycaster.OutputText));
-        Assert.StartsWith("raycaster: " + message, raycaster.Error);
-        Assert.Empty(raycaster.Files);
-    }
-
-    [Theory]
-    [InlineData("the lines 5..10 do not all exist: a picture of 10 lines has 0..9\n", "5..10")]
-    [InlineData("a picture of 10 lines cannot be divided into 11 parts\n", "1/11")]
-    public void LinesThatThePictureDoesNotHaveAreRefused(string message, string rows)
-    {
-        raycaster.Run(Room, "-s", "4x10", "--rows", rows);
-        Assert.Equal((2, "raycaster: " + message), (raycaster.ExitCode, raycaster.Error));
-        Assert.Empty(raycaster.Files);
-    }
-
     [Fact]
     public void WhatIsThereAlreadyIsNotDrawnAgain()
     {
@@ -137,5 +95,4 @@ public sealed class PartTests : IDisposable
         Assert.Contains("lines 0..9 of 41 x 40 pixels", raycaster.Error);
         Assert.Equal(41, PictureFile.Read(raycaster.PathOf("a.png")).Width);
     }
-
 }

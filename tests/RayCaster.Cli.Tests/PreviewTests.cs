@@ -1,13 +1,7 @@
 namespace RayCaster.Cli.Tests;
 
-public sealed class PreviewTests : IDisposable
+public sealed class PreviewTests : CommandTests
 {
-    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
-
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     [Fact]
     public void RedirectedItIsPlainAndAsLargeAsAUsualTerminal()
     {
@@ -31,16 +25,5 @@ public sealed class PreviewTests : IDisposable
     {
         raycaster.Run(Room, "--map", "model", "--preview", "-q", "-s", "6x4");
         Assert.Equal(2, raycaster.OutputText.Count(character => character == '\n'));
-    }
-
-    [Theory]
-    [InlineData("--preview and -o - both write to standard output", "--preview", "-o", "-")]
-    [InlineData("'yes' is not a value of --color: choose auto, always or never", "--color", "yes")]
-    public void WhatCannotBeIsRefused(string message, params string[] arguments)
-    {
-        raycaster.Run([Room, .. arguments]);
-        Assert.Equal((2, ""), (raycaster.ExitCode, raycaster.OutputText));
-        Assert.Contains(message, raycaster.Error);
-        Assert.Empty(raycaster.Files);
     }
 }

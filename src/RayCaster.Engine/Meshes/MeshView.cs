@@ -38,7 +38,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         sets = [whole, clipped];
 
         if (clipper.FormulaOnly.Count > 0) formulaOnly = new(vertices, [.. clipper.FormulaOnly], cancellation);
-        Extent = formulaOnly is null ? Tile.Of(boxes.Bounds.PaddedFrom(screen.Camera.Position), screen.Camera) : Tile.Everywhere;
+        Extent = formulaOnly is null ? new ScreenBounds(screen.Camera).TileOf(boxes.Bounds) : Tile.Everywhere;
     }
 
     private MeshView(MeshView<N> shared, TileFilters<N> filters)

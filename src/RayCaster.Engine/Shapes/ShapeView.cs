@@ -6,7 +6,7 @@ internal abstract class ShapeView<N>(Bounds? bounds, Camera camera) : ModelView 
     private readonly ClipRange clip = camera.ClipRange;
 
     public sealed override Tile Extent { get; } =
-        bounds is { } tight ? Tile.Of(tight.PaddedFrom(camera.Position), camera) : Tile.Everywhere;
+        bounds is { } known ? new ScreenBounds(camera).TileOf(known) : Tile.Everywhere;
 
     public sealed override bool IsShape => true;
 

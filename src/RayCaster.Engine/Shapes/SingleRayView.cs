@@ -4,7 +4,7 @@ namespace RayCaster.Engine;
 internal sealed class SingleRayView(Model model, Camera camera) : ModelView
 {
     public override Tile Extent { get; } =
-        model.Bounds is { } bounds ? Tile.Of(bounds.PaddedFrom(camera.Position), camera) : Tile.Everywhere;
+        model.Bounds is { } bounds ? new ScreenBounds(camera).TileOf(bounds) : Tile.Everywhere;
 
     public override void Intersect(RayStream rays, int index) => rays.IntersectOneByOne(model, index);
 }

@@ -68,6 +68,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
     {
         var (usual, everySingle) = NearestSingles();
         var (singles, inStyles) = (usual, new List<WrongProgram>());
+        if (!Ranking.IsCertain([.. plain, .. singles])) singles = Ranking.Sorted([.. singles, .. Edits()]);
         for (var (i, before) = (0, everySingle); i < Styles && !Ranking.IsCertain(singles); i++)
         {
             before = Ranking.Measured(InStyles([.. singles, .. before]), CandidateRanking.Glance); // one formula style alone may be far off
@@ -137,6 +138,21 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         return (nearest, all);
     }
 
+    /// <summary>The small edits of the slides' formulas that explain the picture in which most is wrong.</summary>
+    private List<WrongProgram> Edits()
+    {
+        var picture = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!;
+        bool[] samples = MayBeOtherSample() ? [true, false] : [false];
+        return Ranking.Measured(
+        [
+            .. from otherSample in samples
+               from edits in new EditSearch(picture, budget, otherSample).Find()
+               let mistake = EditNaming.Of(edits)
+               where mistake.Place is not null || known.Any(other => other.Id == mistake.Id)
+               select new WrongProgram(Unfinished.Nothing, [mistake], otherSample),
+        ], 1);
+    }
+
     /// <summary>The ways to be unfinished that are nearest with one mistake in its usual variant.</summary>
     private IEnumerable<Unfinished> NearestWays(bool[] samples)
     {
@@ -184,7 +200,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
     [
         .. from candidate in candidates.DistinctBy(candidate => candidate.Id).Take(most)
            from place in Enumerable.Range(0, candidate.Variants.Count)
-           from variant in MistakeCatalog.Named(candidate.Variants[place].Id)!.Variants
+           from variant in MistakeCatalog.Named(candidate.Variants[place].Id)?.Variants ?? []
            from otherSample in candidate.Variants.Count > 1 ? (bool[])[false, true] : [candidate.OtherSample]
            select candidate.With(place, variant) with { OtherSample = otherSample },
     ];
@@ -195,7 +211,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         .. from same in candidates.GroupBy(candidate => candidate.Id)
            from candidate in same.DistinctBy(candidate => (candidate.Variants[0], candidate.Variants[^1], candidate.OtherSample)).Take(Slips)
            from place in Enumerable.Range(0, candidate.Variants.Count)
-           from variant in MistakeCatalog.Named(candidate.Variants[place].Id)!.InStyles(candidate.Variants[place])
+           from variant in MistakeCatalog.Named(candidate.Variants[place].Id)?.InStyles(candidate.Variants[place]) ?? []
            select candidate.With(place, variant),
     ];
 }

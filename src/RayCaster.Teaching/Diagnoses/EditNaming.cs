@@ -18,18 +18,22 @@ internal static class EditNaming
     /// <summary>Most names that are listed where a picture cannot tell formulas apart.</summary>
     private const int MaxNames = 5;
 
-    /// <summary>A mistake without a label.</summary>
+    /// <summary>The known mistake whose label the likeliest labelled edit has; else a mistake that is not in the catalogue.</summary>
     public static Mistake Of(EditGroup group)
     {
         var first = group.Edits[0];
         FormulaEdit[] likely = [.. group.Edits.Where(edit => edit.Cost <= group.Cost + Likely)];
+        void Deviate(Lab lab) => lab.Follow(first.In(FormulaProgram.For(lab.Camera)));
+        if (Array.Find(likely, edit => edit.Label is not null) is { } known)
+            return MistakeCatalog.Named(known.Label!)!.Worded($"{SectionOf(known.Section.Kind)}: {Says(known)}", Deviate);
+
         SectionKind[] kinds = [.. likely.Select(edit => edit.Section.Kind).Distinct()];
         var isOneStep = kinds.Length == 1;
         // Other styles have other formulas: what is said is said in the likeliest one's.
         Formula?[] formulas = [.. likely.Where(edit => edit.Right == first.Right).Select(edit => edit.Formula).Distinct()];
         var formula = isOneStep && formulas.Length == 1 ? formulas[0] : null;
-        var section = string.Join(", ", kinds.Select(kind => kind.ToString().ToLowerInvariant()));
-        return new(Id, AffectsOf(first.Section.Kind), first.Section.Slide, $"{section}: {Says(first)}", _ => { },
+        var section = string.Join(", ", kinds.Select(SectionOf));
+        return new(Id, AffectsOf(first.Section.Kind), first.Section.Slide, $"{section}: {Says(first)}", Deviate,
             isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
             formula is not null ? $"Look at {formula.Computed}. {EditOperators.QuestionOf(first.Operator)}"
                 : isOneStep ? $"Something is wrong in the formulas of the step \"{section}\"; this scene cannot tell {NamesOf(formulas)} apart."
@@ -39,6 +43,8 @@ internal static class EditNaming
             Place = new(section, formula?.Computed, formula?.ToString()),
         };
     }
+
+    private static string SectionOf(SectionKind kind) => kind.ToString().ToLowerInvariant();
 
     private static string Says(FormulaEdit edit)
     {

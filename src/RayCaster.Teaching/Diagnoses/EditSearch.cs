@@ -9,8 +9,9 @@ internal sealed record EditGroup(double Unexplained, ImmutableArray<FormulaEdit>
 
 /// <summary>Finds the small edits of the slides' formulas that draw a wrong picture.</summary>
 /// <remarks>All edits are tried on a few pixels, the nearest on more, and the nearest of these on all of the evidence.</remarks>
-/// <param name="budget">If it is spent, nothing is found.</param>
-internal sealed class EditSearch(Evidence evidence, SearchBudget? budget)
+/// <param name="otherSample">Whether rays pass through the other place of each pixel.</param>
+/// <exception cref="TimeoutException">The budget is spent.</exception>
+internal sealed class EditSearch(Evidence evidence, SearchBudget? budget, bool otherSample = false)
 {
     /// <summary>How many wrong pixels, and how many right ones, each round compares.</summary>
     private const int FewPixels = 24, MorePixels = 200, AllPixels = 1500;
@@ -26,10 +27,10 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget)
     /// <summary>If the best edit leaves more, the styles of other steps are tried with the nearest ones of the camera.</summary>
     private const double TriesStyles = 0.03;
 
-    private const int EditsInStyles = 24;
+    private const int EditsInStyles = 24, MaxGroups = 4;
 
     private readonly Scene scene = evidence.Scene;
-    private readonly FormulaProgram right = FormulaProgram.For(evidence.Scene.Camera);
+    private readonly FormulaProgram right = FormulaProgram.For(evidence.Scene.Camera, otherSample);
 
     private static readonly SectionKind[] shapes =
         [SectionKind.Plane, SectionKind.Circle, SectionKind.Sphere, SectionKind.Aabb, SectionKind.Triangle];
@@ -41,24 +42,16 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget)
     /// edit, drawn with other last bits; more is chance.</summary>
     private const double MayLeavePixels = 8, MayLeaveOfPicture = 0.001, MayLeave = 0.05;
 
-    /// <summary>The likeliest edits, if they explain the picture.</summary>
-    public EditGroup? Find()
+    /// <summary>The edits that explain the picture, the best first.</summary>
+    public IReadOnlyList<EditGroup> Find()
     {
-        if (scene.Models.Count > MaxModels || !evidence.HasRightSize) return null;
-        try
-        {
-            var best = Run()[0];
-            var most = Math.Min(MayLeave * evidence.WrongCount, Math.Max(MayLeavePixels, MayLeaveOfPicture * evidence.PixelCount));
-            return best.Unexplained * evidence.WrongCount <= most ? best : null;
-        }
-        catch (TimeoutException)
-        {
-            return null;
-        }
+        if (scene.Models.Count > MaxModels || !evidence.HasRightSize) return [];
+        var most = Math.Min(MayLeave * evidence.WrongCount, Math.Max(MayLeavePixels, MayLeaveOfPicture * evidence.PixelCount));
+        return [.. Run().TakeWhile(group => group.Unexplained * evidence.WrongCount <= most).Take(MaxGroups)];
     }
 
     /// <summary>The groups of edits that come nearest, the best first.</summary>
-    private List<EditGroup> Run()
+    private IEnumerable<EditGroup> Run()
     {
         var few = new EditSample(evidence, right, FewPixels);
         var more = new EditSample(evidence, right, MorePixels);
@@ -80,11 +73,8 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget)
             if (same.Edits is not null) same.Edits.Add(edit);
             else groups.Add((all.Unexplained(drawn), drawn, [edit]));
         }
-        return
-        [
-            .. groups.Select(group => new EditGroup(group.Unexplained, [.. group.Edits.OrderBy(edit => edit.Cost)]))
-                .OrderBy(group => group.Unexplained + GroupCost * group.Cost),
-        ];
+        return groups.Select(group => new EditGroup(group.Unexplained, [.. group.Edits.OrderBy(edit => edit.Cost)]))
+            .OrderBy(group => group.Unexplained + GroupCost * group.Cost);
     }
 
     /// <summary>The edits of each step that the scene shows, in each style.</summary>
@@ -99,9 +89,9 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget)
                 {
                     yield return edit;
                     if (kind == SectionKind.Vectors)
-                        yield return edit with { Beside = right.With(FormulaBook.Slides[SectionKind.Light, "doubled"]), Cost = edit.Cost + 0.1 };
+                        yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Light, "doubled"]], Cost = edit.Cost + 0.1 };
                     if (kind == SectionKind.Camera && edit.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
-                        yield return edit with { Beside = right.With(FormulaBook.Slides[SectionKind.Rule, "aim"]), Cost = edit.Cost + 0.1 };
+                        yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Rule, "aim"]], Cost = edit.Cost + 0.1 };
                 }
             }
         }
@@ -142,18 +132,17 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget)
     /// <summary>An edit with each shape and the rule in the style in which it explains most; null if that is no better.</summary>
     private (double, FormulaEdit)? InStyles(EditSample sample, FormulaEdit edit)
     {
-        var (best, program) = (sample.Unexplained(sample.Draw(edit)), edit.Beside ?? right);
-        var isBetter = false;
+        var (best, beside) = (sample.Unexplained(sample.Draw(edit)), edit.Beside);
         foreach (var kind in shapes.Concat([SectionKind.Rule, SectionKind.Light]))
         {
             foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(section => section != right[kind] && IsPossible(section)))
             {
                 budget?.ThrowIfSpent();
-                var other = program.With(section);
+                var other = beside.Add(section);
                 if (sample.Unexplained(sample.Draw(edit with { Beside = other })) is var left && left < best - AlmostAsGood)
-                    (best, program, isBetter) = (left, other, true);
+                    (best, beside) = (left, other);
             }
         }
-        return isBetter ? (best, edit with { Beside = program, Cost = edit.Cost + 0.3 }) : null;
+        return beside != edit.Beside ? (best, edit with { Beside = beside, Cost = edit.Cost + 0.3 }) : null;
     }
 }

@@ -69,20 +69,8 @@ internal sealed class Judgement(
 
         if (evidence.IsOnlyOutlines) return new(Finding.Matches);
         if (leftByMissingModel is not null) return new(Finding.NoneOfThese);
-        if (Edited() is { } edited) return edited with { Likely = says };
         if (says.Count == 0 && LikelyCause.OfTheWhole(evidence) is { } whole) says = [whole];
         return new(Finding.NoneOfThese) { Likely = says, Nearest = isBetter ? [] : NearestOf(ranked, best) };
-    }
-
-    /// <summary>A small edit of the slides' formulas that explains the picture; null if there is none.</summary>
-    private Answer? Edited()
-    {
-        if (new EditSearch(evidence, prepared.Budget).Find() is not { } group) return null;
-        var mistake = EditNaming.Of(group);
-        return prepared.Possible?.Invoke(mistake) == false ? null : new(Finding.Mistake)
-        {
-            Suspects = [new([mistake], group.Unexplained * wrong, OtherSample: false, Twins: [], NotYet: [], SamePicture: true, HasSymptoms: true)],
-        };
     }
 
     private WrongProgram Best(List<WrongProgram> ranked)

@@ -180,8 +180,8 @@ internal sealed partial class Lab
             Offer(models[i], t);
             if (OffersBoth && (double?)CrossingsOf(models[i], d)?.Far is { } far && far > t && Counts(far, d)) Offer(models[i], far);
         }
-        if (hit is null || !Kept.Do(shown, Depth.Do(shown, d))) return Bytes(Scene.Background);
-        return Bytes(Lit.Do(Dark.Do(Attenuation.Do(Distance.Do(shown, d))), hit.Color));
+        if (hit is null || !Kept.Do(shown, Depth.Do(shown, d))) return Encoded.Do(Scene.Background);
+        return Encoded.Do(Shaded.Do(shown, d, hit.Color));
 
         void Offer(Model model, double t)
         {
@@ -210,8 +210,6 @@ internal sealed partial class Lab
 
         double? HitOf(int triangle) => First.Do(Triangle.IsChanged ? Triangle.Do(mesh[triangle], d) : mesh[triangle].Intersect(along), d);
     }
-
-    private (byte R, byte G, byte B) Bytes(Color color) => (ToByte(color.R), ToByte(color.G), ToByte(color.B));
 
     private byte ToByte(double channel) => Byte.Do(Clamp.Do(channel));
 }

@@ -133,11 +133,18 @@ internal sealed partial class Lab
     /// <summary>(attenuation, the model's colour) → the hit's colour.</summary>
     public Step<Func<double, Color, Color>> Lit => field ??= new((attenuation, color) => attenuation * color);
 
+    /// <summary>(t, d, the model's colour) → the hit's colour.</summary>
+    public Step<Func<double, Vector3, Color, Color>> Shaded => field ??= new((t, d, color) =>
+        Lit.Do(Dark.Do(Attenuation.Do(Distance.Do(t, d))), color));
+
     /// <summary>A channel → the same between 0 and 1.</summary>
     public Step<Func<double, double>> Clamp => field ??= new(channel => Math.Min(Math.Max(channel, 0), 1));
 
     /// <summary>That → its byte.</summary>
     public Step<Func<double, byte>> Byte => field ??= new(channel => (byte)(channel * 255 + 0.5)); // no number becomes 0
+
+    /// <summary>A colour → its bytes.</summary>
+    public Step<Func<Color, (byte R, byte G, byte B)>> Encoded => field ??= new(color => (ToByte(color.R), ToByte(color.G), ToByte(color.B)));
 
     // ---- The file ----
 

@@ -86,9 +86,12 @@ public sealed class Mistake
     /// <summary>Adds a variant: another place where the same mistake is made.</summary>
     internal Mistake Or(string cause, Action<Lab> deviate)
     {
-        variants.Add(new Mistake(Id, Affects, Slide, cause, deviate, Hint));
+        variants.Add(Worded(cause, deviate));
         return this;
     }
+
+    /// <summary>The same mistake in other words.</summary>
+    internal Mistake Worded(string cause, Action<Lab> deviate) => new(Id, Affects, Slide, cause, deviate, Hint);
 
     internal Mistake Or(IEnumerable<(string Cause, Action<Lab> Deviate)> family)
     {

@@ -8,6 +8,9 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     /// <summary>The factor by which each mistake makes a program costlier.</summary>
     private const double PerMistake = 1 / 0.6;
 
+    /// <summary>The factor for an edit of a formula that is not in the catalogue.</summary>
+    private const double Unknown = 1.5;
+
     /// <summary>Rays through the other place of each pixel, as a mistake.</summary>
     public static readonly Mistake Center = MistakeCatalog.Named("center")!;
 
@@ -42,7 +45,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
         this with { Variants = [.. Variants.Select((own, i) => i == place ? variant : own)] };
 
     /// <summary>How many of its mistakes are not in their usual variant, the first.</summary>
-    public int Unusual => Variants.Count(variant => variant != MistakeCatalog.Named(variant.Id));
+    public int Unusual => Variants.Count(variant => variant.Place is null && variant != MistakeCatalog.Named(variant.Id));
 
     public Lab Draw(Scene scene) => new(Base.PartOf(scene), [.. Base.AsMistakes, .. Mistakes]);
 
@@ -57,6 +60,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     public double Cost(double wrong, double rounding) =>
         (Misfit.Unexplained + 0.02 * Misfit.Error + rounding * wrong)
         * Math.Pow(PerMistake, Variants.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count)
+        * Math.Pow(Unknown, Variants.Count(variant => variant.Place is not null))
         * Math.Pow(1.2, Variants.Sum(variant => variant.Styles)); // a shape that is lost in a formula style is rather not written
 
     /// <summary>What may be left so that no program with one more mistake costs less.</summary>

@@ -14,6 +14,9 @@ internal sealed class EditFactory
 
     private const double InAllAlike = 0.15, Everywhere = 0.2, OtherStyle = 0.15, ForeignName = 0.3, PerLevel = 0.3;
 
+    /// <summary>What a formula costs that people are known to write.</summary>
+    private const double Named = 1;
+
     /// <summary>How deep in an expression a part may lie that stands instead of it.</summary>
     private const int MaxDepth = 3;
 
@@ -47,9 +50,10 @@ internal sealed class EditFactory
         AddAlike(slips);
         if (section.Kind != SectionKind.Vectors) AddRenamed([.. scope.Values]);
         AddCrossings(scope);
-        AddLaws(scope);
+        var ids = AddNamed();
         var texts = new HashSet<string> { TextOf(section) };
-        return [.. edits.OrderBy(edit => edit.Cost).Where(edit => texts.Add(TextOf(edit.Section)))];
+        return [.. edits.OrderBy(edit => edit.Cost).Where(edit => texts.Add(TextOf(edit.Section)))
+            .Select(edit => edit with { Label = ids.GetValueOrDefault(TextOf(edit.Section)) ?? EditLabels.IdOf(edit) })];
     }
 
     private static string TextOf(FormulaSection section) => string.Join('\n', section.Formulas);
@@ -162,27 +166,24 @@ internal sealed class EditFactory
         }
     }
 
-    /// <summary>Other laws of light, of depth and of U that people have in mind.</summary>
-    private void AddLaws(Dictionary<Symbol, Expression> scope)
+    /// <summary>The formulas that have a name, also those that no operator makes.</summary>
+    private Dictionary<string, string> AddNamed()
     {
-        string[] laws = section.Kind switch
+        var ids = new Dictionary<string, string>();
+        foreach (var (id, written) in EditLabels.FormulasFor(section))
         {
-            SectionKind.Light when section.Style.Length == 0 =>
-            [
-                "1 - t·(-d·W) / (2·|T - P|)", "1 / t", "1 / t²", "1 / (1 + t)", "1 - t² / (4·(T - P)·(T - P))", "1 - t / zFar",
-                "1 - (t - zNear) / (zFar - zNear)", "1 - |X| / (2·|T - P|)", "1 - |X - T| / (2·|T - P|)",
-            ],
-            SectionKind.Rule => ["t·(-d·W)", "t", "|t·(d·W)|"],
-            SectionKind.Camera => ["normalize((0, 0, 1) × W)", "normalize((0, 1, 0) × W)"], // up ignored
-            _ => [],
-        };
-        var place = section.Find(section.Kind switch { SectionKind.Light => "att", SectionKind.Camera => "U", _ => "z" });
-        var names = scope.Values.ToDictionary(name => name.Symbol!.Text);
-        foreach (var law in laws)
-        {
-            var written = new ExpressionParser(law, names).Parse();
-            Add(section.With(place, written), place, $"{section.Formulas[place].Right}", $"{written}", OtherLaw, EditOperators.CostOf(OtherLaw));
+            var edited = section;
+            foreach (var (place, right) in written)
+            {
+                var names = new Dictionary<string, Expression>(section.Scope);
+                foreach (var (name, own, _) in section.Formulas.Take(place)) names[name.Text] = Expression.Name(name, own.Quantity);
+                edited = edited.With(place, new ExpressionParser(right, names, allUnits: true).Parse());
+            }
+            var first = written[0].Place;
+            Add(edited, first, $"{section.Formulas[first].Right}", $"{edited.Formulas[first].Right}", OtherLaw, Named);
+            if (id != "") ids.TryAdd(TextOf(edited), id);
         }
+        return ids;
     }
 
     /// <param name="Whole">The formula with the slip.</param>

@@ -2,8 +2,9 @@ namespace RayCaster.Teaching;
 
 /// <summary>Reads an expression in the slides' notation: L·d, a × b, |T − P|, √(R² − D2), t &gt; bias and z ≤ zFar.</summary>
 /// <param name="scope">The names that may be read.</param>
+/// <param name="allUnits">Whether units may differ where operands are added or compared: in a formula that somebody writes by mistake.</param>
 /// <remarks>A Pratt parser: an operand, then infix operators as long as they bind more tightly than what stands before.</remarks>
-internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, Expression> scope)
+internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, Expression> scope, bool allUnits = false)
 {
     private static readonly Dictionary<string, Operator> infix = Enum.GetValues<Operator>().Where(op => FormulaText.Infix(op).Strength > 0)
         .ToDictionary(op => FormulaText.Infix(op).Sign.Replace('−', '-'));
@@ -120,10 +121,10 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
         if (Take() is var found && found != token) throw new FormatException($"'{found}' where '{token}' is expected");
     }
 
-    private static Expression Checked(Expression? made, string sign) => made switch
+    private Expression Checked(Expression? made, string sign) => made switch
     {
         null => throw new FormatException($"'{sign}' does not take such operands"),
-        { IsConsistent: false } => throw new FormatException($"the units on both sides of '{sign}' differ: "
+        { IsConsistent: false } when !allUnits => throw new FormatException($"the units on both sides of '{sign}' differ: "
             + string.Join(" and ", made.Operands.Select(operand => $"{operand} is {operand.Quantity}"))),
         _ => made,
     };

@@ -33,7 +33,8 @@ internal sealed class FormulaBook
     /// <summary>Whether a step is given a name, such as a sphere its R.</summary>
     public bool IsGiven(SectionKind kind, Symbol name) => givens.TryGetValue(kind, out var own) && own.ContainsKey(name.Text);
 
-    private static string TextOf(string file)
+    /// <summary>A text that lies beside this file.</summary>
+    public static string TextOf(string file)
     {
         using var stream = typeof(FormulaBook).Assembly.GetManifestResourceStream(file)!;
         return new StreamReader(stream, Encoding.UTF8).ReadToEnd();

@@ -7,8 +7,11 @@ namespace RayCaster.Teaching;
 /// <param name="Cost">The less, the likelier people make it.</param>
 internal sealed record FormulaEdit(FormulaSection Section, int? Place, string Meant, string Written, EditOperator Operator, double Cost)
 {
-    /// <summary>The program in which an edit of a step shows, if other steps are not written as the slides have them.</summary>
-    public FormulaProgram? Beside { get; init; }
+    /// <summary>The id of the known mistake that it is; null if it is none.</summary>
+    public string? Label { get; init; }
+
+    /// <summary>Other right styles of other steps, beside which the edit shows.</summary>
+    public ImmutableArray<FormulaSection> Beside { get; init; } = [];
 
     /// <summary>The unedited section.</summary>
     public FormulaSection Right => FormulaBook.Slides[Section.Kind, Section.Style];
@@ -16,7 +19,7 @@ internal sealed record FormulaEdit(FormulaSection Section, int? Place, string Me
     /// <summary>The formula that is edited, as the slides have it; null if the slip is in all.</summary>
     public Formula? Formula => Place is { } place ? Right.Formulas[place] : null;
 
-    public FormulaProgram In(FormulaProgram program) => (Beside ?? program).With(Section);
+    public FormulaProgram In(FormulaProgram program) => Beside.Aggregate(program, (all, section) => all.With(section)).With(Section);
 
     public override string ToString() => $"{Section.Name}: {Formula?.ToString() ?? "everywhere"}: {Written} for {Meant} ({Operator})";
 }

@@ -11,7 +11,7 @@ internal sealed class FormulaEvaluator
     private readonly Scene scene;
     private readonly int count;
     private readonly BatchArithmetic arithmetic;
-    private readonly Batch[] givens = new Batch[Symbol.Max];
+    private readonly Batch[] givens;
     private readonly Part[] parts;
     private readonly Dictionary<(int Part, FormulaSection Section), Batch[]> rightFrames = [];
     private readonly State right;
@@ -21,7 +21,18 @@ internal sealed class FormulaEvaluator
     public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program)
     {
         (this.scene, count, arithmetic) = (scene, pixels.Count, new(pixels.Count) { Keeps = true });
-        var camera = scene.Camera;
+        givens = GivensOf(scene.Camera);
+        givens[Symbol.Of("x").Place] = new([.. pixels.Select(pixel => (double)pixel.X)]);
+        givens[Symbol.Of("y").Place] = new([.. pixels.Select(pixel => (double)pixel.Y)]);
+        parts = [.. scene.Models.SelectMany(PartsOf)];
+        right = Run(program, null);
+        arithmetic.Keeps = false;
+    }
+
+    /// <summary>The values of the names that every scene gives, each at its symbol's place.</summary>
+    public static Batch[] GivensOf(Camera camera)
+    {
+        var givens = new Batch[Symbol.Max];
         Give("P", Batch.Of(camera.Position));
         Give("T", Batch.Of(camera.Target));
         Give("up", Batch.Of(camera.Up));
@@ -32,11 +43,7 @@ internal sealed class FormulaEvaluator
         Give("zFar", Batch.Of(Math.Min(camera.ZFar, double.MaxValue))); // so that the infinite t of a parallel ray never counts
         Give("bias", Batch.Of(camera.Bias == 0 ? -double.Epsilon : camera.Bias)); // with a bias of 0, t = 0 counts
         Give("π", Batch.Of(Math.PI));
-        Give("x", new([.. pixels.Select(pixel => (double)pixel.X)]));
-        Give("y", new([.. pixels.Select(pixel => (double)pixel.Y)]));
-        parts = [.. scene.Models.SelectMany(PartsOf)];
-        right = Run(program, null);
-        arithmetic.Keeps = false;
+        return givens;
 
         void Give(string name, Batch value) => givens[Symbol.Of(name).Place] = value;
     }
@@ -233,20 +240,30 @@ internal sealed class FormulaEvaluator
     /// <summary>A model as its section knows it; a small mesh is its triangles.</summary>
     private static IEnumerable<Part> PartsOf(Model model) => model switch
     {
-        Model<Plane> { Primitive: var p } => [new(model, SectionKind.Plane, [Of("Q", p.Point), Of("n", p.Normal)])],
-        Model<Sphere> { Primitive: var s } => [new(model, SectionKind.Sphere, [Of("C", s.Center), Of("R", s.Radius)])],
-        Model<Circle> { Primitive: var c } => [new(model, SectionKind.Circle, [Of("C", c.Center), Of("n", c.Normal), Of("R", c.Radius)])],
-        Model<Aabb> { Primitive: var b } => [new(model, SectionKind.Aabb, [Of("B0", b.Min), Of("B1", b.Max)])],
-        Model<Triangle> { Primitive: var t } => [OfTriangle(model, t)],
-        Mesh { TriangleCount: > 0 and <= MaxTriangles } mesh => Enumerable.Range(0, mesh.TriangleCount).Select(i => OfTriangle(mesh, mesh[i])),
+        Model<Plane> { Primitive: var plane } => [new(model, SectionKind.Plane, NumbersOf(plane))],
+        Model<Sphere> { Primitive: var sphere } => [new(model, SectionKind.Sphere, NumbersOf(sphere))],
+        Model<Circle> { Primitive: var circle } => [new(model, SectionKind.Circle, NumbersOf(circle))],
+        Model<Aabb> { Primitive: var box } => [new(model, SectionKind.Aabb, NumbersOf(box))],
+        Model<Triangle> { Primitive: var triangle } => [new(model, SectionKind.Triangle, NumbersOf(triangle))],
+        Mesh { TriangleCount: > 0 and <= MaxTriangles } mesh =>
+            Enumerable.Range(0, mesh.TriangleCount).Select(i => new Part(mesh, SectionKind.Triangle, NumbersOf(mesh[i]))),
         _ => [new(model, null, [])],
     };
 
-    private static Part OfTriangle(Model model, Triangle t) => new(model, SectionKind.Triangle, [Of("A", t.A), Of("B", t.B), Of("C", t.C)]);
+    private static readonly Symbol Q = Symbol.Of("Q"), n = Symbol.Of("n"), C = Symbol.Of("C"), R = Symbol.Of("R"), B0 = Symbol.Of("B0"),
+        B1 = Symbol.Of("B1"), A = Symbol.Of("A"), B = Symbol.Of("B");
 
-    private static (Symbol, Batch) Of(string name, Vector3 value) => (Symbol.Of(name), Batch.Of(value));
+    public static (Symbol Name, Batch Value)[] NumbersOf(Plane plane) => [(Q, Batch.Of(plane.Point)), (n, Batch.Of(plane.Normal))];
 
-    private static (Symbol, Batch) Of(string name, double value) => (Symbol.Of(name), Batch.Of(value));
+    public static (Symbol Name, Batch Value)[] NumbersOf(Sphere sphere) => [(C, Batch.Of(sphere.Center)), (R, Batch.Of(sphere.Radius))];
+
+    public static (Symbol Name, Batch Value)[] NumbersOf(Circle circle) =>
+        [(C, Batch.Of(circle.Center)), (n, Batch.Of(circle.Normal)), (R, Batch.Of(circle.Radius))];
+
+    public static (Symbol Name, Batch Value)[] NumbersOf(Aabb box) => [(B0, Batch.Of(box.Min)), (B1, Batch.Of(box.Max))];
+
+    public static (Symbol Name, Batch Value)[] NumbersOf(Triangle triangle) =>
+        [(A, Batch.Of(triangle.A)), (B, Batch.Of(triangle.B)), (C, Batch.Of(triangle.C))];
 
     private sealed record Part(Model Model, SectionKind? Kind, (Symbol Name, Batch Value)[] Numbers);
 

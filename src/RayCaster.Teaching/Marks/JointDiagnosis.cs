@@ -40,7 +40,7 @@ internal sealed class JointDiagnosis
         }
         if (Verdict.Misfit.Unexplained < Near * wrong.Length) Nearest = Verdict;
         (Verdict, Alternatives, Losing, Unexplained) = (right, [], [], wrong);
-        if (!TellsNothing) (Steps, Says) = OnlyLight() ?? Edited() ?? (null, null);
+        if (!TellsNothing && (OnlyLight() ?? Edited()) is var (steps, says)) (Steps, Says) = (steps, says);
     }
 
     /// <summary>What is wrong; a right program if nothing is wrong, or if nothing explains most of the wrong pictures.</summary>
@@ -148,7 +148,7 @@ internal sealed class JointDiagnosis
         var (steps, says) = (Enum.GetValues<SectionKind>().ToHashSet(), "");
         foreach (var picture in Unexplained)
         {
-            if (new EditSearch(picture.Evidence, null).Find() is not { } group) return null;
+            if (new EditSearch(picture.Evidence, null).Find() is not [var group, ..]) return null;
             steps.IntersectWith(group.Edits.Select(edit => edit.Section.Kind));
             if (steps.Count == 0) return null;
             says = $"it looks as if, in {EditNaming.Of(group).Cause}";

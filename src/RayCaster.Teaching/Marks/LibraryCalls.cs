@@ -19,11 +19,12 @@ internal static class LibraryCalls
 
     /// <summary>Types that read scenes and write pictures. Of others, programs only read properties, in order to copy a scene.</summary>
     private static readonly HashSet<string> allowed =
-        [nameof(SceneReader), nameof(SceneReading), nameof(PictureFile), nameof(PictureFormat), nameof(Picture), nameof(ProblemException)];
+        [nameof(SceneReader), nameof(SceneReading), nameof(PictureFile), nameof(PictureFormat), nameof(Picture), nameof(ProblemException),
+            nameof(PixelNumbers)];
 
     /// <summary>Calls of the runtime that reach any member, or another program.</summary>
     private static readonly HashSet<string> detours =
-        ["MethodBase.Invoke", "Type.InvokeMember", "Assembly.Load", "Assembly.LoadFrom", "Assembly.LoadFile", "Process.Start"];
+        ["MethodBase.Invoke", "Type.InvokeMember", "Assembly.Load", "Assembly.LoadFrom", "Assembly.LoadFile", "Process.Start", "Console.SetOut"];
 
     /// <summary>The members that the assemblies in a folder call, each with its file; empty if there are none.</summary>
     public static IReadOnlyList<string> In(string folder)

@@ -1,12 +1,8 @@
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Odd names, odd folders and odd inputs: the program answers in a line, with exit code 2, and changes no file.</summary>
-public sealed class AttackCampaign : IDisposable
+public sealed class AttackCampaign : CommandTests
 {
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     /// <summary>One filter for each mesh and thread would take gigabytes here.</summary>
     [SkippableFact]
     public void AThousandMeshesFitIntoLittleMemory()

@@ -8,12 +8,8 @@ namespace RayCaster.Cli.Tests;
 /// What may go wrong around the real process: it ends by itself with a message and the right exit code, and what it leaves is the old picture or the
 /// new one, whole. Where a fault cannot be made (no shell, no right to mount), its test is skipped.
 /// </summary>
-public sealed class FaultCampaign : IDisposable
+public sealed class FaultCampaign : CommandTests
 {
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     /// <summary>From before its first instruction to after its last: whenever a signal comes, there is the old picture or the new one, and
     /// nothing else.</summary>
     [SkippableTheory]

@@ -4,12 +4,8 @@ namespace RayCaster.Cli.Tests;
 
 /// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says which files are
 /// written.</summary>
-public sealed class InterruptionCampaign : IDisposable
+public sealed class InterruptionCampaign : CommandTests
 {
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     /// <summary>All processes wait at the same time, so the test waits once.</summary>
     [SkippableFact]
     public void ASignalEndsTheWaitForAPipe()

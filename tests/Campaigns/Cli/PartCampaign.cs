@@ -1,14 +1,8 @@
-using static RayCaster.Cli.Tests.PartTests;
-
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
-public sealed class PartCampaign : IDisposable
+public sealed class PartCampaign : CommandTests
 {
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     [Fact]
     public void SoAreThoseOfAMesh() => new PartTests().AssertStitched("mesh.json");
 
@@ -20,7 +14,7 @@ public sealed class PartCampaign : IDisposable
         raycaster.Run([.. size, "--rows", "0..9"]);
         using (var process = raycaster.Start([.. size, "--rows", "10..2989"]))
         {
-            while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(1);
+            WaitForTemporaryFile(process);
             Assert.Equal(137, RayCasterProcess.Kill(process, "KILL"));
         }
         raycaster.Run([.. size, "--rows", "2990..2999"]).Run("stitch", ".", "--missing");
@@ -39,7 +33,7 @@ public sealed class PartCampaign : IDisposable
         Skip.If(OperatingSystem.IsWindows(), "no kill command there");
         raycaster.Write("whole.png", "the old picture").Run(Room, "-s", "20000x3000", "--rows", "1/1", "-o", "a.png");
         using var process = raycaster.Start("stitch", "a.png", "-o", "whole.png");
-        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(1);
+        WaitForTemporaryFile(process);
         Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
         Assert.Equal(["a.png", "whole.png"], raycaster.Files);
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("whole.png")));

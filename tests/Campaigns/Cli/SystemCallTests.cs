@@ -4,12 +4,8 @@ namespace RayCaster.Cli.Tests;
 
 /// <summary>The system calls of a command, by strace: no network, no other program, and only its own files written. Without strace the test does
 /// nothing.</summary>
-public sealed class SystemCallTests : IDisposable
+public sealed class SystemCallTests : CommandTests
 {
-    private readonly RayCasterProcess raycaster = new();
-
-    public void Dispose() => raycaster.Dispose();
-
     [SkippableTheory]
     [InlineData("SCENES/mesh.json -s 60x40 --ledger -o new.png", "new.png")]
     [InlineData("orbit SCENES/room.json --frames 2 -s 60x40", "room-0000.png", "room-0001.png")]

@@ -2,58 +2,54 @@ using System.Text;
 
 namespace RayCaster.Cli.Tests.HandOut;
 
-public sealed class HandOutCommandTests : IDisposable
+public sealed class HandOutCommandTests : CommandTests
 {
-    private readonly RayCasterProcess app = new();
-
-    public void Dispose() => app.Dispose();
-
     [Fact]
     public void WritesAFolderWithAllThatStudentsNeedAndNoSolution()
     {
-        app.Run("handout", "lab1");
-        Assert.Equal("lab1: steps 1 to 10 are open; README.md says how to begin\n", app.Error);
-        Assert.Equal(ExitCode.Done, app.ExitCode);
-        Assert.Equal(["lab1"], app.Files);
+        raycaster.Run("handout", "lab1");
+        Assert.Equal("lab1: steps 1 to 10 are open; README.md says how to begin\n", raycaster.Error);
+        Assert.Equal(ExitCode.Done, raycaster.ExitCode);
+        Assert.Equal(["lab1"], raycaster.Files);
         foreach (var file in (string[])[
             "README.md", "Lab.sln", "src/Lab/Lab.csproj", "tests/Lab.Tests/Step07Box.cs", "scenes/room.json", "scenes/meshes/knot.ply",
             "scenes/step07/room.png", "scenes/step10/mistakes/generic.png", ".github/workflows/classroom.yml", ".gitlab-ci.yml", ".gitignore",
             ".ci/restore.sh"])
-            Assert.True(File.Exists(Path.Combine(app.PathOf("lab1"), file)), file);
-        Assert.DoesNotContain(Directory.EnumerateFiles(app.PathOf("lab1"), "*", SearchOption.AllDirectories), file => file.Contains("OnlyHere"));
-        foreach (var library in Directory.GetFiles(Path.Combine(app.PathOf("lab1"), "lib")))
+            Assert.True(File.Exists(Path.Combine(raycaster.PathOf("lab1"), file)), file);
+        Assert.Empty(Directory.EnumerateFiles(raycaster.PathOf("lab1"), "*OnlyHere*", SearchOption.AllDirectories));
+        foreach (var library in Directory.GetFiles(Path.Combine(raycaster.PathOf("lab1"), "lib")))
             Assert.False(
                 File.ReadAllBytes(library).AsSpan().IndexOf(Encoding.UTF8.GetBytes("BEGIN SOLUTION")) >= 0, $"{library} has the solution in it");
         // After the last step the picture is the scene's own.
-        app.Run(ProjectFolder.PathOf("scenes/circle.json"), "-q", "-o", "circle.png");
+        raycaster.Run(ProjectFolder.PathOf("scenes/circle.json"), "-q", "-o", "circle.png");
         var difference = new PictureDifference(
-            PictureFile.Read(app.PathOf("lab1/scenes/step10/circle.png")), PictureFile.Read(app.PathOf("circle.png")));
+            PictureFile.Read(raycaster.PathOf("lab1/scenes/step10/circle.png")), PictureFile.Read(raycaster.PathOf("circle.png")));
         Assert.Equal(0, difference.Largest);
 
-        app.Run("handout", "lab1");
-        Assert.Equal("raycaster: lab1 exists already, and is not empty\n  Name a new folder: handout overwrites nothing.\n", app.Error);
-        Assert.Equal(ExitCode.CouldNot, app.ExitCode);
+        raycaster.Run("handout", "lab1");
+        Assert.Equal("raycaster: lab1 exists already, and is not empty\n  Name a new folder: handout overwrites nothing.\n", raycaster.Error);
+        Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
     }
 
     [Fact]
     public void AFolderThatCannotBeWrittenIsToldByItsOwnName()
     {
-        app.Write("file", "");
-        app.Run("handout", "file/lab1");
-        Assert.StartsWith("raycaster: cannot write the folder file/lab1: ", app.Error);
-        Assert.DoesNotContain(".tmp", app.Error);
-        Assert.Equal(ExitCode.CouldNot, app.ExitCode);
+        raycaster.Write("file", "");
+        raycaster.Run("handout", "file/lab1");
+        Assert.StartsWith("raycaster: cannot write the folder file/lab1: ", raycaster.Error);
+        Assert.DoesNotContain(".tmp", raycaster.Error);
+        Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
     }
 
     [SkippableFact]
     public void AnInterruptedRunLeavesNothing()
     {
         Skip.If(OperatingSystem.IsWindows(), "no kill command there");
-        using var process = app.Start("handout", "lab1");
-        while (app.Files.Length == 0 && !process.HasExited) Thread.Sleep(10);
+        using var process = raycaster.Start("handout", "lab1");
+        while (raycaster.Files.Length == 0 && !process.HasExited) Thread.Sleep(10);
         Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
         Assert.Equal("raycaster: interrupted; nothing was written\n", process.StandardError.ReadToEnd());
-        Assert.Empty(app.Files);
+        Assert.Empty(raycaster.Files);
     }
 
     [Theory]
@@ -64,9 +60,9 @@ public sealed class HandOutCommandTests : IDisposable
     [InlineData("1..2..3")]
     public void StepsThatAreNoneAreAnError(string steps)
     {
-        app.Run("handout", "lab1", "--open", steps);
-        Assert.StartsWith($"raycaster: '{steps}' names no steps: write one from 1 to 10, or the first and the last as in 1..4\n", app.Error);
-        Assert.Equal(ExitCode.CouldNot, app.ExitCode);
-        Assert.Empty(app.Files);
+        raycaster.Run("handout", "lab1", "--open", steps);
+        Assert.StartsWith($"raycaster: '{steps}' names no steps: write one from 1 to 10, or the first and the last as in 1..4\n", raycaster.Error);
+        Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
+        Assert.Empty(raycaster.Files);
     }
 }

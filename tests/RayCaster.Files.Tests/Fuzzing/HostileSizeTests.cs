@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.IO.Compression;
 using System.Text;
+using static RayCaster.Files.Tests.PictureFiles.TestPng;
 
 namespace RayCaster.Files.Tests.Fuzzing;
 
@@ -36,22 +37,13 @@ public sealed class HostileSizeTests : IDisposable
     }
 
     [Fact]
-    public void FourBillionTrianglesAreNotBelieved() =>
-        Assert.Equal("a.stl(byte 80): the header promises 4294967295 triangles, which take 214748364834 bytes, but the file has 184",
-            RefusedMesh("a.stl", [.. new byte[80], 0xFF, 0xFF, 0xFF, 0xFF, .. new byte[100]]));
-
-    [Fact]
-    public void APngOfTwoToThe31SquaredIsRefusedByItsHeader() =>
-        Assert.Equal("a picture of 2,147,483,648 × 2,147,483,648 pixels needs 13,835,058,055,282,163,712 bytes, the limit is 2,147,483,591",
-            RefusedPicture(Png([0x80, 0, 0, 0, 0x80, 0, 0, 0, 8, 2, 0, 0, 0], [])));
-
-    [Fact]
     public void ADecompressionBombIsOnlyReadAsFarAsItsPixelsGo()
     {
         var bomb = new MemoryStream();
         using (var zlib = new ZLibStream(bomb, CompressionLevel.SmallestSize, leaveOpen: true))
             for (var i = 0; i < 256; i++) zlib.Write(new byte[1 << 20]);
-        Assert.Equal("it holds more data than its pixels need", RefusedPicture(Png([0, 0, 0, 1, 0, 0, 0, 1, 8, 2, 0, 0, 0], bomb.ToArray())));
+        var file = Png(Header(1, 1, 8, 2), Chunk("IDAT", bomb.ToArray()), Chunk("IEND"));
+        Assert.Equal("it holds more data than its pixels need", RefusedPicture(file));
     }
 
     [Fact]
@@ -116,16 +108,6 @@ public sealed class HostileSizeTests : IDisposable
         using var file = new FileStream(folder[name], FileMode.Open);
         file.SetLength(length);
         return folder[name];
-    }
-
-    private static byte[] Png(byte[] header, byte[] data)
-    {
-        var file = new MemoryStream();
-        file.Write(PngChunk.Signature);
-        PngChunk.Write(file, "IHDR"u8, header);
-        PngChunk.Write(file, "IDAT"u8, data);
-        PngChunk.Write(file, "IEND"u8, []);
-        return file.ToArray();
     }
 
     private static string RefusedMesh(string name, byte[] file) =>

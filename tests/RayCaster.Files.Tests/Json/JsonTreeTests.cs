@@ -7,6 +7,7 @@ public class JsonTreeTests
     [Theory]
     [InlineData("/**/{//\n\"a\"/* : */:/**/[1/*,*/,//,\r2/**/]}//", true)]
     [InlineData("{\"a//\": \"/*\"}", true)]
+    [InlineData("// \u2028, \"\n/* * / */{/**/\"camera\"// three \" {\n:/* \" */ [0]/* // */, \"models\" /*://*/ :[/* // */],}// end", true)]
     [InlineData("{} /*", false)]
     [InlineData("{} /", false)]
     [InlineData("{ /* } *", false)]

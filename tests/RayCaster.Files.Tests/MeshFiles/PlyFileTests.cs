@@ -151,8 +151,23 @@ public class PlyFileTests
     [InlineData(corners, "4 0 1 2\n", "(14): the line has fewer numbers than the header promises")]
     [InlineData(corners, "4000000000 0 1 2\n", "(14): the line has fewer numbers than the header promises")]
     [InlineData(corners, "\n         \n", "(15): the file ends before all that its header promises")]
+    [InlineData(corners, "3 0 1 2\n\n3 0 1 2\n", "(16): there is more in the file than the rows that its header promises")]
     public void MistakeInARowIsNamedWithItsLine(string vertices, string faces, string message) =>
         AssertRefused(start + vertex + face + "end_header\n" + vertices + faces, message);
+
+    [Theory]
+    [InlineData("\n\n \r\n", null)]
+    [InlineData("\u0003", "there is more in the file than the rows that its header promises")]
+    public void OnlyBlanksMayFollowTheLastRow(string rest, string? refusal)
+    {
+        Assert.Equal(3, Read(start + vertex + face + "end_header\n" + corners + "3 0 1 2\n\n\n \r\n").Indices.Length);
+        var cube = MeshWriter.PlyBinary(MeshGenerator.Cube(1), bigEndian: false);
+        byte[] longer = [.. cube, .. Encoding.ASCII.GetBytes(rest)];
+        if (refusal is null) Assert.Equal(36, MeshBytes.Read("cube.ply", longer).Indices.Length);
+        else
+            Assert.Equal($"cube.ply(byte {cube.Length}): {refusal}",
+                Assert.Throws<ProblemException>(() => MeshBytes.Read("cube.ply", longer)).Message);
+    }
 
     [Fact]
     public void NoFaceAtAllIsAMistake() =>

@@ -27,18 +27,6 @@ public sealed class PartFileTests : IDisposable
     }
 
     [Fact]
-    public void ItIsReadLineByLine()
-    {
-        var read = new List<byte>();
-        PartFile.Open(Write(Facts), (png, _) =>
-        {
-            png.ReadLines(line => read.AddRange(line));
-            return true;
-        });
-        Assert.Equal(Pixels(5), read);
-    }
-
-    [Fact]
     public void APictureIsNoPart() => Assert.Null(PartFile.FactsOf(ProjectFolder.PathOf("docs/room.png")));
 
     [Fact]
@@ -67,10 +55,11 @@ public sealed class PartFileTests : IDisposable
     }
 
     [Fact]
-    public void AFileThatHoldsJustThisNeedNotBeDrawnAgain() => Assert.True(PartFile.Holds(Write(Facts), Facts, out _));
-
-    [Fact]
-    public void AMissingFileHoldsNothing() => Assert.False(PartFile.Holds(folder["none.png"], Facts, out _));
+    public void AFileThatHoldsJustThisNeedNotBeDrawnAgain()
+    {
+        Assert.False(PartFile.Holds(folder["part.png"], Facts, out _));
+        Assert.True(PartFile.Holds(Write(Facts), Facts, out _));
+    }
 
     public static TheoryData<PartFacts> Others =>
     [

@@ -1,6 +1,5 @@
-using System.Buffers.Binary;
-using System.IO.Compression;
 using System.Text;
+using static RayCaster.Files.Tests.PictureFiles.TestPng;
 
 namespace RayCaster.Files.Tests.PictureFiles;
 
@@ -100,6 +99,13 @@ public class BrokenPictureTests
         { Png(Header(1, 1, 8, 2), Data(0, 1, 2, 3, 4), Chunk("IEND")), "it holds more data than its pixels need" },
         { Png(Header(1, 1, 8, 2), Chunk("IDAT", 1, 2, 3), Chunk("IEND")), "its compressed data are damaged" },
         { Png(Header(1, 1, 8, 2), Chunk("IEND")), "it has no pixels: there is no chunk IDAT" },
+        { Png(Header(1, 1, 8, 2), Chunk("IDAT", Compress(0, 1, 2, 3)[..^1]), Chunk("IEND")), "its compressed data do not end with their checksum" },
+        { Png(Header(1, 1, 8, 2), Chunk("IDAT", Compress(0, 1, 2, 3)[..^4]), Chunk("IEND")), "its compressed data do not end with their checksum" },
+        { Png(Header(1, 1, 8, 2), Data(0, 1, 2, 3), Spoilt(Data(0)), Chunk("IEND")), "its chunk IDAT at byte 57 is damaged: the checksum is wrong" },
+        { Png(Header(1, 1, 8, 2), Data(0, 1, 2, 3), Chunk("tIME"), Data(0), Chunk("IEND")), "its chunks IDAT do not follow one another" },
+        { Png(Header(1, 1, 8, 2), Data(0, 1, 2, 3), Chunk("PLTE", 1, 2, 3), Chunk("IEND")), "its palette comes after its data" },
+        { Png(Header(1, 1, 8, 3), Chunk("PLTE", 1, 2, 3), Chunk("PLTE", 1, 2, 3), Data(0, 0), Chunk("IEND")), "it has two palettes" },
+        { Png(Header(1, 1, 8, 2), Chunk("a1b2")), "its chunk at byte 33 is of the type a1b2, which is not four letters" },
         {
             "version https://git-lfs.github.com/spec/v1\noid sha256:12\nsize 9\n"u8.ToArray(),
             "this is only a Git LFS pointer to the file; fetch the file itself: git lfs pull"
@@ -148,6 +154,31 @@ public class BrokenPictureTests
         Assert.Equal([1, 2, 3], PictureFile.Read(new MemoryStream(file)).Rgb);
     }
 
+    /// <summary>The format's third edition asks for it (11.2.3): programs write their whole buffer.</summary>
+    [Fact]
+    public void BytesBehindTheDataAreIgnored()
+    {
+        var file = Png(Header(1, 1, 8, 2), Chunk("IDAT", [.. Compress(0, 1, 2, 3), 1, 2, 3]), Chunk("IDAT", 4, 5), Data(0), Chunk("IEND"));
+        Assert.Equal([1, 2, 3], PictureFile.Read(new MemoryStream(file)).Rgb);
+    }
+
+    /// <summary>Otherwise the animation would contain damaged data, and no program could show it.</summary>
+    [Fact]
+    public void AnAnimationRefusesWrongPngs()
+    {
+        using var folder = new TemporaryFolder();
+        var good = folder.Write("good.png", Png(Header(1, 1, 8, 2), Data(0, 1, 2, 3), Chunk("IEND")));
+        var cut = folder.Write("cut.png", Png(Header(1, 1, 8, 2), Chunk("IDAT", Compress(0, 1, 2, 3)[..^2]), Chunk("IEND")));
+        using var animation = new MemoryStream();
+        Assert.Equal($"cannot read {cut}: its compressed data do not end with their checksum",
+            Assert.Throws<ProblemException>(() => AnimationFile.Write(animation, [good, cut], 25)).Message);
+        animation.SetLength(0);
+        AnimationFile.Write(animation, [good, good], 25);
+        var film = folder.Write("film.png", animation.ToArray());
+        Assert.Equal($"cannot read {film}: it is an animation, not a single picture",
+            Assert.Throws<ProblemException>(() => AnimationFile.Write(new MemoryStream(), [film], 25)).Message);
+    }
+
     [Fact]
     public void APipeIsReadToItsEnd()
     {
@@ -188,6 +219,12 @@ public class BrokenPictureTests
         Assert.Equal($"cannot read {folder.Path}: it is a folder, not a picture", message);
     }
 
+    private static byte[] Spoilt(byte[] chunk)
+    {
+        chunk[^1] ^= 1;
+        return chunk;
+    }
+
     private static ProblemException Refused(byte[] file) =>
         Assert.Throws<ProblemException>(() => PictureFile.Read(new MemoryStream(file)));
 
@@ -201,58 +238,6 @@ public class BrokenPictureTests
         {
             Assert.NotEmpty(e.Message);
         }
-    }
-
-    private static byte[] Png(params byte[][] chunks) => [0x89, .. "PNG\r\n"u8, 0x1A, (byte)'\n', .. chunks.SelectMany(chunk => chunk)];
-
-    private static byte[] Header(int width, int height, byte bitDepth, byte colorType, byte interlacing = 0)
-    {
-        var data = new byte[13];
-        BinaryPrimitives.WriteInt32BigEndian(data, width);
-        BinaryPrimitives.WriteInt32BigEndian(data.AsSpan(4), height);
-        (data[8], data[9], data[12]) = (bitDepth, colorType, interlacing);
-        return Chunk("IHDR", data);
-    }
-
-    private static byte[] Data(params byte[] lines) => Chunk("IDAT", Compress(lines));
-
-    private static byte[] Compress(params byte[] lines)
-    {
-        var compressed = new MemoryStream();
-        using (var compressor = new ZLibStream(compressed, CompressionMode.Compress, leaveOpen: true)) compressor.Write(lines);
-        return compressed.ToArray();
-    }
-
-    private static byte[] Chunk(string type, params byte[] data)
-    {
-        var length = new byte[4];
-        BinaryPrimitives.WriteInt32BigEndian(length, data.Length);
-        return WithRightChecksums([.. Png(), .. length, .. Encoding.ASCII.GetBytes(type), .. data, 0, 0, 0, 0])[8..];
-    }
-
-    internal static byte[] WithRightChecksums(byte[] file)
-    {
-        for (var at = 8; at <= file.Length - 12;)
-        {
-            var length = BinaryPrimitives.ReadUInt32BigEndian(file.AsSpan(at));
-            if (length > file.Length - at - 12) break;
-            var end = at + 8 + (int)length;
-            BinaryPrimitives.WriteUInt32BigEndian(file.AsSpan(end), Crc(file.AsSpan(at + 4, end - at - 4)));
-            at = end + 4;
-        }
-        return file;
-    }
-
-    /// <summary>CRC-32 bit by bit, as its definition says.</summary>
-    private static uint Crc(ReadOnlySpan<byte> data)
-    {
-        var crc = ~0u;
-        foreach (var value in data)
-        {
-            crc ^= value;
-            for (var bit = 0; bit < 8; bit++) crc = (crc >> 1) ^ ((crc & 1) * 0xEDB88320);
-        }
-        return ~crc;
     }
 
     /// <summary>A stream that cannot seek and comes in small pieces.</summary>

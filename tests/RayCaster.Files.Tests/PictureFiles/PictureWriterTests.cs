@@ -110,14 +110,14 @@ public class PictureWriterTests
         Assert.Equal(message, Assert.Throws<ProblemException>(() => PictureFormats.ByExtension(path)).Message);
 
     /// <summary>Half noise, which does not compress, half one colour, which does.</summary>
-    private static Picture Noise(int width, int height)
+    internal static Picture Noise(int width, int height)
     {
         var picture = new Picture(width, height);
         new Random(width * 1000 + height).NextBytes(picture.Rgb.AsSpan(0, (picture.Rgb.Length + 1) / 2));
         return picture;
     }
 
-    private static byte[] Encode(PictureFormat format, Picture picture, int linesAtOnce)
+    internal static byte[] Encode(PictureFormat format, Picture picture, int linesAtOnce)
     {
         var output = new MemoryStream();
         using var writer = PictureWriter.Create(format, output, picture.Width, picture.Height);

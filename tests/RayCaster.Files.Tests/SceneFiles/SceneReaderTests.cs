@@ -7,27 +7,23 @@ public class SceneReaderTests
     [Fact]
     public void WhatIsLeftOutIsAsTheCamerasOwnDefault()
     {
-        var camera = Read("Good/smallest.json").Camera;
-        var expected = new Camera(new(20, 0, 0), new(0, 0, 0));
+        var scene = Read("Good/smallest.json");
 
-        Assert.Equal(
-            (expected.Position, expected.Target, expected.Up, expected.FovY, expected.Width, expected.Height),
-            (camera.Position, camera.Target, camera.Up, camera.FovY, camera.Width, camera.Height));
-        Assert.Equal(
-            (expected.ZNear, expected.ZFar, expected.Bias, expected.Clip, expected.Sample),
-            (camera.ZNear, camera.ZFar, camera.Bias, camera.Clip, camera.Sample));
-        Assert.Equal(Color.Black, Read("Good/smallest.json").Background);
+        Assert.Equal(new Camera(new(20, 0, 0), new(0, 0, 0)), scene.Camera);
+        Assert.Equal(Color.Black, scene.Background);
     }
 
     [Fact]
     public void EveryKeyOfTheCameraIsRead()
     {
         var scene = Read("Good/everything.json");
-        var camera = scene.Camera;
+        var camera = new Camera(new(20, 1, 2), new(0, 0.5, 0))
+        {
+            Up = new(0, 1, 0), FovY = 60, Width = 64, Height = 48, ZNear = 0.5, ZFar = 50, Bias = 0,
+            Clip = ClipMode.Distance, Sample = PixelSample.Center,
+        };
 
-        Assert.Equal((new Vector3(20, 1, 2), new Vector3(0, 0.5, 0), new Vector3(0, 1, 0)), (camera.Position, camera.Target, camera.Up));
-        Assert.Equal((60.0, 64, 48, 0.5, 50.0, 0.0), (camera.FovY, camera.Width, camera.Height, camera.ZNear, camera.ZFar, camera.Bias));
-        Assert.Equal((ClipMode.Distance, PixelSample.Center), (camera.Clip, camera.Sample));
+        Assert.Equal(camera, scene.Camera);
         Assert.Equal(new Color(1, 128 / 255.0, 0), scene.Background);
     }
 
@@ -59,25 +55,9 @@ public class SceneReaderTests
     public void EscapesInTextsAreUndone() => Assert.Equal("🙂é \"\\", Read("Good/text-with-escapes.json").Models[0].Name);
 
     [Fact]
-    public void ACommentMayStandBetweenAnyTwoTokens()
-    {
-        var scene = """
-            // line separator \u2028, "
-            /* * / */{/**/"camera"// three " {
-            :/* " */ { "position": [20, 0, 0], "target"/*
-            */: [0, 0, 0] } /* // */, "models" /*://*/ :[/* // */],}// end
-            """.Replace("\\u2028", "\u2028");
-
-        Assert.Equal("", SceneReader.Parse(Encoding.UTF8.GetBytes(scene), "x", ".").Report());
-    }
-
-    [Fact]
     public void HalfACharacterInAKeyIsShownAsWritten() => Assert.Equal(
         "\\ud83d is an unknown key; keys that can be added here: $schema, background",
         SceneReader.Parse("""{ "camera": null, "models": [], "\ud83d": 1 }"""u8.ToArray(), "x", ".").Problems[1].Message);
-
-    [Fact]
-    public void AFlatTriangleOfAMeshIsDropped() => Assert.Equal(1, ((Mesh)Read("Good/mesh-with-flat-triangles.json").Models[0]).TriangleCount);
 
     [Fact]
     public void AMeshFileOfASceneFromStandardInputIsSoughtInTheGivenFolder()

@@ -19,6 +19,23 @@ internal static partial class EditedLab
         }
         """;
 
+    private const string PixelEntry = """
+        global using System;
+        global using System.Collections.Generic;
+        global using System.IO;
+        global using System.Linq;
+        global using System.Threading;
+        public static class Entry
+        {
+            public static IEnumerable<(string, Func<object>)> Calls(RayCaster.Scene scene, int c, int r)
+            {
+                Lab.Todo.Listen();
+                return Lab.Pixel.Calls(scene, c, r);
+            }
+            public static IEnumerable<string> Notes() => Lab.Todo.NotWritten;
+        }
+        """;
+
     private static readonly string[] files =
         ["Aabb", "Camera", "Circle", "Color", "Model", "Plane", "Ray", "Scene", "SceneFile", "Sphere", "Triangle", "Vector3"];
 
@@ -27,7 +44,9 @@ internal static partial class EditedLab
 
     private static readonly MetadataReference[] references =
     [
-        .. ((Assembly[])[typeof(object).Assembly, typeof(Enumerable).Assembly, Assembly.Load("System.Runtime"), typeof(Scene).Assembly])
+        .. ((Assembly[])[
+            typeof(object).Assembly, typeof(Enumerable).Assembly, Assembly.Load("System.Runtime"), typeof(Scene).Assembly,
+            typeof(PixelNumbers).Assembly])
             .Select(assembly => MetadataReference.CreateFromFile(assembly.Location)),
     ];
 
@@ -38,7 +57,25 @@ internal static partial class EditedLab
 
     /// <summary>The picture that a program with both mistakes writes, in its own manner; where both change one line, the first has it.</summary>
     public static Picture Render(Scene scene, Manner manner, Mistake mistake, Mistake second) =>
-        programs.GetOrAdd((manner, mistake.Id, second.Id), _ => new(() => Compile(Edited(manner, mistake, second)))).Value(scene);
+        programs.GetOrAdd((manner, mistake.Id, second.Id), _ => new(() => Compile(Edited(manner, mistake, second), Entry)
+            .GetMethod("Draw")!.CreateDelegate<Func<Scene, Picture>>())).Value(scene);
+
+    /// <summary>What "--pixel" prints of the lab in which the first place of a text in a file is replaced.</summary>
+    public static string PixelOf(Scene scene, int column, int line, string hint, string file, string old, string @new)
+    {
+        var text = new Dictionary<string, string>(source);
+        foreach (var more in (string[])["Pixel", "Todo", "BodyCalls"])
+            text[more] = File.ReadAllText(ProjectFolder.PathOf($"src/RayCaster.Lab/{more}.cs"));
+        var start = text[file].IndexOf(old, StringComparison.Ordinal);
+        if (start < 0) throw new InvalidOperationException($"the lab's {file}.cs does not have \"{old}\"");
+        text[file] = text[file][..start] + @new + text[file][(start + old.Length)..];
+        var entry = Compile(text.Values, PixelEntry);
+        var calls = entry.GetMethod("Calls")!.CreateDelegate<Func<Scene, int, int, IEnumerable<(string, Func<object>)>>>();
+        var notes = entry.GetMethod("Notes")!.CreateDelegate<Func<IEnumerable<string>>>();
+        using var output = new StringWriter { NewLine = "\n" };
+        PixelNumbers.Print(output, scene, [$"{column}", $"{line}", "--hint", hint], (c, r) => calls(scene, c, r), notes);
+        return output.ToString();
+    }
 
     /// <summary>The files with the mistakes' edits and the manner's.</summary>
     /// <exception cref="InvalidOperationException">The lab does not have an edit's text once.</exception>
@@ -61,15 +98,15 @@ internal static partial class EditedLab
         return DecimalLiteral().Replace(OfMath().Replace(text, "MathF.$1"), "$0f");
     }
 
-    private static Func<Scene, Picture> Compile(IEnumerable<string> texts)
+    private static Type Compile(IEnumerable<string> texts, string entry)
     {
         var compilation = CSharpCompilation.Create(
-            $"Lab{Guid.NewGuid():N}", texts.Append(Entry).Select(text => CSharpSyntaxTree.ParseText(text)), references,
+            $"Lab{Guid.NewGuid():N}", texts.Append(entry).Select(text => CSharpSyntaxTree.ParseText(text)), references,
             new(OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release));
         using var bytes = new MemoryStream();
         var result = compilation.Emit(bytes);
         if (!result.Success) throw new InvalidOperationException(string.Join('\n', result.Diagnostics));
-        return Assembly.Load(bytes.ToArray()).GetType("Entry")!.GetMethod("Draw")!.CreateDelegate<Func<Scene, Picture>>();
+        return Assembly.Load(bytes.ToArray()).GetType("Entry")!;
     }
 
     [GeneratedRegex(@"\b(view|v|c|s)\.(FovY|ZNear|ZFar|Bias|Radius|[XYZRGB])\b")]

@@ -1,4 +1,5 @@
 using static RayCaster.Files.Tests.PictureFiles.BrokenPictureTests;
+using static RayCaster.Files.Tests.PictureFiles.TestPng;
 
 namespace RayCaster.Files.Tests.PictureFiles;
 

@@ -15,8 +15,8 @@ public static class PictureAssert
     public static void Equal(string sceneFile, string reference)
     {
         var (scene, picture) = (Read(sceneFile), PictureFile.Read(reference));
-        scene = scene.WithSize(picture.Width, picture.Height);
-        Equal(Path.GetFileNameWithoutExtension(sceneFile), scene, [picture], 0);
+        var resized = scene.WithSize(picture.Width, picture.Height);
+        Equal(Path.GetFileNameWithoutExtension(sceneFile), resized == scene ? sceneFile : null, resized, [picture], 0);
     }
 
     /// <summary>The lab's picture of what a scene shows after a step is the reference of that step.</summary>
@@ -25,18 +25,20 @@ public static class PictureAssert
         if (Todo.Missing(step).Length > 0) Assert.Fail(Todo.Report(step));
         foreach (var name in names)
         {
-            var scene = Read(Path.Combine(LabFolder.Scenes, name + ".json"));
+            var sceneFile = Path.Combine(LabFolder.Scenes, name + ".json");
+            var scene = Read(sceneFile);
             var references = new List<Picture> { Reference(scene, name, step) };
             if (step == LabSteps.FirstPicture) references.Add(Reference(scene, name, step + 1)); // for a student who has written the shading, too
             var at = LabSteps.SceneAt(scene, step);
             if (!new PictureJudge(references[0]).Judge(LabSteps.Draw(scene, step)).IsSame()) // the library draws what the student's file now says
                 Assert.Fail($"scenes/{name}.json is not as it was handed out. Copy it to scenes/my to play with it, " +
                     $"and restore this one: git restore scenes/{name}.json");
-            Equal($"{name.Replace('/', '-')}-step{step}", at, references, step);
+            Equal($"{name.Replace('/', '-')}-step{step}", sceneFile, at, references, step);
         }
     }
 
-    private static void Equal(string name, RayCaster.Scene scene, List<Picture> references, int step)
+    /// <param name="sceneFile">Null if it has another size.</param>
+    private static void Equal(string name, string sceneFile, RayCaster.Scene scene, List<Picture> references, int step)
     {
         var mine = SceneFile.Of(scene).Draw();
         var own = step == LabSteps.FirstPicture ? null : scene; // without attenuation it is not the scene's picture
@@ -51,16 +53,25 @@ public static class PictureAssert
         PictureFile.Write(received, mine);
         PictureFile.Write(expected, nearest);
         var hint = StepHint.Of(scene, mine, step, Teacher.Hints, new Proof(scene).IsRight);
-        Assert.Fail($"{Difference(mine, nearest)}\n  yours:    {received}\n  expected: {expected}\n{hint}");
+        var difference = new PictureDifference(mine, nearest);
+        Assert.Fail($"{Text(difference, nearest)}\n  yours:    {received}\n  expected: {expected}\n{hint}{OwnNumbers(sceneFile, difference)}");
     }
 
-    private static string Difference(Picture mine, Picture reference)
+    private static string Text(PictureDifference difference, Picture reference)
     {
-        var difference = new PictureDifference(mine, reference);
         var where = difference.WrongMiddle is var (x, y)
-            ? $"in the widest wrong area at column {x}, line {y} from the top: expected {reference[x, y]}, but got {mine[x, y]}"
+            ? $"in the widest wrong area at column {x}, line {y} from the top: expected {reference[x, y]}, but got {difference.Mine[x, y]}"
             : "by one level: round, do not cut";
         return $"{difference.CountBeyond(0):N0} of {difference.Pixels:N0} pixels differ, {where}";
+    }
+
+    /// <summary>The command that shows what the bodies compute in the middle of the widest wrong area.</summary>
+    private static string OwnNumbers(string sceneFile, PictureDifference difference)
+    {
+        if (sceneFile == null || difference.WrongMiddle is not var (x, y)) return "";
+        var file = Path.GetRelativePath(LabFolder.Root, sceneFile).Replace('\\', '/');
+        var hint = Teacher.Hints == HintLevel.Answer ? "" : $" --hint {Teacher.Hints.ToString().ToLowerInvariant()}";
+        return $"\n  Your numbers there: dotnet run --project src/Lab -- {file} --pixel {x} {y}{hint}";
     }
 
     private static Picture Reference(RayCaster.Scene scene, string name, int step)

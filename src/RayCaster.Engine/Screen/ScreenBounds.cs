@@ -8,9 +8,6 @@ internal sealed class ScreenBounds
     /// <summary>How many are processed together.</summary>
     public const int Count = 8;
 
-    /// <summary>What is added on each side, in pixels.</summary>
-    private const double Margin = 0.01;
-
     private const double Outside = 0, Unknown = 1, Shows = 2, Clear = 3;
 
     /// <summary>Centres of balls, or the least coordinates of boxes.</summary>
@@ -22,14 +19,15 @@ internal sealed class ScreenBounds
     private readonly double[] verdict = new double[Count], nearest = new double[Count];
     private readonly double[] left = new double[Count], right = new double[Count], bottom = new double[Count], top = new double[Count];
     private readonly Camera camera;
-    private readonly double sample;
+    private readonly double sample, margin;
     private readonly bool byDistance;
     private readonly double leftmost, rightmost, lowest, topmost; // slopes beyond which there is no pixel,
     private readonly double lengthLeft, lengthRight, lengthLow, lengthTop; // and how long (1, slope) is
 
-    public ScreenBounds(Camera camera)
+    /// <param name="margin">What is added on each side, in pixels.</param>
+    public ScreenBounds(Camera camera, double margin = 0.01)
     {
-        (this.camera, sample, byDistance) = (camera, camera.SampleOffset, camera.Clip == ClipMode.Distance);
+        (this.camera, this.margin, sample, byDistance) = (camera, margin, camera.SampleOffset, camera.Clip == ClipMode.Distance);
         (leftmost, lengthLeft) = Slope(-1, camera.PlaneWidth, camera.Width);
         (rightmost, lengthRight) = Slope(camera.Width + 1, camera.PlaneWidth, camera.Width);
         (lowest, lengthLow) = Slope(-1, camera.PlaneHeight, camera.Height);
@@ -60,17 +58,29 @@ internal sealed class ScreenBounds
     }
 
     /// <summary>Reads the result for one of them.</summary>
-    /// <param name="member">Receives where it shows and how near it is.</param>
-    /// <returns>Whether it may show; null if that is not known, since it reaches to the eye's plane or numbers overflow.</returns>
+    /// <param name="nearest">No hit of it is nearer.</param>
+    /// <param name="isClear">Whether all of its hits certainly count.</param>
+    /// <returns>Where it may show; null if that is not known, since it reaches to the eye's plane or numbers overflow.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool? Read(int i, ref BatchItem member)
+    public Tile? Read(int i, out float nearest, out bool isClear)
     {
-        if (verdict[i] == Outside) return false;
+        (nearest, isClear) = ((float)this.nearest[i], verdict[i] == Clear);
         if (verdict[i] == Unknown) return null;
-        member.Sides = new((int)left[i], (int)bottom[i], (int)right[i], (int)top[i]);
-        member.Nearest = (float)nearest[i];
-        member.IsClear = verdict[i] == Clear;
-        return member.Sides.HasPixels;
+        if (verdict[i] == Outside) return default(Tile);
+        var (column, row) = ((int)left[i], (int)bottom[i]);
+        return new(column, row, (int)right[i] - column, (int)top[i] - row);
+    }
+
+    /// <summary>The pixels where something within bounds may show; everywhere if that is not known.</summary>
+    public Tile TileOf(Bounds bounds)
+    {
+        if (camera.IsSkewed) return Tile.Everywhere; // the projection would be wrong
+        var outline = Box<Scalar>(bounds.Min, bounds.Max);
+        if (outline.Verdict.Value == Outside) return default;
+        if (outline.Verdict.Value == Unknown) return Tile.Everywhere;
+        var (column, row) = ((int)outline.Left.Value, (int)outline.Bottom.Value);
+        var (width, height) = ((int)outline.Right.Value - column, (int)outline.Top.Value - row);
+        return width > 0 && height > 0 ? new(column, row, width, height) : default;
     }
 
     /// <summary>Where a ball is seen: slopes s of the lines through the eye that touch it, (x − s z)² = r² (1 + s²).</summary>
@@ -106,7 +116,7 @@ internal sealed class ScreenBounds
         var (halfX, halfY, halfZ) = (Spread(half, camera.U), Spread(half, camera.V), Spread(half, camera.W));
         var (front, back) = (z - halfZ, z + halfZ);
         return Judged(
-            IsOutside(x, y, z, N.Sqrt(half * half)),
+            IsOutside(x, y, z, N.Sqrt(half * half)) | (back < 0),
             front > 0,
             0, // a triangle that is seen edge-on may have a t outside of its box
             BoundsExtensions.LeastT(gap, size + half),
@@ -117,7 +127,7 @@ internal sealed class ScreenBounds
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Outline<N> Judged<N>(N isOutside, N isInFront, N isClear, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
     {
-        (left, right, bottom, top) = (Column(left, -Margin), Column(right, Margin), Row(bottom, -Margin), Row(top, Margin));
+        (left, right, bottom, top) = (Column(left, -margin), Column(right, margin), Row(bottom, -margin), Row(top, margin));
         var isKnown = isInFront & (left + right + bottom + top + nearest < double.PositiveInfinity); // false for NaN
         return new()
         {
@@ -157,12 +167,12 @@ internal sealed class ScreenBounds
     /// <summary>The column of a slope, rounded up when it is truncated, and within the picture.</summary>
     /// <remarks>The sample of column c lies at u = planeWidth · c / width − planeWidth / 2, half a pixel further for centres.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private N Column<N>(N slope, double margin) where N : struct, IReal<N> =>
-        N.Min(N.Max((slope / camera.PlaneWidth + 0.5) * camera.Width + (1 - sample + margin), 0), camera.Width);
+    private N Column<N>(N slope, double beyond) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneWidth + 0.5) * camera.Width + (1 - sample + beyond), 0), camera.Width);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private N Row<N>(N slope, double margin) where N : struct, IReal<N> =>
-        N.Min(N.Max((slope / camera.PlaneHeight + 0.5) * camera.Height + (1 - sample + margin), 0), camera.Height);
+    private N Row<N>(N slope, double beyond) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneHeight + 0.5) * camera.Height + (1 - sample + beyond), 0), camera.Height);
 
     /// <summary>Half the size of a box along an axis of any direction.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

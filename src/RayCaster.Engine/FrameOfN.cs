@@ -3,17 +3,14 @@ namespace RayCaster.Engine;
 /// <summary>The models of a picture as the camera sees them, each by itself or as one of a batch.</summary>
 internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
 {
-    /// <summary>With fewer models, testing each of them is cheaper than lists for parts of the picture.</summary>
-    private const int FewModels = 64;
-
     private readonly List<ModelView> views = [];
 
     /// <inheritdoc cref="Frame.Of"/>
-    public Frame(Scene scene, int threads, bool manyFrames, CancellationToken cancellation) : base(scene, threads, manyFrames)
+    public Frame(Scene scene, Plan plan, CancellationToken cancellation) : base(scene, plan)
     {
         var (camera, models) = (scene.Camera, scene.Models);
-        if (models.Count > FewModels && !camera.IsSkewed)
-            PrimitiveBatch = new(camera, ShapeLists.Of(models, manyFrames, threads), models.Count, threads);
+        if (plan.UsesBatch)
+            PrimitiveBatch = new(camera, ShapeLists.Of(models, plan.KeepsLists, plan.Threads), models.Count, plan.Threads);
         ModelIndices = PrimitiveBatch is null ? new int[models.Count] : [.. PrimitiveBatch.Others];
         for (var i = 0; PrimitiveBatch is null && i < models.Count; i++) ModelIndices[i] = i;
         foreach (var i in ModelIndices)
@@ -35,7 +32,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     /// <summary>The other models; null if there are few.</summary>
     public PrimitiveBatch<N>? PrimitiveBatch { get; }
 
-    public override IStripCaster NewCaster() => new TileCaster<N>(this);
+    public override StripCaster NewCaster() => new TileCaster<N>(this).Cast;
 
     public override IHitConsumer HitsInto(HitMap map) => new HitMapConsumer<N>(map, Scene.Camera);
 
@@ -52,7 +49,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
         Model<Aabb> box => ViewOf(box),
         Model<Circle> circle => ViewOf(circle),
         Model<Triangle> triangle => ViewOf(triangle),
-        Mesh mesh => new MeshView<N>(mesh, new(Scene.Camera), cancellation, ManyFrames, Threads),
+        Mesh mesh => new MeshView<N>(mesh, new(Scene.Camera), cancellation, Plan.KeepsLists, Plan.Threads),
         _ when AnyPrimitive.HasFormula(model) => new PrimitiveView<AnyPrimitive, N>(new(model), model.Bounds, Scene.Camera),
         _ => new SingleRayView(model, Scene.Camera),
     };

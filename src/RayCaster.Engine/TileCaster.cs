@@ -2,7 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>Finds the nearest hits for the pixels of a tile; each thread has its own. A strip is cut into tiles, and a tile in which several models
 /// may show into small parts. Each step drops the models that cannot show; the rays are intersected with the rest.</summary>
-internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
+internal sealed class TileCaster<N> where N : struct, IPacket<N>
 {
     /// <summary>The side of a small part: a row of it is a few packets, for which a call is still cheap.</summary>
     private const int PartSide = 16;
@@ -33,6 +33,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         isShape = candidate => views[candidate.Index].IsShape;
     }
 
+    /// <inheritdoc cref="StripCaster"/>
     public void Cast(in Tile strip, IHitConsumer consumer)
     {
         this.consumer = consumer;
@@ -80,12 +81,12 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private void CastAlone(in Tile tile, List<Candidate> list)
     {
         var only = list[0].Index;
-        if (!(frame.UsesShapeKernels && consumer.TryTake(tile, views[only], modelIndices[only]))) CastRows(tile, list);
+        if (!(frame.Plan.UsesShapeKernels && consumer.TryTake(tile, views[only], modelIndices[only]))) CastRows(tile, list);
     }
 
     private void Cut(in Tile tile, List<Candidate> list)
     {
-        if (list.Count == 0 || IsCovered(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
+        if (list.Count == 0 || IsCoveredByOne(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
         else
             for (var row = 0; row < tile.Height; row += PartsUp * PartSide)
             {
@@ -128,9 +129,12 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], farthestTs[i]);
     }
 
-    /// <summary>Whether one model certainly farthestTs the part.</summary>
-    private bool IsCovered(List<Candidate> list) =>
-        list.Count == 1 && frame.UsesShapeKernels && list[0].Range.FarthestT < double.PositiveInfinity && isShape(list[0]);
+    /// <summary>Whether a single shape certainly covers the part.</summary>
+    private bool IsCoveredByOne(List<Candidate> list) =>
+        list.Count == 1 && list[0].Range.FarthestT < double.PositiveInfinity && isShape(list[0]);
+
+    /// <summary>Whether the part is taken at once, by a kernel for its only shape.</summary>
+    private bool HasKernel(List<Candidate> list) => frame.Plan.UsesShapeKernels && IsCoveredByOne(list);
 
     /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
     /// ones.</summary>
@@ -138,13 +142,13 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private int TakeAlike(EightParts parts, List<Candidate>[] lists, int first)
     {
         var isMiss = lists[first].Count == 0;
-        if (!isMiss && !IsCovered(lists[first])) return 0;
+        if (!isMiss && !HasKernel(lists[first])) return 0;
         var (only, whole) = (isMiss ? default : lists[first][0], parts[first]);
         var end = first + 1;
         for (; end % parts.Across != 0; end++)
         {
             var list = lists[end];
-            if (isMiss ? list.Count > 0 : !IsCovered(list) || list[0].Index != only.Index) break;
+            if (isMiss ? list.Count > 0 : !HasKernel(list) || list[0].Index != only.Index) break;
             whole = whole with { Width = whole.Width + parts[end].Width };
             if (!isMiss && !list[0].Range.IsNear) only = list[0];
         }
@@ -156,7 +160,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private bool TryCover(in Tile part, Candidate only) =>
         consumer.TryTake(new CoveredTile(part, views[only.Index], modelIndices[only.Index], only.Range.IsNear));
 
-    /// <summary>Drops models that do not show or lie behind one that farthestTs the part.</summary>
+    /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
     private static void DropHidden(List<Candidate> list, double farthestT)
     {
         var kept = 0;

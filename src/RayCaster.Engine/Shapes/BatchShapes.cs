@@ -42,7 +42,6 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
     {
         var all = CollectionsMarshal.AsSpan(list.Items);
         var (begin, end) = ((int)((long)all.Length * share / shares), (int)((long)all.Length * (share + 1) / shares));
-        var member = new BatchItem { Kind = group };
         for (var first = begin; first < end; first += ScreenBounds.Count)
         {
             var count = Math.Min(ScreenBounds.Count, end - first);
@@ -65,10 +64,9 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
             else outlines.OfBoxes<N>();
             for (var i = 0; i < count; i++)
             {
-                member.Index = first + i;
-                var shows = outlines.Read(i, ref member);
-                if (shows == true) members.Add(member);
-                else if (shows is null) others.Add(all[first + i].Model);
+                if (outlines.Read(i, out var nearest, out var isClear) is not { } tile) others.Add(all[first + i].Model);
+                else if (new Sides(tile) is { HasPixels: true } sides)
+                    members.Add(new() { Sides = sides, Nearest = nearest, Kind = group, Index = first + i, IsClear = isClear });
             }
         }
     }

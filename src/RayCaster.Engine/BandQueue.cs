@@ -77,7 +77,7 @@ internal sealed class BandQueue
         try
         {
             var consumer = new PictureConsumer(shader, camera.Width);
-            for (IStripCaster? caster = null; Next() is >= 0 and var strip;) Cast(strip, caster ??= frame.NewCaster(), consumer);
+            for (StripCaster? caster = null; Next() is >= 0 and var strip;) Cast(strip, caster ??= frame.NewCaster(), consumer);
         }
         catch (Exception e)
         {
@@ -85,13 +85,13 @@ internal sealed class BandQueue
         }
     }
 
-    private void Cast(long strip, IStripCaster caster, PictureConsumer consumer)
+    private void Cast(long strip, StripCaster caster, PictureConsumer consumer)
     {
         var (band, column) = Math.DivRem(strip, stripsAcross);
         var (row, height) = RowsOf(band);
         var (left, buffer) = ((int)column * Tile.MaxStrip, (int)(band % buffers.Length));
         consumer.Enter(buffers[buffer], row + height - 1);
-        caster.Cast(new(left, row, Math.Min(Tile.MaxStrip, camera.Width - left), height), consumer);
+        caster(new(left, row, Math.Min(Tile.MaxStrip, camera.Width - left), height), consumer);
         lock (gate)
         {
             if (--stripsMissing[buffer] > 0) return;

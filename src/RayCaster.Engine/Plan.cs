@@ -1,0 +1,24 @@
+namespace RayCaster.Engine;
+
+/// <summary>Which ways a picture is drawn; decided once, from the scene and the work.</summary>
+/// <param name="Threads">How many threads cast rays.</param>
+/// <param name="KeepsLists">Whether what depends only on a mesh or on the list of models stays in memory for the next picture.</param>
+/// <param name="UsesShapeKernels">Whether kernels for single kinds of shape are compiled, and those of the float path: they save half of the time,
+/// but compiling them takes as long as casting some ten million rays.</param>
+/// <param name="UsesBatch">Whether models are found by their places on the screen.</param>
+/// <param name="IsWide">Whether packets hold eight doubles, not four.</param>
+internal sealed record Plan(int Threads, bool KeepsLists, bool UsesShapeKernels, bool UsesBatch, bool IsWide)
+{
+    /// <summary>A picture of at least this many pixels is worth compiling kernels for.</summary>
+    private const long PixelsOfLongWork = 1 << 24;
+
+    /// <summary>With fewer models, testing each of them is cheaper than lists for parts of the picture.</summary>
+    private const int FewModels = 64;
+
+    public static Plan For(Scene scene, int threads, bool manyFrames) => new(
+        threads,
+        KeepsLists: manyFrames,
+        UsesShapeKernels: manyFrames || !RuntimeFeature.IsDynamicCodeCompiled || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork,
+        UsesBatch: scene.Models.Count > FewModels && !scene.Camera.IsSkewed,
+        IsWide: Vector512.IsHardwareAccelerated);
+}

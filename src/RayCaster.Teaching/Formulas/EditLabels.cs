@@ -1,0 +1,81 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Which edits are known by name: the lines of Labels.txt. The first line that fits an edit counts.</summary>
+internal static class EditLabels
+{
+    /// <summary>A line: either formulas that people write, or a pattern.</summary>
+    /// <param name="Style">The only style in which it counts; null for each.</param>
+    /// <param name="Written">A formula or several at once, each as name = expression; empty for a pattern.</param>
+    /// <param name="Subjects">A pattern's formulas by name, or what stands in them; what begins so, if it ends with *.</param>
+    /// <param name="Operators">A pattern's operators; any if empty.</param>
+    private sealed record Label(string Id, SectionKind Kind, string? Style, (string Name, string Right)[] Written, string[] Subjects,
+        EditOperator[] Operators);
+
+    private static readonly Label[] labels = [.. Read(FormulaBook.TextOf("Labels.txt"))];
+
+    /// <summary>The id of an edit that fits a pattern; null if none does.</summary>
+    public static string? IdOf(FormulaEdit edit) => Array.Find(labels, label => label.Written.Length == 0 && label.Kind == edit.Section.Kind
+        && (label.Style is null || label.Style == edit.Section.Style) && Fits(edit, label))?.Id;
+
+    /// <summary>The formulas that have a name, in a section: some at once, each with its place and its text.</summary>
+    public static IEnumerable<(string Id, (int Place, string Right)[] Written)> FormulasFor(FormulaSection section) =>
+        from label in labels
+        where label.Written.Length > 0 && label.Kind == section.Kind
+            && (label.Style ?? FormulaBook.Slides.StylesOf(section.Kind)[0].Style) == section.Style
+        select (label.Id, label.Written.Select(formula => (section.Find(formula.Name), formula.Right)).ToArray());
+
+    /// <summary>The patterns that fit none of some edits.</summary>
+    public static IEnumerable<string> Unused(IReadOnlyCollection<FormulaEdit> edits) =>
+        from label in labels
+        where label.Written.Length == 0 && !edits.Any(edit => edit.Section.Kind == label.Kind && Fits(edit, label))
+        select $"[{label.Id}] {label.Kind} {string.Join(" | ", label.Subjects)}";
+
+    private static bool Fits(FormulaEdit edit, Label label) =>
+        (label.Operators.Length == 0 || label.Operators.Contains(edit.Operator)) && label.Subjects.Any(subject =>
+            subject == edit.Meant || subject == edit.Formula?.Computed
+            || (subject.EndsWith('*') && edit.Meant.StartsWith(subject[..^1], StringComparison.Ordinal)));
+
+    private static IEnumerable<Label> Read(string text)
+    {
+        var id = "";
+        foreach (var line in text.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0 && line[0] != '#'))
+        {
+            if (line[0] == '[')
+            {
+                id = line.Trim('[', ']');
+                continue;
+            }
+            var (step, rest) = line.Split(' ', 2) is [var first, var second] ? (first.Split('/'), second) : throw Unknown(line);
+            if (!Enum.TryParse<SectionKind>(step[0], ignoreCase: true, out var kind)) throw Unknown(line);
+            var style = step.Length > 1 ? step[1] : null;
+            var isPattern = rest.Split(": ") is { Length: 2 } || rest.EndsWith(':');
+            if (isPattern)
+            {
+                var parts = rest.Split(':', StringSplitOptions.TrimEntries);
+                yield return new(id, kind, style, [], parts[0].Split(" | "),
+                    [.. parts[1].Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(Enum.Parse<EditOperator>)]);
+                continue;
+            }
+            foreach (var alternative in Alternatives(rest)) yield return new(id, kind, style, alternative, [], []);
+        }
+    }
+
+    /// <summary>"a = 1 | 2" is "a = 1" or "a = 2"; "a = 1; b = 2" is both at once.</summary>
+    private static IEnumerable<(string Name, string Right)[]> Alternatives(string text)
+    {
+        var name = "";
+        foreach (var alternative in text.Split(" | "))
+        {
+            yield return
+            [
+                .. alternative.Split("; ").Select(formula =>
+                {
+                    if (formula.Split(" = ") is [var own, var right]) return (name = own, right);
+                    return (name, formula);
+                }),
+            ];
+        }
+    }
+
+    private static FormatException Unknown(string line) => new($"Labels.txt: '{line}' where a step and a formula are expected");
+}

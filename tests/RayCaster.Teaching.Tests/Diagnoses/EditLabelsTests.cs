@@ -1,0 +1,42 @@
+namespace RayCaster.Teaching.Tests.Diagnoses;
+
+/// <summary>The lines of Labels.txt: each names a mistake of the catalogue, and edits have it.</summary>
+public class EditLabelsTests
+{
+    private static readonly FormulaEdit[] edits =
+        [.. Enum.GetValues<SectionKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(EditFactory.EditsOf)];
+
+    [Fact]
+    public void EachLabelIsAnIdOfTheCatalogue() =>
+        Assert.All(edits.Select(edit => edit.Label).OfType<string>().Distinct(), id => Assert.NotNull(MistakeCatalog.Named(id)));
+
+    [Fact]
+    public void EachLineFitsAnEdit() => Assert.Empty(EditLabels.Unused(edits));
+
+    [Theory]
+    [InlineData("camera", "V = up × U", "v-up")] // written out
+    [InlineData("camera", "h = tan(angle / 2)", "no2")]
+    [InlineData("sphere geometric", "thc = √(R − D2)", "r-nosq")] // by a pattern
+    [InlineData("sphere abc", "D = b² − 2·a·c", "disc-2")]
+    [InlineData("triangle determinants", "hit if u ≥ 0 and v ≥ 0", "tri-uv")]
+    [InlineData("light", "att = max(0, 1 − t / (4·|T − P|))", "att-no2")]
+    [InlineData("sphere geometric", "thc = √(2·R² − D2)", null)]
+    public void AnEditHasThisLabel(string section, string formula, string? id) =>
+        Assert.Equal(id, edits.First(edit => edit.Section.Name == section && edit.Section.Formulas.Any(own => own.ToString() == formula)).Label);
+
+    [Theory]
+    [InlineData("v-up")]
+    [InlineData("no-center")]
+    [InlineData("att-zfar")]
+    public void ALabelledEditIsDrawnAndNamedAsItsMistake(string id)
+    {
+        var scene = DiagnosisTests.scene;
+        foreach (var edit in edits.Where(edit => edit.Label == id && edit.Operator == EditOperator.OtherLaw && edit.Place is not null).Take(3))
+        {
+            var mistake = EditNaming.Of(new(0, [edit]));
+            Assert.Equal(id, mistake.Id);
+            var suspect = Diagnosis.Of(scene, new Lab(scene, mistake).Render()).Suspects[0];
+            Assert.Contains(id, suspect.Mistakes.Concat(suspect.Twins).Select(named => named.Id));
+        }
+    }
+}
