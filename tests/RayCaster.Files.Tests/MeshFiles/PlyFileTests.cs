@@ -208,5 +208,5 @@ public class PlyFileTests
     private static void AssertRefused(string text, string message) =>
         Assert.Equal("box.ply" + message, Assert.Throws<ProblemException>(() => Read(text)).Message);
 
-    private static MeshData Read(string text) => MeshBytes.Read("box.ply", Encoding.ASCII.GetBytes(text));
+    private static MeshData Read(string text) => PiecesTests.ReadInPieces("box.ply", Encoding.ASCII.GetBytes(text));
 }
