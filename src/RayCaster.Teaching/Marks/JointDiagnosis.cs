@@ -134,7 +134,8 @@ internal sealed class JointDiagnosis
         var kinds = Unexplained.Select(picture => LikelyCause.InAnotherLight(picture.Evidence, new Renderer(picture.Scene.Scene).CastHits().Model))
             .TakeWhile(kinds => kinds.Count > 0).ToList();
         if (kinds.Count < Unexplained.Count) return null;
-        var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value).ToDictionary(kind => kind.Key, kind => kind.Sum());
+        var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value)
+            .ToDictionary(kind => kind.Key, kind => kind.Sum());
         var most = counts.MaxBy(kind => kind.Value);
         var isOneKind = most.Value >= OneKind * counts.Values.Sum();
         return (isOneKind && Enum.TryParse<SectionKind>(most.Key == "mesh" ? "triangle" : most.Key, true, out var shape)

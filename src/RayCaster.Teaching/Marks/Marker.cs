@@ -40,7 +40,8 @@ internal sealed class Marker(Rubric rubric)
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
             var mayBeAtFault = diagnosis.Steps is { } steps ? steps.Any(step => Concerns(item, step)) || !Tells(judged, item)
-                : IsOutOfSight(item, diagnosis, pictures) || !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item)));
+                : IsOutOfSight(item, diagnosis, pictures)
+                    || !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item)));
             if (mayBeAtFault) most = item.Points;
             if (diagnosis.IsGuess) least = 0;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
