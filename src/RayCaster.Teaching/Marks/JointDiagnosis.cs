@@ -40,7 +40,7 @@ internal sealed class JointDiagnosis
         }
         if (Verdict.Misfit.Unexplained < Near * wrong.Length) Nearest = Verdict;
         (Verdict, Alternatives, Losing, Unexplained) = (right, [], [], wrong);
-        if (!TellsNothing && (OnlyLight() ?? Edited()) is var (steps, says)) (Steps, Says) = (steps, says);
+        if (!TellsNothing && OnlyLight() is var (steps, says)) (Steps, Says) = (steps, says);
     }
 
     /// <summary>What is wrong; a right program if nothing is wrong, or if nothing explains most of the wrong pictures.</summary>
@@ -65,7 +65,7 @@ internal sealed class JointDiagnosis
     /// <summary>The program that comes nearest where none explains the pictures; null where one does.</summary>
     public WrongProgram? Nearest { get; }
 
-    /// <summary>Where nothing explains the pictures, the steps of which one must be wrong; null where that is not known.</summary>
+    /// <summary>Where nothing explains the pictures but only the light is wrong, the steps of which one must be wrong; otherwise null.</summary>
     public IReadOnlyCollection<SectionKind>? Steps { get; }
 
     /// <summary>What the teacher should know of these steps.</summary>
@@ -99,7 +99,7 @@ internal sealed class JointDiagnosis
     /// <summary>What a diagnosis of a single picture names, each mistake in the variant that fits.</summary>
     private static IEnumerable<WrongProgram> NamedFor(SubmittedPicture picture) =>
         from suspect in picture.Scene.Judge.Judge(picture.Evidence.Picture).Suspects
-        where suspect.Mistakes.All(mistake => mistake.Place is null) // an edit of formulas is not drawn by a lab
+        where suspect.Mistakes.All(mistake => mistake.Place is null)
         let way = new Unfinished(suspect.NotYet)
         select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)],
             suspect.OtherSample && suspect.Mistakes.All(mistake => mistake.Id != "center"));
@@ -141,19 +141,5 @@ internal sealed class JointDiagnosis
         return (isOneKind && Enum.TryParse<SectionKind>(most.Key == "mesh" ? "triangle" : most.Key, true, out var shape)
                 ? [SectionKind.Light, SectionKind.Bytes, shape] : [SectionKind.Light, SectionKind.Bytes],
             isOneKind && most.Key == "background" ? "only the background is wrong" : "all outlines are right, only the light is not");
-    }
-
-    /// <summary>The steps in which one small edit of the slides' formulas draws each of the pictures.</summary>
-    private (IReadOnlyCollection<SectionKind>, string)? Edited()
-    {
-        var (steps, says) = (Enum.GetValues<SectionKind>().ToHashSet(), "");
-        foreach (var picture in Unexplained)
-        {
-            if (new EditSearch(picture.Evidence, null).Find() is not [var group, ..]) return null;
-            steps.IntersectWith(group.Edits.Select(edit => edit.Section.Kind));
-            if (steps.Count == 0) return null;
-            says = $"it looks as if, in {EditNaming.Of(group).Cause}";
-        }
-        return (steps, says);
     }
 }

@@ -110,8 +110,8 @@ public class MarkerTests
     }
 
     [Theory] // no known mistake explains these, but a small edit of one step's formulas does
-    [InlineData("Camera", "(Up % W)", "(new Vector3(0, 0, 1) % W)", "4 Camera", "in camera: normalize((0, 0, 1) × W) stood where")]
-    [InlineData("Vector3", "a.Z + b.Z);", "a.Z - b.Z);", "1 Vectors", "in vectors: a.z − b.z stood where a.z + b.z is meant")]
+    [InlineData("Camera", "(Up % W)", "(new Vector3(0, 0, 1) % W)", "4 Camera", "camera: normalize((0, 0, 1) × W) stood where")]
+    [InlineData("Vector3", "a.Z + b.Z);", "a.Z - b.Z);", "1 Vectors", "vectors: a.z − b.z stood where a.z + b.z is meant")]
     [InlineData("Scene", "? Background :", "? new Color(0, 0, 0) :", "5 Shading", "only the background is wrong")]
     public void WhatOneStepsFormulasExplainLeavesOnlyItsItemUndecided(string file, string old, string @new, string item, string says)
     {
@@ -120,6 +120,7 @@ public class MarkerTests
         Assert.Equal([item], marks.Items.Where(item => item.Undecided > 0).Select(item => item.Name));
         Assert.Equal([], marks.Items.Where(item => item.Points + item.Undecided < item.Of));
         Assert.Contains(says, Assert.Single(marks.LookYourself));
+        Assert.Empty(marks.Mistakes);
     }
 
     [Fact] // a camera that looks backwards sees no sphere, so spheres may be unwritten
