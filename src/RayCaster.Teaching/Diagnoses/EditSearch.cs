@@ -88,6 +88,8 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget, bool o
                 foreach (var edit in EditFactory.EditsOf(section))
                 {
                     yield return edit;
+                    if (kind == SectionKind.Vectors)
+                        yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Light, "doubled"]], Cost = edit.Cost + 0.1 };
                     if (kind == SectionKind.Camera && edit.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
                         yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Rule, "aim"]], Cost = edit.Cost + 0.1 };
                 }
@@ -131,7 +133,7 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget, bool o
     private (double, FormulaEdit)? InStyles(EditSample sample, FormulaEdit edit)
     {
         var (best, beside) = (sample.Unexplained(sample.Draw(edit)), edit.Beside);
-        foreach (var kind in shapes.Append(SectionKind.Rule))
+        foreach (var kind in shapes.Concat([SectionKind.Rule, SectionKind.Light]))
         {
             foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(section => section != right[kind] && IsPossible(section)))
             {

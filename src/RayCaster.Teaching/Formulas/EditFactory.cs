@@ -181,7 +181,7 @@ internal sealed class EditFactory
             }
             var first = written[0].Place;
             Add(edited, first, $"{section.Formulas[first].Right}", $"{edited.Formulas[first].Right}", OtherLaw, Named);
-            ids.TryAdd(TextOf(edited), id);
+            if (id != "") ids.TryAdd(TextOf(edited), id);
         }
         return ids;
     }
