@@ -28,7 +28,7 @@ internal sealed partial class Lab
     /// <summary>Computes what is the same for all rays.</summary>
     private void SetUp()
     {
-        if (Inside.IsChanged) TriangleIs(TriangleFormula ?? TriangleByShares);
+        if (Inside.IsChanged || Whole.IsChanged) TriangleIs(TriangleFormula ?? TriangleByShares);
         if (TriangleFormula is { } formula) Triangle.Is(formula);
         W = AxisW.Do(ToTarget.Do(P, T));
         U = AxisU.Do(Camera.Up, W);

@@ -41,6 +41,9 @@ internal sealed partial class Lab
 
     // ---- Slide "Triangle" ----
 
+    /// <summary>n → what u and v are divided by.</summary>
+    public Step<Func<Vector3, double>> Whole => field ??= new(n => n * n);
+
     /// <summary>(u, v) → whether X is in the triangle.</summary>
     public Step<Func<double, double, bool>> Inside => field ??= new((u, v) => u >= 0 && v >= 0 && u + v <= 1);
 
@@ -100,7 +103,7 @@ internal sealed partial class Lab
         var (A, B, C, n) = (triangle.A, triangle.B, triangle.C, NormalOf(triangle));
         var t = (A - P) * n / (d * n);
         if (!Counts(t, d)) return SlideFormulas.None; // only to be done sooner
-        var (X, whole) = (P + t * d, n * n);
+        var (X, whole) = (P + t * d, Whole.Do(n));
         return Inside.Do(Cross.Do(A - C, X - C) * n / whole, Cross.Do(B - A, X - A) * n / whole) ? new(t) : SlideFormulas.None;
     }
 

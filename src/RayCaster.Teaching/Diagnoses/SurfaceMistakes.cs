@@ -42,11 +42,12 @@ internal static class SurfaceMistakes
 
     private static Mistake[] OfTriangles =>
     [
-        new("tri-uv", Affects.Triangles, Slides.Triangle, "triangle: u ≥ 0 and v ≥ 0, but no u + v ≤ 1: an endless wedge",
+        new Mistake("tri-uv", Affects.Triangles, Slides.Triangle, "triangle: u ≥ 0 and v ≥ 0, but no u + v ≤ 1: an endless wedge",
             lab => lab.Inside.Is((u, v) => u >= 0 && v >= 0),
             "Triangles reach beyond the side that is opposite to their first corner.",
             "Which condition draws the side from B to C? What are u and v at B and at C?",
-            "u ≥ 0, v ≥ 0, u + v ≤ 1; u is 1 at B, v is 1 at C."),
+            "u ≥ 0, v ≥ 0, u + v ≤ 1; u is 1 at B, v is 1 at C.")
+            .Or("triangle: n normalised, so that u and v are too large or too small", lab => lab.Whole.Is(n => n.Length)),
         new("tri-cull", Affects.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
             lab => lab.Triangle.Becomes(cross => (triangle, d) => d * lab.NormalOf(triangle) >= 0 ? None : cross(triangle, d)),
             "Some triangles are missing; they come back when two corners are swapped.",
