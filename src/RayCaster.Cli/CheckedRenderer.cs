@@ -15,7 +15,8 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
     private const long SmallWork = 3_000_000;
 
     private readonly Renderer engine = new(scene, threads) { ManyFrames = manyFrames };
-    private bool isByDefinition = plain || (!manyFrames && IsSmall(scene));
+    private bool isByDefinition =
+        plain || (!manyFrames && (long)scene.Camera.Width * scene.Camera.Height * scene.ShapeCount <= SmallWork);
 
     public Scene Scene => scene;
 
@@ -41,9 +42,6 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
             throw;
         }
     }
-
-    private static bool IsSmall(Scene scene) =>
-        (long)scene.Camera.Width * scene.Camera.Height * scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L) <= SmallWork;
 
     private void DrawByDefinition(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {

@@ -33,8 +33,7 @@ internal sealed class DefinitionCheck
         for (var i = 0; i < RandomPixels; i++) Add(random.Next(width), random.Next(first, end));
 
         // One crossing for sixteen pixels takes a small part of the time of drawing them.
-        var shapes = scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
-        var count = Math.Max(minPixels, (long)width * (end - first) / 16 / Math.Max(1, shapes));
+        var count = Math.Max(minPixels, (long)width * (end - first) / 16 / Math.Max(1, scene.ShapeCount));
         if (pixels.Count > count) pixels.RemoveRange((int)count, pixels.Count - (int)count);
         drawn = new byte[3 * pixels.Count];
 

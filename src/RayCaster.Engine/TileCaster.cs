@@ -86,7 +86,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
 
     private void Cut(in Tile tile, List<Candidate> list)
     {
-        if (list.Count == 0 || IsCovered(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
+        if (list.Count == 0 || IsCoveredByOne(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
         else
             for (var row = 0; row < tile.Height; row += PartsUp * PartSide)
             {
@@ -129,9 +129,12 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], farthestTs[i]);
     }
 
-    /// <summary>Whether one model certainly covers the part.</summary>
-    private bool IsCovered(List<Candidate> list) =>
-        list.Count == 1 && frame.Plan.UsesShapeKernels && list[0].Range.FarthestT < double.PositiveInfinity && isShape(list[0]);
+    /// <summary>Whether a single shape certainly covers the part.</summary>
+    private bool IsCoveredByOne(List<Candidate> list) =>
+        list.Count == 1 && list[0].Range.FarthestT < double.PositiveInfinity && isShape(list[0]);
+
+    /// <summary>Whether the part is taken at once, by a kernel for its only shape.</summary>
+    private bool HasKernel(List<Candidate> list) => frame.Plan.UsesShapeKernels && IsCoveredByOne(list);
 
     /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
     /// ones.</summary>
@@ -139,13 +142,13 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     private int TakeAlike(EightParts parts, List<Candidate>[] lists, int first)
     {
         var isMiss = lists[first].Count == 0;
-        if (!isMiss && !IsCovered(lists[first])) return 0;
+        if (!isMiss && !HasKernel(lists[first])) return 0;
         var (only, whole) = (isMiss ? default : lists[first][0], parts[first]);
         var end = first + 1;
         for (; end % parts.Across != 0; end++)
         {
             var list = lists[end];
-            if (isMiss ? list.Count > 0 : !IsCovered(list) || list[0].Index != only.Index) break;
+            if (isMiss ? list.Count > 0 : !HasKernel(list) || list[0].Index != only.Index) break;
             whole = whole with { Width = whole.Width + parts[end].Width };
             if (!isMiss && !list[0].Range.IsNear) only = list[0];
         }

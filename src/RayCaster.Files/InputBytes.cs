@@ -35,16 +35,10 @@ internal static class InputBytes
         all = default;
         var known = stream.CanSeek ? begun.Length + stream.Length - stream.Position : 0;
         if (known > most) return false;
-        var bytes = new byte[known > 0 ? known + 1 : 1 << 16]; // one byte more, so that the end is found without growing
-        begun.CopyTo(bytes);
-        var length = begun.Length;
-        while (stream.Read(bytes.AsSpan(length)) is > 0 and var count)
-        {
-            length += count;
-            if (length > most) return false;
-            if (length == bytes.Length) Array.Resize(ref bytes, (int)Math.Min(2L * length, most + 1));
-        }
-        all = new(bytes, 0, length);
-        return true;
+        var (bytes, piece) = (new MemoryStream((int)known), new byte[1 << 16]);
+        bytes.Write(begun);
+        while (bytes.Length <= most && stream.Read(piece) is > 0 and var count) bytes.Write(piece.AsSpan(0, count));
+        all = new(bytes.GetBuffer(), 0, (int)bytes.Length);
+        return bytes.Length <= most;
     }
 }

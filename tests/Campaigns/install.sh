@@ -4,7 +4,6 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1
-unset Strict
 NUGET_PACKAGES=$(dotnet nuget locals global-packages --list | sed 's/^[^:]*: //') # what the tests of a hand-out need is here already
 export NUGET_PACKAGES
 root=$PWD

@@ -144,9 +144,7 @@ public class AttackTests
     [InlineData("""{"diagnose":1}""")]
     public async Task AMalformedMessageEndsOnlyItsConnection(string words)
     {
-        await using var page = await LivePage.OpenAsync();
-        await page.ConnectAsync();
-        await page.FrameAsync();
+        await using var page = await LivePage.ShownAsync();
         await page.AskAsync(words);
         await Assert.ThrowsAnyAsync<Exception>(() => page.MessageAsync("never"));
         await page.ConnectAsync();

@@ -38,6 +38,15 @@ internal sealed class LivePage : IAsyncDisposable
         return new(folder, await LiveServer.StartAsync(new(path, mine is null ? null : folder[mine], 0, false)));
     }
 
+    /// <summary>A page that has shown its first picture.</summary>
+    public static async Task<LivePage> ShownAsync(string scene = Ball, string? mine = null, Action<TemporaryFolder>? prepare = null)
+    {
+        var page = await OpenAsync(scene, mine, prepare);
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        return page;
+    }
+
     /// <summary>Connects to the server as the page does.</summary>
     public async Task ConnectAsync(string? origin = null, string? token = null)
     {

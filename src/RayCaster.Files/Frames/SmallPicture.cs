@@ -41,10 +41,10 @@ public sealed class SmallPicture(int fromWidth, int fromHeight, int width, int h
         Array.Clear(sums);
     }
 
-    /// <summary>Which pixels of many a small pixel covers: at least one.</summary>
-    private static (int From, int To) Covered(int place, int places, int many)
+    /// <summary>Which of so many pixels a small pixel covers: at least one.</summary>
+    private static (int From, int To) Covered(int index, int count, int pixels)
     {
-        var from = (int)((long)place * many / places);
-        return (from, Math.Max(from + 1, (int)((place + 1L) * many / places)));
+        var from = (int)((long)index * pixels / count);
+        return (from, Math.Max(from + 1, (int)((index + 1L) * pixels / count)));
     }
 }

@@ -25,16 +25,6 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
-    /// <summary>The three elements of an array; false if it has more or fewer.</summary>
-    public bool IsOfThree(out JsonValue first, out JsonValue second, out JsonValue third)
-    {
-        var (a, end) = (node + 1, tree[node].Next);
-        var b = a < end ? tree[a].Next : end;
-        var c = b < end ? tree[b].Next : end;
-        (first, second, third) = (new(tree, a), new(tree, b), new(tree, c));
-        return c < end && tree[c].Next == end;
-    }
-
     /// <summary>The keys of an object in the order of the text.</summary>
     public IEnumerable<JsonValue> Keys => Content.Where((_, i) => i % 2 == 0);
 
@@ -47,14 +37,6 @@ internal readonly struct JsonValue(JsonTree tree, int node)
             if (new JsonValue(tree, key).Is(name)) return new(tree, key + 1);
         }
         return null;
-    }
-
-    /// <summary>How many keys an object has, repeated ones included.</summary>
-    public int CountKeys()
-    {
-        var (count, end) = (0, tree[node].Next);
-        for (var key = node + 1; key < end; key = tree[key + 1].Next) count++;
-        return count;
     }
 
     /// <summary>Whether a text or key equals this, which must be ASCII.</summary>

@@ -62,8 +62,8 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
     }
 
     /// <summary>A place at which a text can be cut: not within an emoji, which has two UTF-16 units.</summary>
-    private static int BetweenLetters(string text, int place) =>
-        place < text.Length && char.IsLowSurrogate(text[place]) ? place - 1 : place;
+    private static int BetweenLetters(string text, int index) =>
+        index < text.Length && char.IsLowSurrogate(text[index]) ? index - 1 : index;
 
     private int[] LineStarts => field ??= FindLineStarts();
 

@@ -61,19 +61,13 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static int[] WithoutFlat(int[] indices, Vector3[] vertices)
     {
-        int[]? kept = null;
-        var count = 0;
+        List<int>? kept = null;
         for (var i = 0; i < indices.Length; i += 3)
         {
-            if (Triangle.IsOnOneLine(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]]))
-            {
-                kept ??= indices[..];
-                continue;
-            }
-            if (kept is not null) Array.Copy(indices, i, kept, count, 3);
-            count += 3;
+            if (Triangle.IsOnOneLine(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]])) kept ??= [.. indices[..i]];
+            else kept?.AddRange(indices.AsSpan(i, 3));
         }
-        return kept?[..count] ?? indices;
+        return kept?.ToArray() ?? indices;
     }
 
     /// <summary>

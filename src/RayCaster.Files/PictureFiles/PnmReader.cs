@@ -13,7 +13,7 @@ internal sealed class PnmReader
     private readonly int kind, width, height, maxval;
     private readonly long dataAt; // where the header ends
     private int next; // in the header and in a text: the byte that is looked at; −1 at the end
-    private long place; // of that byte; later how many bytes were read
+    private long position; // of that byte; later how many bytes were read
 
     /// <param name="file">The file after its first byte, which is P.</param>
     /// <param name="length">The bytes of the file with that byte; null for a pipe or device.</param>
@@ -34,7 +34,7 @@ internal sealed class PnmReader
         if (maxval is < 1 or > 65535) throw new ProblemException($"maxval is {maxval}, but must be from 1 to 65535");
         PictureFile.CheckSize(width, height, maxBytes);
         if (kind >= 4) SkipSeparator();
-        dataAt = place;
+        dataAt = position;
     }
 
     private int Channels => kind is 3 or 6 ? 3 : 1;
@@ -88,7 +88,7 @@ internal sealed class PnmReader
     /// <param name="bits">For P4: the sample is the highest of these eight bits.</param>
     private byte ReadSample(int bits)
     {
-        var start = place;
+        var start = position;
         var value = kind switch
         {
             1 => 1 - ReadBit(), // in a bitmap 1 is ink: black
@@ -104,8 +104,8 @@ internal sealed class PnmReader
     private int Byte()
     {
         var value = file.ReadByte();
-        if (value < 0) throw CutShort(place - dataAt);
-        place++;
+        if (value < 0) throw CutShort(position - dataAt);
+        position++;
         return value;
     }
 
@@ -114,7 +114,7 @@ internal sealed class PnmReader
     {
         var taken = next;
         next = file.ReadByte();
-        place++;
+        position++;
         return taken;
     }
 
@@ -128,7 +128,7 @@ internal sealed class PnmReader
     {
         SkipBlanks(what);
         if (!IsDigit(next)) throw Unexpected(what);
-        var (number, start) = (0L, place);
+        var (number, start) = (0L, position);
         while (IsDigit(next))
         {
             number = number * 10 + Advance() - '0';
@@ -158,7 +158,7 @@ internal sealed class PnmReader
         if (next == '#') SkipComment();
         if (next < 0) throw new ProblemException("the file is cut short: it ends with its header");
         if (!IsBlank(next)) throw Unexpected("a line end");
-        place++;
+        position++;
     }
 
     private static bool IsBlank(int value) => value is ' ' or (>= '\t' and <= '\r');
@@ -170,5 +170,5 @@ internal sealed class PnmReader
         + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
 
     private ProblemException Unexpected(string due) =>
-        new($"'{PictureFile.Printable([(byte)next])}' at byte {place}, where {due} should be");
+        new($"'{PictureFile.Printable([(byte)next])}' at byte {position}, where {due} should be");
 }

@@ -8,7 +8,7 @@ public static class CameraEdit
     public static byte[] Write(ReadOnlyMemory<byte> utf8, Camera camera)
     {
         var tree = JsonTree.Parse(new SourceText("", utf8), out _)!;
-        var place = tree.Root.Find("camera")!.Value;
+        var written = tree.Root.Find("camera")!.Value;
         var edits = new List<(JsonValue, string)>();
         Replace("position", camera.Position);
         Replace("target", camera.Target);
@@ -16,8 +16,7 @@ public static class CameraEdit
 
         void Replace(string key, Vector3 v)
         {
-            place.Find(key)!.Value.IsOfThree(out var x, out var y, out var z);
-            foreach (var (value, number) in (ReadOnlySpan<(JsonValue, double)>)[(x, v.X), (y, v.Y), (z, v.Z)])
+            foreach (var (value, number) in written.Find(key)!.Value.Content.Zip((double[])[v.X, v.Y, v.Z]))
                 if (value.Number != number)
                     edits.Add((value, number.ToString("R", CultureInfo.InvariantCulture)));
         }

@@ -48,9 +48,9 @@ internal sealed class SceneDocument(SourceText text, string folder)
     public MeshData Mesh(string file, out bool isNew)
     {
         var path = Path.Combine(folder, file.Replace('\\', '/'));
-        var place = Path.GetFullPath(path); // a scene may write the path of one file in several ways
+        var full = Path.GetFullPath(path); // a scene may write the path of one file in several ways
         meshes ??= [];
-        isNew = meshes.TryAdd(place, new(() => MeshFile.Read(path, names)));
-        return meshes[place].Value;
+        isNew = meshes.TryAdd(full, new(() => MeshFile.Read(path, names)));
+        return meshes[full].Value;
     }
 }

@@ -7,7 +7,6 @@ namespace RayCaster.Files;
 /// <remarks>
 /// The same calls describe the keys: an object made by <see cref="Describing"/> has no text, reports nothing, and collects the keys that are
 /// read. The editors' schema is made from these, so it cannot differ from the reader.
-/// <para>Messages are built in methods of their own, which the runtime need not compile for a scene without mistakes.</para>
 /// </remarks>
 internal sealed class SceneObject
 {
@@ -123,9 +122,14 @@ internal sealed class SceneObject
     {
         described?.Add(new(key, KeyKind.Color, meaning, false, orElse));
         if (Take(key, meaning, false) is not { } value) return orElse;
-        if (value.Kind == JsonTokenType.String) return SceneColor.Parse(value.Text) ?? WrongColor(value, key, orElse);
+        if (value.Kind == JsonTokenType.String)
+        {
+            if (SceneColor.Parse(value.Text) is { } parsed) return parsed;
+            Report(true, value, key, $" must be {SceneColor.Form}, but is {value.InWords}; # and six hexadecimal digits make a colour");
+            return orElse;
+        }
         var color = VectorAt(value, key, Limits.NotNegative, SceneColor.Form);
-        if (SceneColor.LooksLikeBytes(color)) WarnOfBytes(key, color);
+        if (SceneColor.LooksLikeBytes(color)) Warn(key, $" is {color}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
         return new(color.X, color.Y, color.Z);
     }
 
@@ -199,7 +203,7 @@ internal sealed class SceneObject
     /// <param name="allowed">Keys that are right although they were not read.</param>
     public void Close(params IEnumerable<string> allowed)
     {
-        if (Document is null || found == json.CountKeys()) return; // fewer were read if one is unknown or there twice
+        if (Document is null || found == json.Keys.Count()) return; // fewer were read if one is unknown or there twice
         keysRead.AddRange(allowed);
         new WrongKeys(this, Document).Refuse(json.Keys, keysRead);
     }
@@ -213,20 +217,14 @@ internal sealed class SceneObject
 
     /// <summary>Begins to read a value as an object; false, after a report, if it is something else.</summary>
     /// <param name="name">What a message calls it, if not by its path.</param>
-    private bool Begin(JsonValue value, int? place, string? name = null)
+    private bool Begin(JsonValue value, int? position, string? name = null)
     {
-        (json, index, errorsBefore, found) = (value, place, Document!.ErrorCount, 0);
-        if (value.Kind != JsonTokenType.StartObject)
-        {
-            RefuseAsObject(name ?? Path);
-            return false;
-        }
+        (json, index, errorsBefore, found) = (value, position, Document!.ErrorCount, 0);
         keysRead.Clear();
-        return true;
+        if (value.Kind == JsonTokenType.StartObject) return true;
+        Document.Add(true, json.Start, json.End, $"{name ?? Path} must be an object in braces {{ }}, but is {json.InWords}");
+        return false;
     }
-
-    private void RefuseAsObject(string name) =>
-        Document!.Add(true, json.Start, json.End, $"{name} must be an object in braces {{ }}, but is {json.InWords}");
 
     /// <summary>The value of a key, which is read only once. Null if the key is missing, which is an error for a required key.</summary>
     private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
@@ -322,19 +320,11 @@ internal sealed class SceneObject
 
     private Vector3 VectorAt(JsonValue value, string key, Limits limits, string form)
     {
-        if (value.Kind == JsonTokenType.StartArray && value.IsOfThree(out var x, out var y, out var z))
+        if (value.Kind == JsonTokenType.StartArray && value.Content.Take(4).ToArray() is [var x, var y, var z])
             return new(NumberAt(x, key, 0, limits), NumberAt(y, key, 1, limits), NumberAt(z, key, 2, limits));
         Report(true, value, key, WrongValue.Vector(value, form));
         return NoVector;
     }
-
-    private Color WrongColor(JsonValue value, string key, Color orElse)
-    {
-        Report(true, value, key, $" must be {SceneColor.Form}, but is {value.InWords}; # and six hexadecimal digits make a colour");
-        return orElse;
-    }
-
-    private void WarnOfBytes(string key, Vector3 color) => Warn(key, $" is {color}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
 
     private JsonValue? Place(string key, int? element)
     {

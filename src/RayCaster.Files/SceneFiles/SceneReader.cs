@@ -98,43 +98,30 @@ public static class SceneReader
         };
         o.Close();
 
-        var view = camera.Target - camera.Position;
-        if (view.Length == 0 || Camera.IsParallel(camera.Up, view)) RefuseView(o, camera);
-        if (camera.ZFar <= camera.ZNear) RefuseDepths(o, camera.ZNear, camera.ZFar);
-        if ((long)camera.Width * camera.Height > Camera.MaxPixels) RefuseSize(o, camera.Width, camera.Height);
-        if (camera.FovY is >= 0.2 and < 3) WarnOfRadians(o, camera.FovY);
+        var (position, view) = (o.PathOf("position"), camera.Target - camera.Position);
+        var (width, height, zNear, zFar, fovY) = (camera.Width, camera.Height, camera.ZNear, camera.ZFar, camera.FovY);
+        var (ofUp, ofZNear) = (o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]",
+            o.Has("zNear") ? "" : " where it is not given");
+        if (view.Length == 0) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
+        else if (Camera.IsParallel(camera.Up, view))
+            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {position}, but is {camera.Up}{ofUp}");
+        if (zFar <= zNear && !o.Has("zFar"))
+            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
+        else if (zFar <= zNear)
+            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{ofZNear}, but is {zFar}");
+        if ((long)width * height > Camera.MaxPixels)
+            o.Refuse("height",
+                $" times {o.PathOf("width")} must be at most {Camera.MaxPixels:N0}, but is {height} x {width} = {(long)width * height:N0}");
+        if (fovY is >= 0.2 and < 3)
+            o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
         return o.IsSound ? camera : null;
     }
-
-    private static void RefuseView(SceneObject o, Camera camera)
-    {
-        var position = o.PathOf("position");
-        var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
-        if (camera.Target == camera.Position) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
-        else o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {position}, but is {camera.Up}{remedy}");
-    }
-
-    private static void RefuseDepths(SceneObject o, double zNear, double zFar)
-    {
-        if (!o.Has("zFar"))
-            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
-        else
-            o.Refuse("zFar",
-                $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
-    }
-
-    private static void RefuseSize(SceneObject o, int width, int height) =>
-        o.Refuse(
-            "height", $" times {o.PathOf("width")} must be at most {Camera.MaxPixels:N0}, but is {height} x {width} = {(long)width * height:N0}");
-
-    private static void WarnOfRadians(SceneObject o, double fovY) =>
-        o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
 
     /// <summary>Reads a model of any type; null if the type is unknown.</summary>
     private static Model? ReadModel(SceneObject o)
     {
         var name = o.Choice("type", "What the model is.", null, PrimitiveList.Names);
-        var type = Array.IndexOf(PrimitiveList.Names, name) is >= 0 and var place ? PrimitiveList.All[place] : null;
+        var type = Array.Find(PrimitiveList.All, type => type.Name == name);
         var model = type is null ? null : ReadModel(o, type);
         // If the type is unknown, only a key that no type has is surely wrong.
         o.Close(type is null ? PrimitiveList.KeysOfAllTypes() : []);

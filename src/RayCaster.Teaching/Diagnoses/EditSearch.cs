@@ -90,6 +90,8 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
                 foreach (var edit in kind == SectionKind.Plane ? [.. edits, .. shared.Value] : edits)
                 {
                     yield return edit;
+                    if (kind == SectionKind.Vectors)
+                        yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Light, "doubled"]], Cost = edit.Cost + 0.1 };
                     if (kind == SectionKind.Camera && edit.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
                         yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Rule, "aim"]], Cost = edit.Cost + 0.1 };
                 }
@@ -152,7 +154,7 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
     private (double, FormulaEdit)? InStyles(EditSample sample, FormulaEdit edit)
     {
         var (best, beside) = (sample.Unexplained(sample.Draw(edit)), edit.Beside);
-        foreach (var kind in shapes.Append(SectionKind.Rule))
+        foreach (var kind in shapes.Concat([SectionKind.Rule, SectionKind.Light]))
         {
             foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(section => section != right[kind] && IsPossible(section)))
             {

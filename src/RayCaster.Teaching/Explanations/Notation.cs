@@ -9,6 +9,8 @@ internal static partial class Notation
     {
         ("ray.Origin", "P"), ("ray.Direction", "d"), ("ray.At", "X"), ("Point", "Q"), ("Normal", "n"), ("Center", "C"), ("Radius", "R"),
         ("PlaneWidth", "w"), ("PlaneHeight", "h"), ("Width", "width"), ("Height", "height"), ("Camera.FadeDistance", "(2 |T − P|)"),
+        ("x.Near", "x enters"), ("y.Near", "y enters"), ("z.Near", "z enters"), // as the table of slabs has it
+        ("x.Far", "x leaves"), ("y.Far", "y leaves"), ("z.Far", "z leaves"),
         ("N.Sqrt", "√"), ("N.Min", "min"), ("N.Max", "max"), ("*", "·"), ("-", "−"), ("<=", "≤"), (">=", "≥"), ("&", "and"), ("|", "or"),
     }.ToDictionary(word => word.Code, word => word.Slide);
 

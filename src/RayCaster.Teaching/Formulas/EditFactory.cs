@@ -175,7 +175,7 @@ internal sealed class EditFactory
             var edited = written.Aggregate(section, (edited, formula) => edited.With(formula.Name, formula.Right));
             var first = section.Find(written[0].Name);
             Add(edited, first, $"{section.Formulas[first].Right}", $"{edited.Formulas[first].Right}", OtherLaw, Named);
-            ids.TryAdd(TextOf(edited), id);
+            if (id != "") ids.TryAdd(TextOf(edited), id);
         }
         return ids;
     }

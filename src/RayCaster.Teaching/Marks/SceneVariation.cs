@@ -91,7 +91,7 @@ public sealed class SceneVariation
     {
         foreach (var point in points)
         {
-            if (o.Find(point) is not { Kind: JsonTokenType.StartArray } vector || !vector.IsOfThree(out var x, out var y, out var z)) continue;
+            if (o.Find(point) is not { Kind: JsonTokenType.StartArray } vector || vector.Content.ToArray() is not [var x, var y, var z]) continue;
             Replace(x, axes[0].Warp(x.Number));
             Replace(y, axes[1].Warp(y.Number));
             Replace(z, axes[2].Warp(z.Number));

@@ -13,9 +13,6 @@ internal static class PictureExtensions
 
     extension(Scene scene)
     {
-        /// <summary>How many shapes there are; each triangle of a mesh counts.</summary>
-        public long ShapeCount => scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
-
         /// <summary>The bytes of a pixel, by its index in reading order.</summary>
         public (byte R, byte G, byte B) BytesAt(HitMap hits, int pixel) =>
             scene.Shade(hits.T[pixel], hits.Model[pixel] < 0 ? null : scene.Models[hits.Model[pixel]]).ToBytes();

@@ -16,6 +16,9 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N Attenuation<N>(N t) where N : struct, IReal<N> => N.Max(0, 1 - t / Camera.FadeDistance).As("attenuation");
 
+    /// <summary>How many shapes there are; each triangle of a mesh counts.</summary>
+    public long ShapeCount => Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
+
     /// <summary>The same scene in a picture of another size.</summary>
     public Scene WithSize(int width, int height) => this with { Camera = Camera with { Width = width, Height = height } };
 }

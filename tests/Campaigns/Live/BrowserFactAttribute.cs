@@ -2,15 +2,13 @@ using Microsoft.Playwright;
 
 namespace RayCaster.Live.Tests;
 
-/// <summary>A test that needs Chromium, and, if it only measures, the variable RAYCASTER_MEASURE. Without them it is skipped, and the run says so.
-/// </summary>
+/// <summary>A test that needs Chromium. Without it the test is skipped, and the run says so.</summary>
 public sealed class BrowserFactAttribute : FactAttribute
 {
     public const string Path = "/usr/bin/chromium";
 
-    public BrowserFactAttribute(bool measures = false)
+    public BrowserFactAttribute()
     {
-        if (measures && Environment.GetEnvironmentVariable("RAYCASTER_MEASURE") is null) Skip = "it measures, which RAYCASTER_MEASURE=1 asks for";
         if (!File.Exists(Path)) Skip = $"there is no Chromium at {Path} (Debian: apt-get install chromium)";
     }
 }

@@ -67,6 +67,7 @@ public class ObjFileTests
     [InlineData("v 1 2 3 red\nf 1 2 3", "(5): what follows a vertex's x, y and z must be a finite number, but is 'red'")]
     [InlineData("f 1 2 9", "(5): face index 9 is beyond the file's 4 vertices")]
     [InlineData("f 1 2 3\nf 1 2 5\nf 9 1 1", "(6): face index 5 is beyond the file's 4 vertices")]
+    [InlineData("f 1 2 9\nf 1 2\nv 1 2\n", "(6): a face needs at least three corners, but this one has 2")] // known before the vertices are counted
     [InlineData("f 1 2 2147483648", "(5): face index 2147483648 is beyond the file's 4 vertices")]
     [InlineData("f 1 2 4294967297", "(5): face index 4294967297 is beyond the file's 4 vertices")]
     [InlineData("f 1 2 9223372036854775807", "(5): face index 9223372036854775807 is beyond the file's 4 vertices")]
@@ -99,5 +100,5 @@ public class ObjFileTests
     public void Utf16IsNamed() => Assert.Equal("box.obj(1): the file is in UTF-16; save it as UTF-8",
         Assert.Throws<ProblemException>(() => MeshBytes.Read("box.obj", [0xFF, 0xFE, (byte)'v', 0])).Message);
 
-    private static MeshData Read(string text) => MeshBytes.Read("box.obj", Encoding.ASCII.GetBytes(text));
+    private static MeshData Read(string text) => PiecesTests.ReadInPieces("box.obj", Encoding.ASCII.GetBytes(text));
 }

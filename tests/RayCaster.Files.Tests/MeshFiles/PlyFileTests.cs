@@ -24,12 +24,9 @@ public class PlyFileTests
         Assert.Equal([0, 1, 2, 2, 1, 3], Read(start + vertex + strips + corners + "4 0 1 2 3\n").Indices);
         Assert.Equal([0, 1, 2, 1, 2, 3], Read(start + vertex + strips + corners + "7 0 1 2 -1 1 2 3\n").Indices);
         Assert.Equal([0, 1, 2, 0, 3, 1], Read(start + vertex + strips + corners + "8 0 1 2 2 3 3 0 1\n").Indices);
-        Refused(start + vertex + strips + corners + "3 0 1 4\n", "(14): face index 4 is beyond the file's 4 vertices, which count from 0");
-        Refused(start + vertex + strips + corners + "3 0 1 -2\n", "(14): a face index must be a whole number from 0 on, but is -2");
+        AssertRefused(start + vertex + strips + corners + "3 0 1 4\n", "(14): face index 4 is beyond the file's 4 vertices, which count from 0");
+        AssertRefused(start + vertex + strips + corners + "3 0 1 -2\n", "(14): a face index must be a whole number from 0 on, but is -2");
         Assert.Equal(6, Read(start + vertex + face + strips + corners + "3 0 1 2\n3 1 2 3\n").Indices.Length);
-
-        static void Refused(string text, string message) =>
-            Assert.Equal("box.ply" + message, Assert.Throws<ProblemException>(() => Read(text)).Message);
     }
 
     [Fact]
@@ -208,5 +205,5 @@ public class PlyFileTests
     private static void AssertRefused(string text, string message) =>
         Assert.Equal("box.ply" + message, Assert.Throws<ProblemException>(() => Read(text)).Message);
 
-    private static MeshData Read(string text) => MeshBytes.Read("box.ply", Encoding.ASCII.GetBytes(text));
+    private static MeshData Read(string text) => PiecesTests.ReadInPieces("box.ply", Encoding.ASCII.GetBytes(text));
 }

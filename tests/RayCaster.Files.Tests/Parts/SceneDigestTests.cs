@@ -96,8 +96,9 @@ public class SceneDigestTests
     {
         var scene = new Scene(new(new(5, 0, 0), Vector3.Zero), [Model.Of(new Sphere(Vector3.Zero, 1)), new Silent()]);
         Assert.Equal(
-            "models[1] is of the class Silent, which does not say its numbers; override ToString in it (docs/adding-a-primitive.md)",
-            Assert.Throws<NotSupportedException>(() => Digest(scene)).Message);
+            "the scene cannot be drawn in parts: models[1] is of the class Silent, which does not say its numbers; "
+            + "override ToString in it (docs/adding-a-primitive.md)",
+            Assert.Throws<ProblemException>(() => Digest(scene)).Message);
     }
 
     [Fact]

@@ -14,24 +14,14 @@ public class MeasuresTests
 
     private static Picture Read(string name) => PictureFile.Read(Path.Combine(folder, name + ".ppm"));
 
-    private static PictureDifference DifferenceOf(string name) => new(Read(name), Read("reference"));
-
     [Theory]
     [MemberData(nameof(Names))]
-    public void TheCountOfPixelsThatDifferIsThatOfImageMagick(string name) =>
-        Assert.Equal(expected[name][0], DifferenceOf(name).CountBeyond(0));
-
-    [Theory]
-    [MemberData(nameof(Names))]
-    public void TheMaximumIsThatOfImageMagick(string name) => Assert.Equal(expected[name][1], DifferenceOf(name).Largest / 255.0, 1e-6);
-
-    [Theory]
-    [MemberData(nameof(Names))]
-    public void TheMeanAbsoluteErrorIsThatOfImageMagick(string name) =>
-        Assert.Equal(expected[name][2], DifferenceOf(name).MeanAbsoluteError / 255, 1e-6);
-
-    [Theory]
-    [MemberData(nameof(Names))]
-    public void TheRootMeanSquareErrorIsThatOfImageMagick(string name) =>
-        Assert.Equal(expected[name][3], DifferenceOf(name).RootMeanSquareError / 255, 1e-6);
+    public void EachMeasureIsThatOfImageMagick(string name)
+    {
+        var difference = new PictureDifference(Read(name), Read("reference"));
+        Assert.Equal(expected[name][0], difference.CountBeyond(0));
+        Assert.Equal(expected[name][1], difference.Largest / 255.0, 1e-6);
+        Assert.Equal(expected[name][2], difference.MeanAbsoluteError / 255, 1e-6);
+        Assert.Equal(expected[name][3], difference.RootMeanSquareError / 255, 1e-6);
+    }
 }

@@ -16,37 +16,42 @@ public class RecognitionTests
         Assert.Equal(Likeness.Identical, recognition!.Likeness);
     }
 
-    [Fact]
-    public void FlippedTopToBottom() =>
-        Recognises(new(Turn.TopBottom), SomePictures.Make(96, 64, (x, y) => still[x, 63 - y]), still);
+    /// <summary>Where a pixel of the turned picture comes from in one of 96 x 64 pixels.</summary>
+    private static (int X, int Y) Source(Turn turn, int x, int y) => turn switch
+    {
+        Turn.TopBottom => (x, 63 - y),
+        Turn.LeftRight => (95 - x, y),
+        Turn.Half => (95 - x, 63 - y),
+        Turn.Transposed => (y, x),
+        Turn.Clockwise => (95 - y, x), // it was turned counter-clockwise: its first column, from the bottom, is the reference's first line
+        Turn.CounterClockwise => (y, 63 - x),
+        _ => (95 - y, 63 - x),
+    };
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    [InlineData(5)]
+    [InlineData(6)]
+    [InlineData(7)]
+    public void EachTurn(int number)
+    {
+        var turn = (Turn)number;
+        var (width, height) = turn >= Turn.Transposed ? (64, 96) : (96, 64);
+        Recognises(new(turn), Picture.Of(width, height, (x, y) => Source(turn, x, y) is var (u, v) ? still[u, v] : default), still);
+    }
 
     [Fact]
-    public void MirroredLeftToRight() =>
-        Recognises(new(Turn.LeftRight), SomePictures.Make(96, 64, (x, y) => still[95 - x, y]), still);
+    public void TransposedInASquare() => Recognises(new(Turn.Transposed), Picture.Of(64, 64, (x, y) => square[y, x]), square);
 
     [Fact]
-    public void TurnedByHalf() =>
-        Recognises(new(Turn.Half), SomePictures.Make(96, 64, (x, y) => still[95 - x, 63 - y]), still);
-
-    [Fact]
-    public void TransposedWithTheSidesSwapped() =>
-        Recognises(new(Turn.Transposed), SomePictures.Make(64, 96, (x, y) => still[y, x]), still);
-
-    [Fact]
-    public void TransposedInASquare() =>
-        Recognises(new(Turn.Transposed), SomePictures.Make(64, 64, (x, y) => square[y, x]), square);
-
-    [Fact]
-    public void TurnedCounterClockwise() => // so it must be turned clockwise: its first column, from the bottom, is the reference's first line
-        Recognises(new(Turn.Clockwise), SomePictures.Make(64, 96, (x, y) => still[95 - y, x]), still);
-
-    [Fact]
-    public void TurnedClockwise() =>
-        Recognises(new(Turn.CounterClockwise), SomePictures.Make(64, 96, (x, y) => still[y, 63 - x]), still);
-
-    [Fact]
-    public void TransposedTheOtherWay() =>
-        Recognises(new(Turn.AntiTransposed), SomePictures.Make(64, 96, (x, y) => still[95 - y, 63 - x]), still);
+    public void ChannelsInAnotherOrder()
+    {
+        Recognises(new(Channels: "BGR"), still.Map(p => (p.B, p.G, p.R)), still);
+        Recognises(new(Channels: "GBR"), still.Map(p => (p.G, p.B, p.R)), still);
+    }
 
     [Fact]
     public void SidesSwappedInTheHeader()
@@ -63,13 +68,13 @@ public class RecognitionTests
     [InlineData(16, -16)]
     public void Moved(int right, int down) => Recognises(
         new(Turn.None, right, down),
-        SomePictures.Make(96, 64, (x, y) => x + right is >= 0 and < 96 && y + down is >= 0 and < 64 ? still[x + right, y + down] : default),
+        Picture.Of(96, 64, (x, y) => x + right is >= 0 and < 96 && y + down is >= 0 and < 64 ? still[x + right, y + down] : default),
         still);
 
     [Fact]
     public void FlippedAndOneLineOff() => // V points down: row r shows −ur, so line 0 has no counterpart
         Recognises(
-            new(Turn.TopBottom, Down: 1), SomePictures.Make(96, 64, (x, y) => y == 0 ? default : still[x, 64 - y]).With(_ => { }), still.With(p =>
+            new(Turn.TopBottom, Down: 1), Picture.Of(96, 64, (x, y) => y == 0 ? default : still[x, 64 - y]).With(_ => { }), still.With(p =>
         {
             for (var x = 0; x < 96; x++) p[x, 0] = (50, 60, 70);
         }));
@@ -87,15 +92,9 @@ public class RecognitionTests
     }
 
     [Fact]
-    public void RedAndBlueSwapped() => Recognises(new(Channels: "BGR"), still.Map(p => (p.B, p.G, p.R)), still);
-
-    [Fact]
-    public void ChannelsMovedRound() => Recognises(new(Channels: "GBR"), still.Map(p => (p.G, p.B, p.R)), still);
-
-    [Fact]
     public void ATruncatedFlippedPictureBecomesRightButForRounding()
     {
-        var mine = SomePictures.Make(96, 64, (x, y) => still[x, 63 - y]).Map(p => ((byte)Math.Max(0, p.R - 1), p.G, p.B));
+        var mine = Picture.Of(96, 64, (x, y) => still[x, 63 - y]).Map(p => ((byte)Math.Max(0, p.R - 1), p.G, p.B));
         var recognition = Recognise(mine, still)!;
         Assert.Equal((new Change(Turn.TopBottom), Likeness.RoundedOtherwise), (recognition.Change, recognition.Likeness));
     }
@@ -103,7 +102,7 @@ public class RecognitionTests
     [Fact]
     public void WhatIsLeftWrongIsTold()
     {
-        var mine = SomePictures.Make(96, 64, (x, y) => still[x, 63 - y]).With(p => p[3, 3] = p[4, 4] = (9, 9, 9));
+        var mine = Picture.Of(96, 64, (x, y) => still[x, 63 - y]).With(p => p[3, 3] = p[4, 4] = (9, 9, 9));
         var recognition = Recognise(mine, still)!;
         Assert.Equal((new Change(Turn.TopBottom), Likeness.Wrong, 2), (recognition.Change, recognition.Likeness, recognition.Difference.Wrong));
     }
@@ -114,7 +113,7 @@ public class RecognitionTests
 
     [Fact]
     public void NothingIsClaimedOfAnUnrelatedPicture() =>
-        Assert.Null(Recognise(SomePictures.Make(96, 64, (x, y) => ((byte)(x * y), (byte)(x ^ y), (byte)(3 * y))), still));
+        Assert.Null(Recognise(Picture.Of(96, 64, (x, y) => ((byte)(x * y), (byte)(x ^ y), (byte)(3 * y))), still));
 
     [Fact]
     public void NothingIsClaimedOfABlackPicture() => Assert.Null(Recognise(new Picture(96, 64), still));

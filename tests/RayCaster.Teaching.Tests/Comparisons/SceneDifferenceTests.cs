@@ -49,26 +49,14 @@ public class SceneDifferenceTests
         Assert.Contains("\n`box` (models[2]) is missing", TextOf(Renderer.Render(Without(2)), Renderer.Render(twins), twins));
     }
 
-    [Fact]
-    public void AnotherColourIsTold()
+    [Theory]
+    [InlineData(0.2, 0.5, 0.4, "`box` has another colour: (0.2, 0.5, 0.4) instead of (0.9, 0.2, 0.1)")]
+    [InlineData(0.45, 0.1, 0.05, "`box` is darker: 0.5 times what it should be")]
+    [InlineData(0, 0, 0, "`box` is black")]
+    public void AnotherColourIsTold(double red, double green, double blue, string told)
     {
-        var other = With(1, Named(new Aabb(new(-1, -3, -1), new(1, -1, 1.5)), "box", new(0.2, 0.5, 0.4)));
-        Assert.Contains(
-            "\n`box` has another colour: (0.2, 0.5, 0.4) instead of (0.9, 0.2, 0.1); all others agree.\n", TextOf(Renderer.Render(other)));
-    }
-
-    [Fact]
-    public void LessLightIsToldByItsFactor()
-    {
-        var other = With(1, Named(new Aabb(new(-1, -3, -1), new(1, -1, 1.5)), "box", new(0.45, 0.1, 0.05)));
-        Assert.Contains("\n`box` is darker: 0.5 times what it should be; all others agree.\n", TextOf(Renderer.Render(other)));
-    }
-
-    [Fact]
-    public void ABlackModelIsTold()
-    {
-        var other = With(1, Named(new Aabb(new(-1, -3, -1), new(1, -1, 1.5)), "box", new(0, 0, 0)));
-        Assert.Contains("\n`box` is black; all others agree.\n", TextOf(Renderer.Render(other)));
+        var other = With(1, Named(new Aabb(new(-1, -3, -1), new(1, -1, 1.5)), "box", new(red, green, blue)));
+        Assert.Contains($"\n{told}; all others agree.\n", TextOf(Renderer.Render(other)));
     }
 
     [Fact]
@@ -123,7 +111,7 @@ public class SceneDifferenceTests
 
     [Fact]
     public void AWholePicturesChangeIsNotBlamedOnModels() =>
-        Assert.DoesNotContain("`", TextOf(SomePictures.Make(120, 80, (x, y) => right[x, 79 - y])));
+        Assert.DoesNotContain("`", TextOf(Picture.Of(120, 80, (x, y) => right[x, 79 - y])));
 
     [Fact]
     public void WhereEverythingIsWrongNoModelIsBlamed()
@@ -144,9 +132,9 @@ public class SceneDifferenceTests
         var edge = new Scene(camera, [Named(new Aabb(new(-1, 0, -90), new(1, 90, 90)), "half", new(1, 1, 1))], new(0, 0, 0.5));
         var reference = Renderer.Render(edge);
         Assert.NotEqual(reference[29, 0], reference[30, 0]);
-        var shifted = SomePictures.Make(60, 40, (x, y) => x == 30 ? reference[29, y] : reference[x, y]);
+        var shifted = Picture.Of(60, 40, (x, y) => x == 30 ? reference[29, y] : reference[x, y]);
         Assert.Equal(Likeness.OutlinesOnly, new PictureComparison(shifted, reference, edge).Likeness);
-        var farther = SomePictures.Make(60, 40, (x, y) => x == 31 ? reference[29, y] : reference[x, y]);
+        var farther = Picture.Of(60, 40, (x, y) => x == 31 ? reference[29, y] : reference[x, y]);
         Assert.Equal(Likeness.Wrong, new PictureComparison(farther, reference, edge).Likeness);
     }
 

@@ -4,7 +4,7 @@ namespace RayCaster.Teaching.Tests.Comparisons;
 internal static class SomePictures
 {
     /// <summary>A shaded ground, a box and a ball before it, all of different colours.</summary>
-    public static Picture Still(int width = 96, int height = 64) => Make(width, height, (x, y) =>
+    public static Picture Still(int width = 96, int height = 64) => Picture.Of(width, height, (x, y) =>
     {
         var (u, v) = ((double)x / width, (double)y / height);
         if (Math.Pow(u - 0.7, 2) + Math.Pow((v - 0.4) * height / width, 2) < 0.02) return (Level(0.9 - 0.5 * u), Level(0.7 - 0.3 * v), (byte)20);
@@ -12,18 +12,9 @@ internal static class SomePictures
         return v > 0.65 ? (Level(0.3 + 0.2 * v), Level(0.25 + 0.1 * u), (byte)30) : default;
     });
 
-    /// <summary>A picture whose pixels are given by column and line.</summary>
-    public static Picture Make(int width, int height, Func<int, int, (byte, byte, byte)> pixel)
-    {
-        var picture = new Picture(width, height);
-        for (var y = 0; y < height; y++)
-            for (var x = 0; x < width; x++) picture[x, y] = pixel(x, y);
-        return picture;
-    }
-
     /// <summary>The same with every pixel changed.</summary>
     public static Picture Map(this Picture picture, Func<(byte R, byte G, byte B), (byte, byte, byte)> change) =>
-        Make(picture.Width, picture.Height, (x, y) => change(picture[x, y]));
+        Picture.Of(picture.Width, picture.Height, (x, y) => change(picture[x, y]));
 
     /// <summary>The same with a few pixels changed.</summary>
     public static Picture With(this Picture picture, Action<Picture> change)

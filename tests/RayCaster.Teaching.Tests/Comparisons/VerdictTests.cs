@@ -42,7 +42,7 @@ public class VerdictTests
 
     [Fact]
     public void NorAlongHalfOfTheOutlines() =>
-        Assert.Equal(Likeness.Wrong, new PictureComparison(SomePictures.Make(96, 64, (x, y) => still[Math.Max(0, x - 1), y]), still).Likeness);
+        Assert.Equal(Likeness.Wrong, new PictureComparison(Picture.Of(96, 64, (x, y) => still[Math.Max(0, x - 1), y]), still).Likeness);
 
     [Fact]
     public void PicturesOfDifferentSizesAreWrong() =>

@@ -79,45 +79,6 @@ public class LabTests
         }
     }
 
-    [Theory]
-    [InlineData("cols", "cols")]
-    [InlineData("rows", "rows")]
-    [InlineData("bgr", "bgr")]
-    [InlineData("transpose", "transpose")]
-    [InlineData("w-sign", "w-sign")]
-    [InlineData("u-only", "u-only")]
-    [InlineData("w-sign", "dir-plus-w", "u-cross", "u-cross", "dir-plus-w", "w-sign")]
-    public void MadeAnEvenNumberOfTimesSomeCancelOut(params string[] ids) => Assert.Equal(Of().Render().Rgb, Of(ids).Render().Rgb);
-
-    [Theory]
-    [InlineData("r-nosq", "disc-2")]
-    [InlineData("oc-sign", "dir-unnorm-a1")]
-    [InlineData("thc-nosqrt", "d-nosq")]
-    [InlineData("thc-nosqrt", "disc-nan")]
-    [InlineData("tri-neg", "circ-inf")]
-    [InlineData("slab-tmax", "slab-minmin")]
-    [InlineData("slab-minmin", "slab-noswap")]
-    [InlineData("tri-uv", "cross-y")]
-    [InlineData("u-unnorm", "u-cross")]
-    [InlineData("att-inv", "att-depth")]
-    [InlineData("transpose", "bgr")]
-    [InlineData("gamma", "round")]
-    public void TwoMistakesDifferFromEitherInAnyOrder(string one, string other)
-    {
-        var both = Of(one, other).Render().Rgb;
-        Assert.NotEqual(Of(one).Render().Rgb, both);
-        Assert.NotEqual(Of(other).Render().Rgb, both);
-        Assert.Equal(both, Of(other, one).Render().Rgb);
-    }
-
-    [Fact]
-    public void SwappedSidesAreThoseOfTheFile()
-    {
-        var camera = SceneFolder.Small("mistakes/generic").Camera;
-        Assert.Equal((camera.Height, camera.Width), (Of("whswap").Width, Of("whswap").Height));
-        Assert.Equal((camera.Width, camera.Height), (Of("whswap", "transpose").Width, Of("whswap", "transpose").Height));
-    }
-
     [Fact]
     public void AMeshIsHitAsItsTrianglesAre()
     {

@@ -37,17 +37,16 @@ public class PixelExplanationTests
         Assert.Equal(outcome, Assert.Single(model.Crossings).Outcome);
     }
 
-    [Fact]
-    public void AParallelPlaneSaysSo() =>
-        Assert.Equal("d·n = 0: the ray runs along the plane", Explain(Model.Of(new Plane(new(0, 0, -1), new(0, 0, 1)))).Reason);
+    public static TheoryData<Model, string> Missed => new()
+    {
+        { Model.Of(new Plane(new(0, 0, -1), new(0, 0, 1))), "d·n = 0: the ray runs along the plane" },
+        { Model.Of(new Sphere(new(-5, 2.5, 0), 2)), "|D| = 2.5 > R = 2: the ray misses the sphere" },
+        { Model.Of(new Circle(new(-5, 2.3, 0), new(1, 0, 0), 2)), "|X − C| = 2.3 > R = 2: outside the circle" },
+    };
 
-    [Fact]
-    public void ASphereThatIsPassedByTellsHowFar() =>
-        Assert.Equal("|D| = 2.5 > R = 2: the ray misses the sphere", Explain(Model.Of(new Sphere(new(-5, 2.5, 0), 2))).Reason);
-
-    [Fact]
-    public void ACircleThatIsPassedByTellsHowFar() =>
-        Assert.Equal("|X − C| = 2.3 > R = 2: outside the circle", Explain(Model.Of(new Circle(new(-5, 2.3, 0), new(1, 0, 0), 2))).Reason);
+    [Theory]
+    [MemberData(nameof(Missed))]
+    public void AShapeThatIsMissedSaysWhy(Model model, string reason) => Assert.Equal(reason, Explain(model).Reason);
 
     [Fact]
     public void ATriangleTellsWhichOfItsNumbersFails()

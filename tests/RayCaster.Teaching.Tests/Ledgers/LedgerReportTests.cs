@@ -27,56 +27,38 @@ public class LedgerReportTests
 
     [Fact]
     public void NothingOddIsSaidToo() =>
-        Assert.EndsWith("Nothing odd: every model shows.\n", Report(new Camera(new(10, 0, 0), Vector3.Zero) { Width = 30, Height = 20 }));
+        Assert.EndsWith("Nothing odd: every model shows.\n", Report(View(10, 0)));
+
+    public static TheoryData<Camera, string> Odd => new()
+    {
+        { View(-10, -20), "0 of 600 rays hit anything: models[0] (sphere) lies behind the camera." },
+        { View(-10, -200), "The camera looks away from them: towards target = [180, 0, 0] 19 % of the rays hit something." },
+        { View(3, 12), "Are position and target swapped? From [12, 0, 0] towards [3, 0, 0] 13 % of the rays hit something." },
+        { View(10, 0) with { ZNear = 50 }, "0 of 600 rays hit anything: models[0] (sphere) lies nearer than zNear.\n" +
+            "zNear is 50, but their crossings lie at z = 12 and less. Make zNear smaller, or move the camera back." },
+        { View(10, 0) with { ZFar = 5 }, "zFar is 5, but their crossings lie at z = 8 and more. Make zFar greater." },
+        { View(10, 0) with { Bias = 40 },
+            "models[0] (sphere) is crossed only at t <= bias.\nbias is 40: only t > bias is a hit. Make it smaller; 1e-6 is usual." },
+        { View(10, 8), "hits are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = 4 on, and their t is 8" },
+        { View(10, 9) with { Target = new(9, 1, 0) }, "They lie beside the picture: aim target at them (it is [9, 1, 0])" },
+        { View(10, -10) with { Position = new(10, 50, 0), Target = new(-10, 50, 0), FovY = 120 }, "The camera looks past them" },
+    };
 
     [Theory]
-    [InlineData(-10, -20, "0 of 600 rays hit anything: models[0] (sphere) lies behind the camera.")]
-    [InlineData(-10, -200, "The camera looks away from them: towards target = [180, 0, 0] 19 % of the rays hit something.")]
-    [InlineData(3, 12, "Are position and target swapped? From [12, 0, 0] towards [3, 0, 0] 13 % of the rays hit something.")]
-    public void ACameraThatLooksAwayIsTold(double position, double target, string sentence) =>
-        Assert.Contains(sentence + "\n", Report(new Camera(new(position, 0, 0), new(target, 0, 0)) { Width = 30, Height = 20 }));
-
-    [Fact]
-    public void ANearPlaneThatCutsAllIsTold() => Assert.EndsWith(
-        "0 of 600 rays hit anything: models[0] (sphere) lies nearer than zNear.\n" +
-        "zNear is 50, but their crossings lie at z = 12 and less. Make zNear smaller, or move the camera back.\n",
-        Report(new Camera(new(10, 0, 0), Vector3.Zero) { Width = 30, Height = 20, ZNear = 50 }));
-
-    [Fact]
-    public void AFarPlaneThatCutsAllIsTold() => Assert.Contains(
-        "zFar is 5, but their crossings lie at z = 8 and more.",
-        Report(new Camera(new(10, 0, 0), Vector3.Zero) { Width = 30, Height = 20, ZFar = 5 }));
-
-    [Fact]
-    public void ABiasThatRefusesAllIsTold() => Assert.EndsWith(
-        "models[0] (sphere) is crossed only at t <= bias.\nbias is 40: only t > bias is a hit. Make it smaller; 1e-6 is usual.\n",
-        Report(new Camera(new(10, 0, 0), Vector3.Zero) { Width = 30, Height = 20, Bias = 40 }));
-
-    [Fact]
-    public void ATargetTooNearIsTold() => Assert.Contains(
-        "hits are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = 4 on, and their t is 8",
-        Report(new Camera(new(10, 0, 0), new(8, 0, 0)) { Width = 30, Height = 20 }));
-
-    [Fact]
-    public void ModelsBesideTheViewAreTold()
-    {
-        Assert.Contains("They lie beside the picture: aim target at them (it is [9, 1, 0])",
-            Report(new Camera(new(10, 0, 0), new(9, 1, 0)) { Width = 30, Height = 20 }));
-        Assert.Contains(
-            "The camera looks past them", Report(new Camera(new(10, 50, 0), new(-10, 50, 0)) { FovY = 120, Width = 30, Height = 20 }));
-    }
+    [MemberData(nameof(Odd))]
+    public void WhatIsOddIsTold(Camera camera, string sentence) => Assert.Contains(sentence, Report(camera));
 
     [Fact]
     public void ASceneWithoutModelsIsTold() => Assert.EndsWith(
         "The scene holds no models: every pixel shows the background.\n",
-        HitLedger.Take(new Scene(new Camera(new(10, 0, 0), Vector3.Zero) { Width = 30, Height = 20 }, [])).Report());
+        HitLedger.Take(new Scene(View(10, 0), [])).Report());
 
     [Fact]
     public void ABackgroundOfTheModelsColourIsTold()
     {
         var glaring = Model.Of(new Sphere(Vector3.Zero, 2));
         glaring.Color = new(100, 100, 100);
-        var scene = new Scene(new Camera(new(10, 0, 0), Vector3.Zero) { Width = 30, Height = 20 }, [glaring], Color.White);
+        var scene = new Scene(View(10, 0), [glaring], Color.White);
         Assert.Contains("The background has the same colour", HitLedger.Take(scene).Report());
     }
 
@@ -93,6 +75,9 @@ public class LedgerReportTests
         odd.Take(second);
         Assert.Equal(isOdd, odd.IsOdd);
     }
+
+    /// <summary>A camera on the x axis that looks along it.</summary>
+    private static Camera View(double position, double target) => new(new(position, 0, 0), new(target, 0, 0)) { Width = 30, Height = 20 };
 
     private static string Report(Camera camera) => HitLedger.Take(new Scene(camera, [Ball])).Report();
 }

@@ -6,7 +6,9 @@ namespace Lab.Tests;
 [Trait("step", "7")]
 public class Step07Box
 {
-    private const string Slide = "AABB checking for intersection", SlabSlide = "AABB – intersection parameters";
+    private const string SlabSlide = "AABB – intersection parameters";
+
+    private static string Slide => Proof.IsSlabRight() ? "AABB checking for intersection" : SlabSlide;
 
     private static readonly Library.Model box = BoxOf(new(-1, -2, -3), new(1, 2, 3));
 
