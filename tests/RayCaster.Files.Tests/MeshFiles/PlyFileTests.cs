@@ -126,14 +126,6 @@ public class PlyFileTests
     public void MistakeInTheHeaderIsNamedWithItsLine(string text, string message) => AssertRefused(text, message);
 
     [Theory]
-    [InlineData("4000000000", 3)]
-    [InlineData("9223372036854775807", 3)]
-    [InlineData("9", 3)]
-    public void PromiseOfMoreVerticesThanTheFileCanHoldIsRefusedFromTheHeader(string count, int line) =>
-        AssertRefused(start + vertex.Replace("4", count) + face + "end_header\n" + corners + "3 0 1 2\n",
-            $"({line}): the header promises {count} rows, more than the rest of the file can hold");
-
-    [Theory]
     [InlineData("0 0 0\n1 0 0\n1 1 0\n", "3 0 1 2\n", "(13): the line has more numbers than the header promises, from '2' on")]
     [InlineData("0 0\n1 0 0\n1 1 0\n0 1 0\n", "3 0 1 2\n", "(10): the line has fewer numbers than the header promises")]
     [InlineData("0 0 0\n1 x 0\n1 1 0\n0 1 0\n", "3 0 1 2\n", "(11): the value must be a finite number, but is 'x'")]

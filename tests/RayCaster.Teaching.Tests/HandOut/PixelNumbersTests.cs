@@ -42,6 +42,7 @@ public class PixelNumbersTests
     [InlineData("Camera", "ur * V - W", "ur * V + W", "d", "Camera Pixel Translation")]
     [InlineData("Plane", "(Q - ray.Origin)", "(ray.Origin - Q)", "t of back", "Ray – Plane Intersection")]
     [InlineData("Sphere", "R * R - D * D", "R - D * D", "t of ball", "Sphere – Geometric Solution")]
+    [InlineData("Circle", ".Length <= R", ".Length >= 0", "t of disc", "Circle")] // no hit is right
     [InlineData("Ray", "t >= HitParameter", "t <= HitParameter", "hit", "Ray")]
     [InlineData("Ray", "t > Bias", "t < Bias", "Counts(25.601)", "Bias\" or \"zNear & zFar")]
     [InlineData("Ray", "z <= ZFar", "z <= ZNear", "Counts(25.601)", "Bias\" or \"zNear & zFar")]

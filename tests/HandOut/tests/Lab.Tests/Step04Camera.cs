@@ -4,7 +4,7 @@ namespace Lab.Tests;
 
 /// <summary>Slides "Camera", "Camera Pixel Translation", "Ray Casting".</summary>
 [Trait("step", "4")]
-public class Step04Camera
+public class Step04Camera : StepTests
 {
     private const string Slide = "Camera", PixelSlide = "Camera Pixel Translation";
 

@@ -2,7 +2,7 @@ namespace Lab.Tests;
 
 /// <summary>Slide "Primitive Shading".</summary>
 [Trait("step", "5")]
-public class Step05Shading
+public class Step05Shading : StepTests
 {
     private const string Slide = "Primitive Shading";
 

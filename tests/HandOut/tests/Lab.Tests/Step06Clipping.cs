@@ -6,7 +6,7 @@ namespace Lab.Tests;
 
 /// <summary>Slides "zNear &amp; zFar", "Bias".</summary>
 [Trait("step", "6")]
-public class Step06Clipping
+public class Step06Clipping : StepTests
 {
     private readonly Chance chance = new();
 

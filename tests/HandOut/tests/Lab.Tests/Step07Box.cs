@@ -4,7 +4,7 @@ namespace Lab.Tests;
 
 /// <summary>Slides "AABB (Axis Aligned Bounding Box)", "AABB – intersection parameters", "AABB checking for intersection".</summary>
 [Trait("step", "7")]
-public class Step07Box
+public class Step07Box : StepTests
 {
     private const string SlabSlide = "AABB – intersection parameters";
 
