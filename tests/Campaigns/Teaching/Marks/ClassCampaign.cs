@@ -49,7 +49,7 @@ public class ClassCampaign
     public void ARightProgramGetsAllPoints(string style)
     {
         var marks = Mark(two, scene => style == "own" ? new PlantedSlips(scene, -1).Draw()
-            : style.Split(' ') is [var kind, var way] && Enum.TryParse<SectionKind>(kind, ignoreCase: true, out var section) ? InStyle(scene, section, way)
+            : style.Split(' ') is [var kind, var way] && Enum.TryParse<SectionKind>(kind, ignoreCase: true, out var step) ? InStyle(scene, step, way)
             : EditedLab.Render(scene, new(style.Contains("truncates"), Float: style.Contains("float")), Planted.None, Planted.None));
         Assert.Equal((20.0, 0.0), (marks.Points, marks.Undecided));
     }
