@@ -47,7 +47,7 @@ public sealed class MarkTests : CommandTests
         var forTheTeacher = File.ReadAllText(raycaster.PathOf("marks/class.html"));
         Assert.Contains("=boris", forTheTeacher);
         Assert.Contains("To discuss next: No spheres are drawn.", forTheTeacher);
-        Assert.Contains("2.33 of 5 points on average, 1.67 more are undecided. To look at yourself: 1.", forTheTeacher);
+        Assert.Contains("2.33 of 5 points on average; 1.67 undecided. To look at yourself: 1.", forTheTeacher);
     }
 
     [Fact]

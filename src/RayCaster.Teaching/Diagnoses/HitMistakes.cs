@@ -20,7 +20,7 @@ internal static class HitMistakes
         new Mistake("last-hit", Affects.Hit, Slides.RayCasting, "the last model hit shows, not the nearest",
             lab => lab.Better.Is((_, _) => true),
             "Far things cover near ones; the order of the models changes the picture.",
-            "When may a hit replace the one that was found before?",
+            "When may a hit replace the one that was found before? Do all models get the same ray?",
             "Keep a hit only if its t is less than the best t so far.")
             .Or("the last hit shows, of both crossings of a sphere or a box, too", Both + (lab => lab.Better.Is((_, _) => true)))
             .Or("the first model hit shows, not the nearest", lab => lab.Better.Is((_, best) => double.IsPositiveInfinity(best)))

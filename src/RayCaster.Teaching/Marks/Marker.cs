@@ -6,6 +6,10 @@ internal sealed class Marker(Rubric rubric)
     /// <summary>Judges the pictures of a submission together.</summary>
     public StudentMarks Mark(string student, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
+        if (submitted.All(picture => picture.IsUntouched))
+            return new(student, "", [.. rubric.Items.Select(item => new ItemMarks(item.Name, item.Points, 0, 0, item.Undone))],
+                [.. submitted.Select(picture => new SceneMarks(picture.Scene.Name, SceneVerdict.Explained, null))], [], [], [], [],
+                [.. notes, "all pictures are those of the hand-out before anything is written"]);
         List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = new JointDiagnosis(pictures, rubric.Known);
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, diagnosis))];

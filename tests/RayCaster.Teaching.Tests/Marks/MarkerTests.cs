@@ -41,7 +41,7 @@ public class MarkerTests
     internal static StudentMarks Mark(string mistake, string second = "ok", string undone = "") => Mark(scene =>
         EditedLab.Render(Without(scene, undone), Manner.OfTheSlides, Planted.Named(mistake), Planted.Named(second)));
 
-    private static Scene Without(Scene scene, string kinds) =>
+    internal static Scene Without(Scene scene, string kinds) =>
         scene with { Models = [.. scene.Models.Where(model => !kinds.Split(' ').Contains(model.Kind))] };
 
     internal static string[] Lost(StudentMarks marks) =>
@@ -132,6 +132,21 @@ public class MarkerTests
         var marks = Mark(With(whole.Items, [room]), scene => EditedLab.Render(scene, Planted.Named("w-sign")));
         Assert.Equal("4", string.Join(' ', Lost(marks).Except(["8"])));
         Assert.Equal(2, marks.Items[7].Undecided);
+    }
+
+    [Fact]
+    public void TheUntouchedHandOutGetsNoPointsAndIsNotUndecided()
+    {
+        var marks = Mark(scene =>
+        {
+            var (picture, camera) = (new Picture(scene.Camera.Width, scene.Camera.Height), scene.Camera);
+            for (var r = 0; r < camera.Height; r++) // the stub of Scene.CastRay
+                for (var c = 0; c < camera.Width; c++)
+                    picture[c, camera.Height - 1 - r] = new Color((double)c / camera.Width, (double)r / camera.Height, 0.5).ToBytes();
+            return picture;
+        });
+        Assert.Equal((0.0, 0.0), (marks.Points, marks.Undecided));
+        Assert.Single(marks.LookYourself);
     }
 
     [Fact]
