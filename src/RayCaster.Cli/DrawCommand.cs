@@ -99,7 +99,7 @@ internal sealed class DrawCommand : Command
         var lines = line.Lines(Option.Rows, scene.Camera.Height);
         output ??= PartName(NameOf(path), lines, scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
-        var part = isPart ? PartFacts.Of(scene, lines, PictureOutput.DigestOfModels(scene), typeof(Renderer).Assembly) : null;
+        var part = isPart ? PartFacts.Of(scene, lines, SceneDigest.OfModels(scene.Models), typeof(Renderer).Assembly) : null;
         if (line.Has(Option.Resume) && PictureOutput.IsUpToDate(output, part!, quiet))
         {
             line.Tell($"{output}: exists already");
@@ -157,15 +157,12 @@ internal sealed class DrawCommand : Command
         $"{name}.part-{Padded(lines.First, height)}-{Padded(lines.Last, height)}.png";
 
     /// <summary>A number of 0 to count − 1 for a file's name: all have one length, so the files sort in order.</summary>
-    public static string Padded(int number, int count) =>
-        number.ToString($"D{Math.Max(4, $"{count - 1}".Length)}");
+    public static string Padded(int number, int count) => number.ToString($"D{Math.Max(4, $"{count - 1}".Length)}");
 
-    /// <summary>One line: picture, size, models, time, rays per second.</summary>
     private static string Summary(string output, Scene scene, LineRange lines, TimeSpan elapsed)
     {
         var (width, height, models) = (scene.Camera.Width, scene.Camera.Height, scene.Models.Count);
         return $"{PictureOutput.NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
-            $"{Digits.Count(models, "model")}, " +
-            $"{elapsed.TotalSeconds:0.00} s, {ProgressLine.Rate((double)width * lines.Count, "rays", elapsed)}";
+            $"{Digits.Count(models, "model")}, {elapsed.TotalSeconds:0.00} s, {ProgressLine.Rate((double)width * lines.Count, "rays", elapsed)}";
     }
 }

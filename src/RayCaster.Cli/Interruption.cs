@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Ends a run that a signal has interrupted.</summary>
 internal static class Interruption
 {
     private static readonly TimeSpan GracePeriod = TimeSpan.FromSeconds(0.5);

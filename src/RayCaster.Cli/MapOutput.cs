@@ -3,7 +3,6 @@ namespace RayCaster.Cli;
 /// <summary>Drawing with --map: numbers for each pixel, and a picture of them.</summary>
 internal static class MapOutput
 {
-    /// <summary>Reads the scene, casts its rays, and writes both files.</summary>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         if (MapKinds.Named(line[Option.Map]!) is not { } kind)

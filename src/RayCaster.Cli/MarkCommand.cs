@@ -16,11 +16,12 @@ internal sealed class MarkCommand : Command
           <rubric>       Scenes, how to run a program, and what costs points (JSON,
                          docs/teaching.md). Without <submissions>, the rubric is checked: which
                          of its mistakes no scene can show.
-          <submissions>  A folder that contains a folder for each student.
+          <submissions>  A folder that contains a folder for each student, or a ZIP file of folders
+                         or ZIP files, which is unpacked beside it.
 
         Options:
-          -o, --output <folder>  The folder for the marks: marks.csv, class.html for the teacher, and
-                                 feedback.html in a folder for each student.
+          -o, --output <folder>  The folder for the marks: marks.csv, moodle.csv, canvas.csv, class.html
+                                 for the teacher, and feedback.html in a folder for each student.
               --ids <file>       Names rows and pages by ids: a CSV file of folders and ids.
               --resume           Keeps finished marks of submissions that have not changed.
           -t, --threads <n>      How many submissions are marked at a time. [default: one per core;

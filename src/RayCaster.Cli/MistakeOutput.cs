@@ -5,7 +5,6 @@ internal static class MistakeOutput
 {
     public static IReadOnlyList<string> Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
 
-    /// <summary>Reads the scene, draws it with the mistakes, and writes the picture.</summary>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         var ids = line.Names(Option.Mistake, '+', Ids, "a mistake");

@@ -55,7 +55,7 @@ internal sealed class OrbitCommand : Command
         var folder = line[Option.Output] ?? "";
         var name = DrawCommand.NameOf(path);
         var (start, drawn) = (Stopwatch.GetTimestamp(), 0);
-        var models = PictureOutput.DigestOfModels(scene);
+        var models = SceneDigest.OfModels(scene.Models);
         for (var frame = only.First; frame <= only.Last; frame++)
         {
             cancellation.ThrowIfCancellationRequested();

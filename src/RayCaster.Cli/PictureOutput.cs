@@ -73,17 +73,4 @@ internal static class PictureOutput
         if (reason is not null && !quiet) StandardStreams.WriteError($"{output} is drawn again: {reason}");
         return false;
     }
-
-    /// <summary>The digest of a scene's models, for the facts in the files of its parts and frames.</summary>
-    public static string DigestOfModels(Scene scene)
-    {
-        try
-        {
-            return SceneDigest.OfModels(scene.Models);
-        }
-        catch (NotSupportedException e)
-        {
-            throw new ProblemException($"the scene cannot be drawn in parts: {e.Message}");
-        }
-    }
 }

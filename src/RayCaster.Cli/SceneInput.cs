@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Reads the scene of a command.</summary>
 internal static class SceneInput
 {
     /// <summary>The name for standard input and for standard output.</summary>
@@ -19,7 +18,6 @@ internal static class SceneInput
         return size is var (width, height) ? reading.Scene?.WithSize(width, height) : reading.Scene;
     }
 
-    /// <summary>Reads a scene.</summary>
     /// <param name="judges">Whether the command judges pictures by this scene: warns if this build's picture of it differs from the stored
     /// reference.</param>
     public static SceneReading Read(string path, CommandLine line, bool judges)

@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Standard output and standard error.</summary>
 internal static class StandardStreams
 {
     /// <summary>Whether a write to standard output was begun.</summary>

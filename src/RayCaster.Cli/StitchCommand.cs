@@ -2,8 +2,7 @@ namespace RayCaster.Cli;
 
 internal sealed class StitchCommand : Command
 {
-    /// <summary>How many problems are listed at most.</summary>
-    private const int Printed = 20;
+    private const int MaxReasons = 20;
 
     public override string Help => """
         Description:
@@ -83,11 +82,11 @@ internal sealed class StitchCommand : Command
         return ExitCode.Done;
     }
 
-    /// <summary>Prints the reasons, one line each.</summary>
     private static int No(string answer, IReadOnlyList<string> reasons)
     {
-        var shown = string.Concat(reasons.Take(Printed).Select(reason => $"  {reason}\n"));
-        StandardStreams.WriteError($"raycaster: {answer}:\n{shown}{(reasons.Count > Printed ? $"  and {reasons.Count - Printed} more\n" : "")}");
+        var shown = string.Concat(reasons.Take(MaxReasons).Select(reason => $"  {reason}\n"));
+        var more = reasons.Count > MaxReasons ? $"  and {reasons.Count - MaxReasons} more\n" : "";
+        StandardStreams.WriteError($"raycaster: {answer}:\n{shown}{more}");
         return ExitCode.No;
     }
 }

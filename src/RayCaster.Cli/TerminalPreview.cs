@@ -19,10 +19,8 @@ internal sealed class TerminalPreview
         cells = new(width, height, across, down);
     }
 
-    /// <summary>Adds the next lines of the picture.</summary>
     public void Take(ReadOnlySpan<byte> rgb) => cells.Take(rgb);
 
-    /// <summary>The characters, in whole lines.</summary>
     public string Text(ColorDepth depth)
     {
         var text = new StringBuilder();

@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>The colours that a terminal can show.</summary>
 internal enum ColorDepth
 {
     None, // plain characters and no escape codes
@@ -37,7 +36,6 @@ internal static class TerminalScreen
         bool Has(string name) => !string.IsNullOrEmpty(variable(name));
     }
 
-    /// <summary>Whether standard output is a terminal.</summary>
     public static bool TakesOutput => !Console.IsOutputRedirected;
 
     /// <summary>A preview that fits into the window, with a line for the prompt.</summary>
@@ -47,11 +45,8 @@ internal static class TerminalScreen
         return new(width, height, columns, (lines < MinLines ? UsualLines : lines) - 1);
     }
 
-    /// <summary>Writes a preview to standard output.</summary>
-    public static void Show(TerminalPreview preview, ColorDepth colors)
-    {
-        StandardStreams.WriteOutput(output => output.Write(Encoding.UTF8.GetBytes(preview.Text(colors)))); // the escape codes in it are safe
-    }
+    public static void Show(TerminalPreview preview, ColorDepth colors) => // the escape codes in it are safe
+        StandardStreams.WriteOutput(output => output.Write(Encoding.UTF8.GetBytes(preview.Text(colors))));
 
     /// <summary>The number of columns, or the usual one where it is unknown.</summary>
     public static int Columns() => Known(() => Console.WindowWidth) is >= MinColumns and var columns ? columns : UsualColumns;

@@ -51,14 +51,12 @@ internal sealed class LiveServer : IAsyncDisposable
 
     public LiveScene Scene { get; }
 
-    /// <summary>The picture that the scene's picture is compared with.</summary>
     public MinePicture Mine { get; }
 
     public Studio Studio { get; } = new();
 
     public int Port { get; }
 
-    /// <summary>The page's address, with its secret.</summary>
     public string Address => gate.Address;
 
     /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>

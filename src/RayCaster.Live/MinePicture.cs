@@ -10,10 +10,8 @@ internal sealed class MinePicture(string? path, CancellationToken end)
     private (int Version, string? Name, Picture? Picture, string? Problem) now;
     private (SceneState? State, int Version, Task<Comparison>? Comparison) last;
 
-    /// <summary>Called when the picture changes, or is taken away.</summary>
     public event Action? Changed;
 
-    /// <summary>Reads the file, and again after each change.</summary>
     public async Task FollowAsync()
     {
         if (path is null) return;
@@ -28,7 +26,6 @@ internal sealed class MinePicture(string? path, CancellationToken end)
         while (await watch.WaitAsync());
     }
 
-    /// <summary>Takes a picture that was dropped on the page.</summary>
     /// <param name="maxPixels">The most pixels that its header may promise.</param>
     /// <exception cref="ProblemException">The file is no picture, or too large.</exception>
     public void Take(string name, Stream bytes, long maxPixels) => Put(name, PictureFile.Read(bytes, 3 * maxPixels));

@@ -3,7 +3,6 @@ namespace RayCaster.Live;
 /// <summary>How one model is shown: like all others; lit, and all others dark; or lit also where others hide it.</summary>
 internal enum Look { Plain, Lit, Behind }
 
-/// <summary>Pictures in which one model stands out.</summary>
 internal static class ModelPicture
 {
     private const int Stripe = 4; // pixels

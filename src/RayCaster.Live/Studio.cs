@@ -5,8 +5,6 @@ internal sealed class Studio
 {
     private readonly SemaphoreSlim turn = new(1, 1);
 
-    /// <summary>The picture of a view at rest.</summary>
-    /// <param name="cancellation">Abandons the picture, as when the scene changes.</param>
     public Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation) =>
         DoAsync(() => Draw(view.Of(scene), view, cancellation), cancellation);
 

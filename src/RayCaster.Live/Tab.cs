@@ -41,10 +41,8 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     /// <summary>A pixel of the picture that the page shows, from the left and from the top.</summary>
     private sealed record Place(int Column, int Line);
 
-    /// <summary>Makes the sending loop look for work.</summary>
     public void Wake() => wake.Writer.TryWrite(true);
 
-    /// <summary>Sends a message after those before it.</summary>
     public void Post(byte[] message)
     {
         posted.Enqueue(message);

@@ -140,18 +140,6 @@ public sealed class AttackTests : CommandTests
         string[] Content() => [.. Directory.GetFiles(raycaster.Folder).Order().Select(file => file + Convert.ToHexString(File.ReadAllBytes(file)))];
     }
 
-    [SkippableFact]
-    public void AFullDiskIsNotTheFramesFault()
-    {
-        Skip.If(!OperatingSystem.IsLinux(), "Linux only");
-        raycaster.Run("orbit", Room, "--frames", "3", "-s", "300x300", "-q");
-        raycaster.RunInShell("unshare -m true 2>/dev/null || exit 77; unshare -m sh -c 'mkdir -p disk; " +
-            $"mount -t tmpfs -o size=8k none disk && \"{RayCasterProcess.App}\" " +
-            "animate room-0000.png room-0001.png room-0002.png -o disk/film.png'");
-        Skip.If(raycaster.ExitCode == 77, "one may not mount");
-        Assert.Equal((2, "raycaster: cannot write disk/film.png: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
-    }
-
     [Fact]
     public void APictureThatDoesNotSayWhatItIsIsDrawnAnewWithAReason()
     {

@@ -23,17 +23,6 @@ public sealed class CompareTests : CommandTests
         return scene.WithSize(width, height);
     }
 
-    private static void Flip(Picture picture)
-    {
-        var line = picture.Width * 3;
-        for (var y = 0; y < picture.Height / 2; y++)
-            for (var i = 0; i < line; i++)
-            {
-                var (a, b) = (y * line + i, (picture.Height - 1 - y) * line + i);
-                (picture.Rgb[a], picture.Rgb[b]) = (picture.Rgb[b], picture.Rgb[a]);
-            }
-    }
-
     [Fact]
     public void AnIdenticalPictureIsTheSame()
     {
@@ -60,7 +49,7 @@ public sealed class CompareTests : CommandTests
     [Fact]
     public void WithoutAnOutputNothingIsWritten()
     {
-        raycaster.Run("compare", Mine(Flip), reference);
+        raycaster.Run("compare", Mine(Some.Flip), reference);
         Assert.Equal(["mine.png"], raycaster.Files);
         Assert.EndsWith("To see the differences: -o difference.png\n", raycaster.OutputText);
     }
@@ -68,7 +57,7 @@ public sealed class CompareTests : CommandTests
     [Fact]
     public void TheOutputHoldsBothPicturesAndTheHeatMap()
     {
-        raycaster.Run("compare", Mine(Flip), reference, "-o", "difference.png");
+        raycaster.Run("compare", Mine(Some.Flip), reference, "-o", "difference.png");
         Assert.Equal(["difference.png", "mine.png"], raycaster.Files);
         Assert.Equal(964, PictureFile.Read(raycaster.PathOf("difference.png")).Width);
         Assert.EndsWith("difference.png: mine, the reference, the difference as a heat map\n", raycaster.OutputText);
@@ -84,7 +73,7 @@ public sealed class CompareTests : CommandTests
     [Fact]
     public void JsonHoldsTheAnswerByName()
     {
-        raycaster.Run("compare", Mine(Flip), Mine(name: "right.png"), "--scene", Room, "--json");
+        raycaster.Run("compare", Mine(Some.Flip), Mine(name: "right.png"), "--scene", Room, "--json");
         Assert.Equal(1, raycaster.ExitCode);
         var answer = JsonDocument.Parse(raycaster.Output).RootElement;
         Assert.Equal("wrong", answer.GetProperty("verdict").GetString());

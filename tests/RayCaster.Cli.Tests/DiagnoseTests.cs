@@ -19,10 +19,8 @@ public sealed class DiagnoseTests : CommandTests
     public void AWrongPictureIs1AndItsMistakeNamed()
     {
         var picture = PictureFile.Read(Draw("mine.png"));
-        var upsideDown = new Picture(picture.Width, picture.Height);
-        for (var y = 0; y < picture.Height; y++)
-            for (var x = 0; x < picture.Width; x++) upsideDown[x, y] = picture[x, picture.Height - 1 - y];
-        PictureFile.Write(raycaster.PathOf("wrong.png"), upsideDown);
+        Some.Flip(picture);
+        PictureFile.Write(raycaster.PathOf("wrong.png"), picture);
 
         raycaster.Run("diagnose", scene, "wrong.png");
         Assert.Equal((1, ""), (raycaster.ExitCode, raycaster.Error));

@@ -47,7 +47,7 @@ public sealed class DrawTests : CommandTests
     public void WhatOthersWriteToTheSameOutputStandsBeforeAndBehindThePicture()
     {
         Skip.If(OperatingSystem.IsWindows(), "no shell that shares a file");
-        raycaster.Shell($"""(echo before; "$0" '{Room}' -s 4x2 -o -; echo behind) >all 2>&1""");
+        raycaster.RunInShell($"""(echo before; raycaster '{Room}' -s 4x2 -o -; echo behind) >all 2>&1""");
         var all = Encoding.Latin1.GetString(File.ReadAllBytes(raycaster.PathOf("all")));
         Assert.StartsWith("before\nP6\n4 2\n255\n", all);
         Assert.Matches(@"^standard output: 4 x 2 pixels, .*\nbehind\n$", all[("before\n".Length + 11 + 4 * 2 * 3)..]);
@@ -57,10 +57,7 @@ public sealed class DrawTests : CommandTests
     public void ThePictureIsDrawnWhereNobodyReadsTheMessages()
     {
         Skip.If(OperatingSystem.IsWindows(), "no POSIX shell and signals there");
-        raycaster.Shell($"""
-            "$0" '{Room}' -s 4x2 -o closed.png 2>&-
-            "$0" '{Room}' -s 4x2 -o full.png 2>/dev/full
-            """);
+        raycaster.RunInShell($"raycaster '{Room}' -s 4x2 -o closed.png 2>&-; raycaster '{Room}' -s 4x2 -o full.png 2>/dev/full");
         Assert.Equal(["closed.png", "full.png"], raycaster.Files);
     }
 

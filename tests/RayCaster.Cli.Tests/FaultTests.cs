@@ -9,12 +9,14 @@ namespace RayCaster.Cli.Tests;
 public sealed class FaultTests : CommandTests
 {
     internal const string Old = "the old picture";
+
     [SkippableTheory]
-    [InlineData("room.ppm", "64k")]
-    [InlineData("room.png", "8k")]
-    public void AFullDiskLeavesTheOldPictureAndNothingElse(string file, string size)
+    [InlineData("room.ppm", "64k", "-q ROOM -s 999x999")]
+    [InlineData("room.png", "8k", "-q ROOM -s 999x999")]
+    [InlineData("film.png", "8k", "orbit ROOM --frames 3 -s 300x300 -q && raycaster animate room-0000.png room-0001.png room-0002.png")]
+    public void AFullDiskLeavesTheOldPictureAndNothingElse(string file, string size, string command)
     {
-        InOwnFileSystem($"mount -t tmpfs -o size={size} none disk; echo old >disk/{file}", $"raycaster -q ROOM -s 999x999 -o disk/{file}");
+        InOwnFileSystem($"mount -t tmpfs -o size={size} none disk; echo old >disk/{file}", $"raycaster {command} -o disk/{file}");
         Assert.Equal((2, $"raycaster: cannot write disk/{file}: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
         Assert.Equal($"{file} old\n", raycaster.OutputText);
     }

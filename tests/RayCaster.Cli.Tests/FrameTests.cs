@@ -1,6 +1,6 @@
 using System.Buffers.Binary;
 using System.IO.Compression;
-using System.Text;
+using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Cli.Tests;
 
@@ -61,7 +61,7 @@ public sealed class FrameTests : CommandTests
         Assert.Equal(PictureFile.Read(raycaster.PathOf("film/room-0000.png")).Rgb, PictureFile.Read(raycaster.PathOf("film.png")).Rgb);
 
         var (sequence, data, frames) = (0, new MemoryStream(), new List<byte[]>());
-        foreach (var (type, bytes) in Chunks(File.ReadAllBytes(raycaster.PathOf("film.png"))))
+        foreach (var (type, bytes) in PngMutation.Chunks(File.ReadAllBytes(raycaster.PathOf("film.png"))))
         {
             switch (type)
             {
@@ -142,22 +142,13 @@ public sealed class FrameTests : CommandTests
 
     private IEnumerable<string> Frames(string folder) => Directory.GetFiles(raycaster.PathOf(folder)).Select(path => Path.GetFileName(path)).Order();
 
-    private static byte[] Decompressed(byte[] png) => Inflate([.. Chunks(png).Where(chunk => chunk.Type == "IDAT").SelectMany(chunk => chunk.Data)]);
+    private static byte[] Decompressed(byte[] png) =>
+        Inflate([.. PngMutation.Chunks(png).Where(chunk => chunk.Type == "IDAT").SelectMany(chunk => chunk.Data)]);
 
     private static byte[] Inflate(byte[] data)
     {
         using var lines = new MemoryStream();
         using (var decompressor = new ZLibStream(new MemoryStream(data), CompressionMode.Decompress)) decompressor.CopyTo(lines);
         return lines.ToArray();
-    }
-
-    private static IEnumerable<(string Type, byte[] Data)> Chunks(byte[] file)
-    {
-        for (var at = 8; at < file.Length;)
-        {
-            var length = BinaryPrimitives.ReadInt32BigEndian(file.AsSpan(at));
-            yield return (Encoding.ASCII.GetString(file, at + 4, 4), file[(at + 8)..(at + 8 + length)]);
-            at += length + 12;
-        }
     }
 }

@@ -76,7 +76,6 @@ internal sealed class RayCasterProcess : IDisposable
         throw new TimeoutException($"the process does not heed SIG{signal}");
     }
 
-    /// <summary>Sends a signal as the shell's <c>kill</c> does.</summary>
     public static void Send(Process process, string signal)
     {
         // The standard error of this process may be that of a run in another test, which must not read that there is no such process.
@@ -100,14 +99,6 @@ internal sealed class RayCasterProcess : IDisposable
         (ExitCode, Output, Error) = (exitCode, output, error.ReplaceLineEndings("\n"));
         Assert.DoesNotContain("   at ", Error); // no stack trace, whatever happens
         return this;
-    }
-
-    /// <summary>Runs commands of a POSIX shell, in which $0 is the app.</summary>
-    public void Shell(string commands)
-    {
-        using var shell = Process.Start(new ProcessStartInfo("/bin/sh", ["-c", commands, App]) { WorkingDirectory = Folder })!;
-        shell.WaitForExit();
-        Assert.Equal(0, shell.ExitCode);
     }
 
     private Process StartProgram(string program, params string[] arguments)

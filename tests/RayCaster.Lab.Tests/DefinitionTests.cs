@@ -25,7 +25,8 @@ public class DefinitionTests
         scene = scene.WithSize(scene.Camera.Width / divisor, scene.Camera.Height / divisor);
         var difference = new PictureDifference(SceneFile.Of(scene).Draw(), ScalarRenderer.Render(scene));
         // Other formulas for the same t: their last bits may turn a pixel on an outline, or round a channel the other way.
-        Assert.True(difference.CountBeyond(0) <= 3, $"{name}: {difference.CountBeyond(0)} pixels differ, {difference.Wrong} by more than a level");
+        Assert.True(difference.CountBeyond(0) <= 3, $"{name}: the lab (src/RayCaster.Lab) and the library (src/RayCaster) draw " +
+            $"{difference.CountBeyond(0)} pixels differently, {difference.Wrong} by more than a level");
     }
 
     [Fact]

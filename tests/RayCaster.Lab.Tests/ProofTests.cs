@@ -6,6 +6,15 @@ namespace Lab.Tests;
 /// <summary>What a failed picture test calls wrong is never right code.</summary>
 public class ProofTests
 {
+    /// <summary>A hit where none is right is not within any tolerance.</summary>
+    [Fact]
+    public void NoHitIsNotEqualToAHit()
+    {
+        Assert.False(RayAssert.AreEqual(double.PositiveInfinity, 5));
+        Assert.False(RayAssert.AreEqual(5, double.PositiveInfinity));
+        Assert.True(RayAssert.AreEqual(double.PositiveInfinity, double.PositiveInfinity));
+    }
+
     [Theory]
     [MemberData(nameof(DefinitionTests.Scenes), MemberType = typeof(DefinitionTests))]
     public void NothingOfTheSolvedLabIsCalledWrong(string name)

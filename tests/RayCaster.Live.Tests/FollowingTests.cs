@@ -163,9 +163,8 @@ public class FollowingTests
     [Fact]
     public async Task ADiagnosisNamesNoOptionOfACommandForMoreHelp()
     {
-        var right = ScalarRenderer.Render(SceneReader.Parse(Encoding.UTF8.GetBytes(LivePage.Ball), "", "").Scene!);
-        var upsideDown = new Picture(40, 30);
-        for (var i = 0; i < 40 * 30; i++) upsideDown[i % 40, 29 - i / 40] = right[i % 40, i / 40];
+        var upsideDown = ScalarRenderer.Render(SceneReader.Parse(Encoding.UTF8.GetBytes(LivePage.Ball), "", "").Scene!);
+        Some.Flip(upsideDown);
         await using var page = await LivePage.OpenAsync(mine: "mine.png", prepare: folder => PictureFile.Write(folder["mine.png"], upsideDown));
         await page.ConnectAsync();
         await page.AskAsync("""{"diagnose":true}""");

@@ -15,16 +15,15 @@ internal sealed class LivePage : IAsyncDisposable
         }
         """;
 
-    private readonly TemporaryFolder folder;
     private ClientWebSocket? socket;
 
-    private LivePage(TemporaryFolder folder, LiveServer server) => (this.folder, Server) = (folder, server);
+    private LivePage(TemporaryFolder folder, LiveServer server) => (Folder, Server) = (folder, server);
 
     public LiveServer Server { get; }
 
-    public TemporaryFolder Folder => folder;
+    public TemporaryFolder Folder { get; }
 
-    public string Scene => folder["scene.json"];
+    public string Scene => Folder["scene.json"];
 
     public string Root => $"http://127.0.0.1:{Server.Port}";
 
@@ -86,7 +85,7 @@ internal sealed class LivePage : IAsyncDisposable
     {
         socket?.Abort();
         await Server.DisposeAsync();
-        folder.Dispose();
+        Folder.Dispose();
     }
 
     private async Task<(bool IsText, byte[] Bytes)> NextAsync()

@@ -34,6 +34,10 @@ internal static class Some
         return shown.Distinct().Skip(1).Any();
     }
 
+    /// <summary>Turns a picture upside down.</summary>
+    public static void Flip(Picture picture) =>
+        picture.Rgb.Chunk(3 * picture.Width).Reverse().SelectMany(line => line).ToArray().CopyTo(picture.Rgb, 0);
+
     /// <summary>A direction of length 1.</summary>
     public static Vector3 Direction(Random random)
     {

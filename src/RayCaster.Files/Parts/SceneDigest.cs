@@ -26,7 +26,7 @@ public static class SceneDigest
     }
 
     /// <summary>The digest of models in their order: of the text of each, which holds its numbers, and of the arrays of meshes.</summary>
-    /// <exception cref="NotSupportedException">A model's class does not say its numbers; the message is for people.</exception>
+    /// <exception cref="ProblemException">A model's class does not say its numbers.</exception>
     public static string OfModels(IReadOnlyList<Model> models)
     {
         using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
@@ -35,8 +35,8 @@ public static class SceneDigest
             var (model, mesh) = (models[i], models[i] as Mesh);
             var text = mesh is null ? $"{model}" : FormattableString.Invariant($"mesh {mesh.Vertices.Length} {mesh.Indices.Length}");
             if (model.GetType().ToString().Contains(text)) // the name of a class or structure that does not override ToString
-                throw new NotSupportedException($"models[{i}] is of the class {model.GetType().Name}, which does not say its numbers; "
-                    + "override ToString in it (docs/adding-a-primitive.md)");
+                throw new ProblemException($"the scene cannot be drawn in parts: models[{i}] is of the class {model.GetType().Name}, "
+                    + "which does not say its numbers; override ToString in it (docs/adding-a-primitive.md)");
             hash.AppendData(Encoding.UTF8.GetBytes($"{model.Color} {text}\n"));
             Append<Vector3>(hash, mesh?.Vertices);
             Append<int>(hash, mesh?.Indices);

@@ -10,90 +10,51 @@ internal static class ColorMistakes
             "The borders of the picture are too bright; all places are right.",
             "From where does the attenuation measure: from the camera, or from a plane through it?",
             "1 − t / (2 |T − P|), with t itself."),
-        new Mistake("att-no2", Affects.Color, Slides.Shading, "1 − t / |T − P|: the 2 is missing",
+        new("att-no2", Affects.Color, Slides.Shading, "1 − t / |T − P|: the 2 is missing",
             lab => lab.Attenuation.Becomes(fade => t => fade(2 * t)),
             "The picture is too dark, and black from the target on.",
             "How bright should the target be?",
-            "1 − t / (2 |T − P|): the target has half of its light.")
-            .Or("1 − t / (|T − P| / 2)", lab => lab.Attenuation.Becomes(fade => t => fade(4 * t)))
-            .Or("1 − t / (4 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(t / 2)))
-            .Or("1 − t / 2 · |T − P|, without brackets", Fade((t, D, _) => 1 - t / 2 * D))
-            .Or("1 − t / 2, without |T − P|", Fade((t, _, _) => 1 - t / 2))
-            .Or("1 − t, without 2 |T − P|", Fade((t, _, _) => 1 - t))
-            .Or("1 − t / |2 T − P|", lab => lab.FadeDistance.Is(() => lab.Length.Do(2 * lab.T - lab.P)))
-            .Or("1 − t / (2 |T + P|)", lab => lab.FadeDistance.Is(() => lab.Length.Do(2 * (lab.T + lab.P)))),
-        new Mistake("att-inv", Affects.Color, Slides.Shading, "t / (2 |T − P|): far is bright",
+            "1 − t / (2 |T − P|): the target has half of its light."),
+        new("att-inv", Affects.Color, Slides.Shading, "t / (2 |T − P|): far is bright",
             lab => lab.Attenuation.Becomes(fade => t => 1 - fade(t)),
             "Far things are brighter than near ones.",
             "How bright should a thing at t = 0 be?",
-            "1 − t / (2 |T − P|).")
-            .Or("t / (2 |T − P|) − 1", lab => lab.Attenuation.Becomes(fade => t => -fade(t)))
-            .Or("1 − 2 |T − P| / t", Fade((t, D, _) => 1 - 2 * D / t))
-            .Or("−t / (2 |T − P|), and nothing is clamped",
-                Fade((t, D, _) => -t / (2 * D)) + Wraps(channel => channel, channel => 255 * channel))
-            .Or("1 + t / (2 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(-t))),
-        new Mistake("att-none", Affects.Color, Slides.Shading, "no attenuation: the model's colour as it is",
+            "1 − t / (2 |T − P|)."),
+        new("att-none", Affects.Color, Slides.Shading, "no attenuation: the model's colour as it is",
             lab => lab.Attenuation.Is(_ => 1),
             "Everything is flat: each model has one colour.",
             "What makes a farther hit darker?",
-            "colour = (1 − t / (2 |T − P|)) · the model's colour.")
-            .Or(from dark in (string[])["red", "green", "blue", "green and blue", "red and blue", "red and green"]
-                select ($"only {dark} attenuated", Lit((light, own) => new(
-                    dark.Contains("red") ? light.R : own.R, dark.Contains("green") ? light.G : own.G, dark.Contains("blue") ? light.B : own.B)))),
-        new Mistake("att-origin", Affects.Color, Slides.Shading, "attenuation by the hit's distance from the origin of the world",
+            "colour = (1 − t / (2 |T − P|)) · the model's colour."),
+        new("att-origin", Affects.Color, Slides.Shading, "attenuation by the hit's distance from the origin of the world",
             lab => lab.Distance.Is((t, d) => lab.Length.Do(lab.P + t * d)),
             "What is close to the point (0, 0, 0) is bright, wherever the camera is.",
             "|X| is the distance of X from which point?",
-            "1 − t / (2 |T − P|): t is the distance from the camera.")
-            .Or("attenuation by the hit's distance from the target", lab => lab.Distance.Is((t, d) => lab.Length.Do(lab.P + t * d - lab.T)))
-            .Or("1 − t / (2 |T|)", lab => lab.FadeDistance.Is(() => 2 * lab.Length.Do(lab.T)))
-            .Or("1 − t / (2 |P|)", lab => lab.FadeDistance.Is(() => 2 * lab.Length.Do(lab.P))),
-        new Mistake("att-int", Affects.Color, Slides.Shading, "the attenuation cut to an integer: 0",
+            "1 − t / (2 |T − P|): t is the distance from the camera."),
+        new("att-int", Affects.Color, Slides.Shading, "the attenuation cut to an integer: 0",
             lab => lab.Attenuation.Becomes(fade => t => Math.Truncate(fade(t))),
             "Every model is black.",
             "Of which type is your attenuation, and what is (int)0.7?",
-            "Compute in double up to the byte, and only then cast.")
-            .Or("t cut to an integer", lab => lab.Attenuation.Becomes(fade => t => fade(Math.Truncate(t))))
-            .Or("t / (2 |T − P|) cut to an integer", Fade((t, D, _) => 1 - Math.Truncate(t / (2 * D))))
-            .Or("t and 2 |T − P| cut to integers, and divided as such", lab => lab.Attenuation.Is(t =>
-                (int)lab.FadeDistance.Do() is var reach and not 0 ? 1 - (int)t / reach : double.NaN)),
-        new Mistake("att-square", Affects.Color, Slides.Shading, "attenuation by the square: 1 − t² / (2 |T − P|)²",
+            "Compute in double up to the byte, and only then cast."),
+        new("att-square", Affects.Color, Slides.Shading, "attenuation by the square: 1 − t² / (2 |T − P|)²",
             Fade((t, D, _) => 1 - t * t / (4 * D * D)),
             "Near things are too bright or all too dark: the light falls in another curve.",
             "At half of the way to 2 |T − P|, how much light is left?",
-            "1 − t / (2 |T − P|), without a square.")
-            .Or("1 − √(t / (2 |T − P|))", Fade((t, D, _) => 1 - Math.Sqrt(t / (2 * D))))
-            .Or("1 − t² / (2 |T − P|)", Fade((t, D, _) => 1 - t * t / (2 * D)))
-            .Or("1 − t² / (2 |T − P|²)", Fade((t, D, _) => 1 - t * t / (2 * D * D)))
-            .Or("(1 − t / (2 |T − P|))²", Fade((t, D, _) => Math.Pow(Math.Max(0, 1 - t / (2 * D)), 2))),
-        new Mistake("att-inverse", Affects.Color, Slides.Shading, "attenuation 1 / t",
+            "1 − t / (2 |T − P|), without a square."),
+        new("att-inverse", Affects.Color, Slides.Shading, "attenuation 1 / t",
             Fade((t, _, _) => 1 / t),
             "The light never ends, and falls in another curve: everything is nearly black, or what is close has full light.",
             "At which t is all light gone on the slide?",
-            "1 − t / (2 |T − P|): a straight line from 1 to 0.")
-            .Or("1 / (1 + t)", Fade((t, _, _) => 1 / (1 + t)))
-            .Or("1 / (1 + t / |T − P|)", Fade((t, D, _) => 1 / (1 + t / D)))
-            .Or("1 / (1 + t / (2 |T − P|))", Fade((t, D, _) => 1 / (1 + t / (2 * D))))
-            .Or("|T − P| / t", Fade((t, D, _) => D / t))
-            .Or("2 |T − P| / t", Fade((t, D, _) => 2 * D / t)),
-        new Mistake("att-inverse-square", Affects.Color, Slides.Shading, "attenuation 1 / t²",
+            "1 − t / (2 |T − P|): a straight line from 1 to 0."),
+        new("att-inverse-square", Affects.Color, Slides.Shading, "attenuation 1 / t²",
             Fade((t, _, _) => 1 / (t * t)),
             "Everything is black, or what is close has full light and the rest hardly any.",
             "At which t is all light gone on the slide?",
-            "1 − t / (2 |T − P|): a straight line from 1 to 0.")
-            .Or("1 / (1 + t²)", Fade((t, _, _) => 1 / (1 + t * t)))
-            .Or("(|T − P| / t)²", Fade((t, D, _) => D * D / (t * t)))
-            .Or("(2 |T − P| / t)²", Fade((t, D, _) => 4 * D * D / (t * t))),
-        new Mistake("att-zfar", Affects.Color, Slides.Shading, "1 − t / zFar: zFar where 2 |T − P| is meant",
+            "1 − t / (2 |T − P|): a straight line from 1 to 0."),
+        new("att-zfar", Affects.Color, Slides.Shading, "1 − t / zFar: zFar where 2 |T − P| is meant",
             Fade((t, _, camera) => 1 - t / camera.ZFar),
             "The light ends at zFar, not at twice the target's distance.",
             "How bright should the target be, wherever zFar is?",
-            "1 − t / (2 |T − P|).")
-            .Or("1 − t / (2 zFar)", Fade((t, _, camera) => 1 - t / (2 * camera.ZFar)))
-            .Or("1 − t / (zFar − zNear)", Fade((t, _, camera) => 1 - t / (camera.ZFar - camera.ZNear)))
-            .Or("1 − t² / zFar²", Fade((t, _, camera) => 1 - t * t / (camera.ZFar * camera.ZFar)))
-            .Or("1 − depth / zFar", Fade((t, _, camera) => 1 - t / camera.ZFar) + (lab => lab.Distance.Is((t, d) => lab.Depth.Do(t, d))))
-            .Or("1 − (t − zNear) / (zFar − zNear)", Fade((t, _, camera) => 1 - (t - camera.ZNear) / (camera.ZFar - camera.ZNear))),
+            "1 − t / (2 |T − P|)."),
         new Mistake("noclamp", Affects.Color, Slides.Template, "nothing is clamped to 0 … 1, so that a byte wraps round",
             Wraps(channel => channel, channel => 255 * channel + 0.5),
             "The brightest or the farthest places have wild colours.",
@@ -103,8 +64,7 @@ internal static class ColorMistakes
             .Or("the same, and rounded by Math.Round", Wraps(channel => channel, channel => Math.Round(255 * channel)))
             .Or("the attenuation is not below 0, but a channel over 1 wraps round",
                 Wraps(channel => Math.Max(channel, 0), channel => 255 * channel + 0.5))
-            .Or("only what is less than 0 is not clamped", Wraps(channel => Math.Min(channel, 1), channel => 255 * channel + 0.5))
-            .Or("256 · channel, which is 0 again where the channel is 1", lab => lab.Byte.Is(channel => Wrapped(256 * channel))),
+            .Or("only what is less than 0 is not clamped", Wraps(channel => Math.Min(channel, 1), channel => 255 * channel + 0.5)),
         new("x256", Affects.Color, Slides.Template, "256 · channel",
             lab => lab.Byte.Is(channel => (byte)Math.Min(256 * channel, 255)),
             "Many channels differ by one level.",
@@ -124,19 +84,12 @@ internal static class ColorMistakes
             .Or("the gamma of sRGB", lab => lab.Clamp.Becomes(clamp => channel => SrgbOf(clamp(channel))))
             .Or("a gamma of 2 the wrong way: each channel squared", Gamma(2))
             .Or("a gamma of 2.2 the wrong way", Gamma(2.2)),
-        new Mistake("ppm-255", Affects.Color, Slides.Template, "255 forgotten: each channel cut to 0 or 1 before it is multiplied",
+        new("ppm-255", Affects.Color, Slides.Template, "255 forgotten: each channel cut to 0 or 1 before it is multiplied",
             lab => lab.Byte.Is(channel => (byte)(255 * (int)channel)),
             "The picture is black but for places in full light.",
             "What is (int)0.7?",
-            "First times 255, then the cast: (byte)(255 · channel + 0.5).")
-            .Or("255 forgotten: (byte)channel, 0 or 1 of 255", lab => lab.Byte.Is(channel => (byte)channel))
-            .Or("255 forgotten: each channel rounded to 0 or 1 of 1",
-            lab => lab.Byte.Is(channel => (byte)(255 * (int)(channel + 0.5)))),
+            "First times 255, then the cast: (byte)(255 · channel + 0.5)."),
     ];
-
-    /// <summary>Another colour, from the attenuated one and the model's own.</summary>
-    private static Action<Lab> Lit(Func<Color, Color, Color> of) => lab =>
-        lab.Lit.Becomes(lit => (attenuation, own) => of(lit(attenuation, own), own));
 
     /// <summary>Another attenuation, from t, |T − P| and the camera.</summary>
     private static Action<Lab> Fade(Func<double, double, Camera, double> attenuation) => lab =>

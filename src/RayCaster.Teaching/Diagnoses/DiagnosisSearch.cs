@@ -8,21 +8,15 @@ namespace RayCaster.Teaching;
 /// <param name="threads">How many threads draw; one per core if null.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
 /// <param name="budget">How long the search may take; null for any time.</param>
+/// <param name="possible">Which edits of formulas are tried that are not in the catalogue; all if null.</param>
 internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
-    int? threads, Predicate<Mistake>? likely, SearchBudget? budget = null)
+    int? threads, Predicate<Mistake>? likely, SearchBudget? budget = null, Predicate<Mistake>? possible = null)
 {
     /// <summary>If a mistake leaves at most this share, its other variants are tried once more.</summary>
     private const double WorthVariants = 0.1;
 
     /// <summary>The search ends at this share if shapes are missing, whose pixels a second mistake may explain.</summary>
     private const double Nearly = 0.001;
-
-    /// <summary>The share of the evidence that each round compares, and how many candidates it has at least, of mistakes in other formula styles:
-    /// few fit.</summary>
-    private static readonly (double Share, int Candidates)[] styleRounds = [(0.03, 40), (0.1, 12), (1, 3)];
-
-    /// <summary>How many formula styles are tried on top of one another, and how many variants of each mistake are tried in them.</summary>
-    private const int Styles = 2, Slips = 24;
 
     /// <summary>How many of the nearest mistakes are also tried with rays through the other place of each pixel.</summary>
     private const int OtherSamples = 6;
@@ -67,14 +61,8 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
     private List<WrongProgram> Run(Unfinished[] unfinished, List<WrongProgram> plain)
     {
         var (usual, everySingle) = NearestSingles();
-        var (singles, inStyles) = (usual, new List<WrongProgram>());
-        if (!Ranking.IsCertain([.. plain, .. singles])) singles = Ranking.Sorted([.. singles, .. Edits()]);
-        for (var (i, before) = (0, everySingle); i < Styles && !Ranking.IsCertain(singles); i++)
-        {
-            before = Ranking.Measured(InStyles([.. singles, .. before]), CandidateRanking.Glance); // one formula style alone may be far off
-            inStyles.AddRange(before);
-            singles = Ranking.Sorted([.. singles, .. Ranking.Best(before, styleRounds)]);
-        }
+        var singles = usual;
+        if (!Ranking.IsCertain([.. plain, .. singles])) singles = Ranking.Sorted([.. singles, .. Edits(Unfinished.Nothing)]);
         singles = WithoutIdle(singles);
         // A missing shape counts for little beside a mistake that changes everything, so it is sought even if the mistake explains most.
         var beside = Ranking.Best(
@@ -87,7 +75,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
         if (Ranking.IsCertain([.. all.Where(candidate => !candidate.Base.Kinds.Any())]) || Ranking.IsDone(all, Nearly)) return Ranking.Sorted(all);
 
-        var pairs = new PairSearch(pictures, known, Ranking, everySingle, inStyles);
+        var pairs = new PairSearch(pictures, known, Ranking, everySingle);
         var isDone = Ranking.IsDone(all);
         if (isDone) all.AddRange(NearestPairs());
         if (isDone && !Ranking.IsDone(plain)) return Ranking.Sorted(all);
@@ -96,6 +84,15 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
         var onTop = Ranking.Best([.. NearestWays(samples).SelectMany(way => Singles(way, samples))]);
         all.AddRange(onTop);
+        if (!Ranking.IsDone(all))
+        {
+            if (Ranking.Sorted([.. plain, .. onTop]).FirstOrDefault() is { Base: var way } nearest && way.NotYet.Count > 0)
+            {
+                all.AddRange(Edits(way));
+                // A kind that seems to be missing may be what the edit loses; then it shows in what is there of that kind.
+                if (way.Kinds.Any()) all.AddRange(Edits(new([.. way.NotYet.Except(way.Kinds)]), nearest with { Variants = [] }));
+            }
+        }
         if (!isDone && Ranking.IsDone(all) && !Ranking.IsDone(all, Nearly)) all.AddRange(NearestPairs());
         if (Ranking.IsDone(all)) return Ranking.Sorted(all);
 
@@ -103,8 +100,6 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         {
             var best = Ranking.BestPairs(some);
             if (!Ranking.IsCertain(best)) best = Ranking.Sorted([.. best, .. Ranking.Best(InOtherVariants(best, Besides))]);
-            for (var i = 0; i < Styles && !Ranking.IsCertain(best); i++)
-                best = Ranking.Sorted([.. best, .. Ranking.Best(Ranking.Measured(InStyles(best), CandidateRanking.Glance), styleRounds)]);
             all.AddRange(best);
             if (Ranking.IsCertain(all)) break;
         }
@@ -139,17 +134,19 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
     }
 
     /// <summary>The small edits of the slides' formulas that explain the picture in which most is wrong.</summary>
-    private List<WrongProgram> Edits()
+    /// <param name="before">What is left unexplained by this program is to be explained; all that is wrong if null.</param>
+    private List<WrongProgram> Edits(Unfinished way, WrongProgram? before = null)
     {
         var picture = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!;
+        if (before is not null) picture = new(picture, before.Draw(picture.Scene));
         bool[] samples = MayBeOtherSample() ? [true, false] : [false];
         return Ranking.Measured(
         [
             .. from otherSample in samples
-               from edits in new EditSearch(picture, budget, otherSample).Find()
+               from edits in new EditSearch(picture, way, otherSample, budget).Find()
                let mistake = EditNaming.Of(edits)
-               where mistake.Place is not null || known.Any(other => other.Id == mistake.Id)
-               select new WrongProgram(Unfinished.Nothing, [mistake], otherSample),
+               where mistake.Place is null ? known.Any(other => other.Id == mistake.Id) : possible?.Invoke(mistake) != false
+               select new WrongProgram(way, [mistake], otherSample),
         ], 1);
     }
 
@@ -203,15 +200,5 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
            from variant in MistakeCatalog.Named(candidate.Variants[place].Id)?.Variants ?? []
            from otherSample in candidate.Variants.Count > 1 ? (bool[])[false, true] : [candidate.OtherSample]
            select candidate.With(place, variant) with { OtherSample = otherSample },
-    ];
-
-    /// <summary>The best candidates of each mistake, or pair, with one mistake in each of its formula styles.</summary>
-    private static List<WrongProgram> InStyles(List<WrongProgram> candidates) =>
-    [
-        .. from same in candidates.GroupBy(candidate => candidate.Id)
-           from candidate in same.DistinctBy(candidate => (candidate.Variants[0], candidate.Variants[^1], candidate.OtherSample)).Take(Slips)
-           from place in Enumerable.Range(0, candidate.Variants.Count)
-           from variant in MistakeCatalog.Named(candidate.Variants[place].Id)?.InStyles(candidate.Variants[place]) ?? []
-           select candidate.With(place, variant),
     ];
 }

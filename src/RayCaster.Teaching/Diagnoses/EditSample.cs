@@ -9,15 +9,16 @@ internal sealed class EditSample
     private readonly int wrong; // how many of the pixels are wrong; these come first
     private readonly double perWrong, perOther;
 
+    /// <param name="scene">What the program draws of the scene.</param>
     /// <param name="pixels">How many wrong pixels there are at most, and how many right ones.</param>
-    public EditSample(Evidence evidence, FormulaProgram right, int pixels)
+    public EditSample(Evidence evidence, Scene scene, FormulaProgram right, int pixels)
     {
         this.right = right;
         wrong = Math.Min(pixels, evidence.WrongPixels.Length);
         var other = Math.Min(pixels, evidence.OtherPixels.Length);
         int[] places = [.. evidence.WrongPixels[..wrong], .. evidence.OtherPixels[..other]];
         var width = evidence.Picture.Width;
-        evaluator = new(evidence.Scene, [.. places.Select(place => (place % width, place / width))], right);
+        evaluator = new(scene, [.. places.Select(place => (place % width, place / width))], right);
         shown = [.. places.SelectMany<int, byte>(place => evidence.Picture.At(place) is var (r, g, b) ? [r, g, b] : [])];
         perWrong = 1.0 / Math.Max(1, wrong);
         perOther = (double)(evidence.PixelCount - evidence.WrongCount) / Math.Max(1, evidence.WrongCount) / Math.Max(1, other);

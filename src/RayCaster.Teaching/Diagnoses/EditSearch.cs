@@ -9,9 +9,10 @@ internal sealed record EditGroup(double Unexplained, ImmutableArray<FormulaEdit>
 
 /// <summary>Finds the small edits of the slides' formulas that draw a wrong picture.</summary>
 /// <remarks>All edits are tried on a few pixels, the nearest on more, and the nearest of these on all of the evidence.</remarks>
+/// <param name="way">What the program does not do yet.</param>
 /// <param name="otherSample">Whether rays pass through the other place of each pixel.</param>
 /// <exception cref="TimeoutException">The budget is spent.</exception>
-internal sealed class EditSearch(Evidence evidence, SearchBudget? budget, bool otherSample = false)
+internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSample, SearchBudget? budget)
 {
     /// <summary>How many wrong pixels, and how many right ones, each round compares.</summary>
     private const int FewPixels = 24, MorePixels = 200, AllPixels = 1500;
@@ -29,8 +30,8 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget, bool o
 
     private const int EditsInStyles = 24, MaxGroups = 4;
 
-    private readonly Scene scene = evidence.Scene;
-    private readonly FormulaProgram right = FormulaProgram.For(evidence.Scene.Camera, otherSample);
+    private readonly Scene scene = way.PartOf(evidence.Scene);
+    private readonly FormulaProgram right = way.PartOf(FormulaProgram.For(evidence.Scene.Camera, otherSample));
 
     private static readonly SectionKind[] shapes =
         [SectionKind.Plane, SectionKind.Circle, SectionKind.Sphere, SectionKind.Aabb, SectionKind.Triangle];
@@ -53,8 +54,8 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget, bool o
     /// <summary>The groups of edits that come nearest, the best first.</summary>
     private IEnumerable<EditGroup> Run()
     {
-        var few = new EditSample(evidence, right, FewPixels);
-        var more = new EditSample(evidence, right, MorePixels);
+        var few = new EditSample(evidence, scene, right, FewPixels);
+        var more = new EditSample(evidence, scene, right, MorePixels);
         var nearest = Nearest(few, AllEdits());
         var closer = Measured(more, nearest);
         if (closer is [( > TriesStyles, _), ..])
@@ -62,7 +63,7 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget, bool o
             var ofRays = closer.Select(edit => edit.Edit).Where(ShowsInShapes).Take(EditsInStyles);
             closer = Sorted([.. closer, .. ofRays.Select(edit => InStyles(more, edit)).OfType<(double, FormulaEdit)>()]);
         }
-        var all = new EditSample(evidence, right, AllPixels);
+        var all = new EditSample(evidence, scene, right, AllPixels);
         var groups = new List<(double Unexplained, byte[] Drawn, List<FormulaEdit> Edits)>();
         foreach (var (_, edit) in closer.TakeWhile((edit, i) =>
             i < LastEdits || (i < MaxLastEdits && edit.Unexplained < closer[0].Unexplained + AlmostAsGood)))
@@ -85,15 +86,37 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget, bool o
         {
             foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(IsPossible))
             {
-                foreach (var edit in EditFactory.EditsOf(section))
+                var edits = EditFactory.EditsOf(section);
+                foreach (var edit in kind == SectionKind.Plane ? [.. edits, .. shared.Value] : edits)
                 {
                     yield return edit;
+                    if (kind == SectionKind.Vectors)
+                        yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Light, "doubled"]], Cost = edit.Cost + 0.1 };
                     if (kind == SectionKind.Camera && edit.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
                         yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Rule, "aim"]], Cost = edit.Cost + 0.1 };
                 }
             }
         }
     }
+
+    /// <summary>Slips in the plane's t that circles and triangles share, because it is one method for all of them.</summary>
+    private static readonly Lazy<FormulaEdit[]> shared = new(() =>
+    [
+        .. from edit in EditFactory.EditsOf(FormulaBook.Slides.StylesOf(SectionKind.Plane)[0])
+           where edit.Place is not null
+           let circle = Alike(edit, FormulaBook.Slides.StylesOf(SectionKind.Circle)[0], "C")
+           let triangle = Alike(edit, FormulaBook.Slides[SectionKind.Triangle, "shares"], "A")
+           where circle is not null
+           from both in triangle is null ? [edit with { Beside = [circle] }] : (FormulaEdit[])
+               [edit with { Beside = [circle] }, edit with { Beside = [circle, triangle] }, edit with { Section = circle, Beside = [triangle] }]
+           select both with { Cost = edit.Cost + 0.1 },
+    ]);
+
+    /// <summary>A section with the same edit; null if there is none.</summary>
+    /// <param name="point">What Q is called there.</param>
+    private static FormulaSection? Alike(FormulaEdit edit, FormulaSection section, string point) => EditFactory.EditsOf(section).FirstOrDefault(
+        other => other.Operator == edit.Operator && other.Formula?.Name == edit.Formula!.Name && other.Meant == edit.Meant.Replace("Q", point)
+            && other.Written == edit.Written.Replace("Q", point))?.Section;
 
     /// <summary>Whether a style computes what the scene asks for.</summary>
     private bool IsPossible(FormulaSection section) => section.Kind switch
@@ -131,7 +154,7 @@ internal sealed class EditSearch(Evidence evidence, SearchBudget? budget, bool o
     private (double, FormulaEdit)? InStyles(EditSample sample, FormulaEdit edit)
     {
         var (best, beside) = (sample.Unexplained(sample.Draw(edit)), edit.Beside);
-        foreach (var kind in shapes.Append(SectionKind.Rule))
+        foreach (var kind in shapes.Concat([SectionKind.Rule, SectionKind.Light]))
         {
             foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(section => section != right[kind] && IsPossible(section)))
             {

@@ -10,24 +10,17 @@ internal static class HitMistakes
             "Things from behind the camera are in the picture, upside down and glaring.",
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
-            .In(("the light fades with |X − P|", VectorMistakes.ByLength))
-            .Or("no least t at all, while the light fades with |X − P|", Bias(double.NegativeInfinity) + VectorMistakes.ByLength)
             .Or(OfSome("no least t", (lab, t, depth) => lab.Far.Do(t, depth)))
             .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
             {
                 lab.Ahead.Is(t => t > double.NegativeInfinity);
                 lab.Clipped.Is((t, _) => t <= double.MaxValue);
             })
-            .Or("|t · (−d·W)| compared with zNear and zFar, and no t > bias", lab =>
-            {
-                lab.Ahead.Is(t => t > double.NegativeInfinity);
-                lab.Clipped.Becomes(clipped => (t, depth) => clipped(Math.Abs(t), Math.Abs(depth)));
-            })
             .Or("|t| for planes", lab => lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near)))),
         new Mistake("last-hit", Affects.Hit, Slides.RayCasting, "the last model hit shows, not the nearest",
             lab => lab.Better.Is((_, _) => true),
             "Far things cover near ones; the order of the models changes the picture.",
-            "When may a hit replace the one that was found before?",
+            "When may a hit replace the one that was found before? Do all models get the same ray?",
             "Keep a hit only if its t is less than the best t so far.")
             .Or("the last hit shows, of both crossings of a sphere or a box, too", Both + (lab => lab.Better.Is((_, _) => true)))
             .Or("the first model hit shows, not the nearest", lab => lab.Better.Is((_, best) => double.IsPositiveInfinity(best)))
@@ -87,14 +80,7 @@ internal static class HitMistakes
             "What does the scene's \"clip\" say that zNear and zFar measure?",
             "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar.")
             .Or(OfSome("zNear and zFar compared with the other of t and depth",
-                (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(depth, t) && lab.Far.Do(depth, t)))
-            .Or("z = t / (−d·W)", lab => lab.Depth.Is((t, d) => t / -(d * lab.W)))
-            .Or("zNear and zFar compared with the hit's distance from the origin of the world", lab =>
-            {
-                lab.Depth.Is((t, d) => lab.Length.Do(lab.P + t * d));
-                lab.Near.Becomes(near => (_, distance) => near(distance, distance));
-                lab.Far.Becomes(far => (_, distance) => far(distance, distance));
-            }),
+                (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(depth, t) && lab.Far.Do(depth, t))),
         new Mistake("clip-after", Affects.Hit, Slides.ClipPlanes, "zNear and zFar asked only after the nearest hit was chosen",
             lab => lab.Clipped.Becomes(clipped =>
             {
@@ -128,8 +114,6 @@ internal static class HitMistakes
             "What is close to the camera is cut at a wrong place.",
             "What is the bias for, and what is zNear for?",
             "t > bias with the scene's tiny bias, and zNear as a test of its own.")
-            .Or("a bias of 0.1 in place of zNear", Bias(0.1))
-            .Or("depth compared with 1 in place of zNear", lab => lab.Near.Is((_, depth) => depth > 1))
             .Or(OfSome("a bias of 1 in place of zNear", (lab, t, depth) => t > 1 && lab.Far.Do(t, depth))),
         new("clip-root", Affects.Hit, Slides.ClipPlanes,
             "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",

@@ -59,7 +59,7 @@ internal sealed class Judgement(
     /// <summary>Searches, and decides.</summary>
     public Answer Decide()
     {
-        var search = new DiagnosisSearch([evidence], prepared.Known, done, prepared.Threads, likely, prepared.Budget);
+        var search = new DiagnosisSearch([evidence], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible);
         var ranked = search.Run();
         leftByOne = ranked.Where(IsOne).Select(candidate => candidate.Misfit.Unexplained).DefaultIfEmpty(0).Min();
         var best = search.Ranking.WithoutIdle(Best(ranked));

@@ -28,11 +28,7 @@ internal sealed partial class Lab
     /// <summary>Computes what is the same for all rays.</summary>
     private void SetUp()
     {
-        geometric = D2.IsChanged || PassesBy.IsChanged || Thc2.IsChanged || Thc.IsChanged || Roots.IsChanged;
-        analytical = InB.IsChanged || InC.IsChanged || R2.IsChanged || Discriminant.IsChanged || Solution.IsChanged;
-        slabs = Faces.IsChanged || Order.IsChanged || Slab.IsChanged || LastIn.IsChanged || FirstOut.IsChanged || Overlap.IsChanged;
-        if (TriangleT.IsChanged || TriangleX.IsChanged || Whole.IsChanged || Inside.IsChanged)
-            TriangleIs(TriangleFormula ?? ((triangle, d) => TriangleByShares(triangle, d, Cross.Do)));
+        if (Inside.IsChanged || Whole.IsChanged) TriangleIs(TriangleFormula ?? TriangleByShares);
         if (TriangleFormula is { } formula) Triangle.Is(formula);
         W = AxisW.Do(ToTarget.Do(P, T));
         U = AxisU.Do(Camera.Up, W);
@@ -44,9 +40,12 @@ internal sealed partial class Lab
 
     /// <summary>The shapes whose own formulas its mistakes change.</summary>
     public Affects ChangedShapes =>
-        (Plane.IsChanged ? Affects.Planes : 0) | (Sphere.IsChanged || geometric || analytical ? Affects.Spheres : 0)
-        | (Box.IsChanged || slabs || faceAsks is not null ? Affects.Boxes : 0) | (Circle.IsChanged ? Affects.Circles : 0)
+        (Plane.IsChanged ? Affects.Planes : 0)
+        | (Sphere.IsChanged || Thc2.IsChanged || Thc.IsChanged || Roots.IsChanged || Discriminant.IsChanged ? Affects.Spheres : 0)
+        | (Box.IsChanged || IsBySlabs ? Affects.Boxes : 0) | (Circle.IsChanged ? Affects.Circles : 0)
         | (Triangle.IsChanged ? Affects.Triangles : 0);
+
+    private bool IsBySlabs => Faces.IsChanged || Order.IsChanged || LastIn.IsChanged;
 
     /// <summary>As many models as a ray may try; with more a scene's mistakes are not tried at all.</summary>
     public const int MaxModels = 10_000;
@@ -62,8 +61,6 @@ internal sealed partial class Lab
     private readonly double half;
     private double h, w, reach;
     private readonly int made; // mistakes; that rays pass through the other place of each pixel is a formula style, too
-    private bool geometric, analytical, slabs;
-    private Func<int, int, bool>? faceAsks;
 
     /// <summary>What is drawn.</summary>
     public Scene Scene { get; }
@@ -91,12 +88,6 @@ internal sealed partial class Lab
 
     /// <summary>height / width of the picture.</summary>
     public double Tall => (double)Camera.Height / Camera.Width;
-
-    /// <summary>h / 2.</summary>
-    public double HalfHeight => h / 2;
-
-    /// <summary>h / w.</summary>
-    public double PlaneTall => h / w;
 
     /// <summary>Pixels in a line of the file.</summary>
     public int Width { get; private set; }

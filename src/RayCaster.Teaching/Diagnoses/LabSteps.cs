@@ -65,7 +65,7 @@ internal sealed partial class Lab
 
     /// <summary>(box, d) → its crossings.</summary>
     public Step<Func<Aabb, Vector3, Crossed>> Box => field ??= new((box, d) =>
-        faceAsks is not null ? ByFaces(box, d) : slabs ? Slabs(box, d) : box.Intersect(RayOf(d)));
+        IsBySlabs ? Slabs(box, d) : box.Intersect(RayOf(d)));
 
     /// <summary>(circle, d) → its crossing.</summary>
     public Step<Func<Circle, Vector3, Crossed>> Circle => field ??= new((circle, d) => circle.Intersect(RayOf(d)));
@@ -130,12 +130,9 @@ internal sealed partial class Lab
     /// <summary>That → the same, not below 0.</summary>
     public Step<Func<double, double>> Dark => field ??= new(attenuation => Math.Max(0, attenuation));
 
-    /// <summary>(attenuation, the model's colour) → the hit's colour.</summary>
-    public Step<Func<double, Color, Color>> Lit => field ??= new((attenuation, color) => attenuation * color);
-
     /// <summary>(t, d, the model's colour) → the hit's colour.</summary>
     public Step<Func<double, Vector3, Color, Color>> Shaded => field ??= new((t, d, color) =>
-        Lit.Do(Dark.Do(Attenuation.Do(Distance.Do(t, d))), color));
+        Dark.Do(Attenuation.Do(Distance.Do(t, d))) * color);
 
     /// <summary>A channel → the same between 0 and 1.</summary>
     public Step<Func<double, double>> Clamp => field ??= new(channel => Math.Min(Math.Max(channel, 0), 1));

@@ -31,7 +31,6 @@ public sealed class Mistake
     internal const Affects WholePicture = Affects.Camera | Affects.Hit | Affects.Color | Affects.File;
 
     private readonly List<Mistake> variants = [];
-    private readonly List<(string Cause, Action<Lab> Deviate)> styles = [];
 
     internal Mistake(string id, Affects affects, string slide, string cause, Action<Lab> deviate,
         string symptom, string question, string answer, bool isWithinRounding = false)
@@ -68,9 +67,6 @@ public sealed class Mistake
 
     internal Action<Lab> Deviate { get; }
 
-    /// <summary>In how many of its formula styles it is made.</summary>
-    internal int Styles { get; private init; }
-
     /// <summary>Whether it changes channels by at most a level, like rounding, so it makes no pixel wrong.</summary>
     internal bool IsWithinRounding { get; }
 
@@ -98,19 +94,6 @@ public sealed class Mistake
         foreach (var (cause, deviate) in family) Or(cause, deviate);
         return this;
     }
-
-    /// <summary>Adds formula styles: other right ways to write other formulas, in which the mistake shows otherwise.</summary>
-    internal Mistake In(params ReadOnlySpan<(string Cause, Action<Lab> Deviate)> more)
-    {
-        styles.AddRange(more);
-        return this;
-    }
-
-    /// <summary>A variant of this mistake in each of its formula styles.</summary>
-    internal IEnumerable<Mistake> InStyles(Mistake variant) =>
-        from style in styles
-        let cause = $"{variant.Cause}; {style.Cause}"
-        select new Mistake(Id, Affects, Slide, cause, variant.Deviate + style.Deviate, Hint) { Styles = variant.Styles + 1 };
 
     internal static Affects KindOf(Model model) => KindOf(model.Kind);
 

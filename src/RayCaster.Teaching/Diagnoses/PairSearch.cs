@@ -4,10 +4,9 @@ namespace RayCaster.Teaching;
 
 /// <summary>Finds the pairs of mistakes that are worth a close look: some hundreds of the millions that there are.</summary>
 /// <param name="everySingle">Every single mistake of a finished program, the best first.</param>
-/// <param name="inStyles">Some of them in other formula styles.</param>
 internal sealed class PairSearch(
     IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, CandidateRanking ranking,
-    List<WrongProgram> everySingle, List<WrongProgram> inStyles)
+    List<WrongProgram> everySingle)
 {
     /// <summary>How many single mistakes are tried together with every other: of a finished program at first, at last if there is one picture only,
     /// and of an unfinished one.</summary>
@@ -88,7 +87,7 @@ internal sealed class PairSearch(
     private List<WrongProgram> NearestByColors()
     {
         var byColors = pictures.Select(picture => picture.ByColors()).ToArray();
-        var glanced = ranking.Measured([.. everySingle, .. inStyles], CandidateRanking.Glance, byColors);
+        var glanced = ranking.Measured(everySingle, CandidateRanking.Glance, byColors);
         return ranking.Measured(glanced[..(everySingle.Count / 8)], 0.05, byColors);
     }
 

@@ -14,15 +14,6 @@ internal static class SlideFormulas
     /// <summary>The crossings, or none if the near one lies behind the camera.</summary>
     public static Crossed UnlessBehind(Crossed crossed) => (double)crossed.Near < 0 ? None : crossed;
 
-    /// <summary>Both crossings, the far one first.</summary>
-    public static Crossed Turned(Crossed crossed) => new(crossed.Far, crossed.Near);
-
-    /// <summary>The greatest of three; no number if one is none.</summary>
-    public static double Greatest(double x, double y, double z) => Math.Max(Math.Max(x, y), z);
-
     /// <summary>The least of three; no number if one is none.</summary>
     public static double Least(double x, double y, double z) => Math.Min(Math.Min(x, y), z);
-
-    /// <summary>Whether u and v are those of a point in the triangle.</summary>
-    public static bool IsInside(double u, double v) => u >= 0 && v >= 0 && u + v <= 1;
 }

@@ -28,6 +28,13 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     public Scene PartOf(Scene scene) =>
         Kinds.Any() ? scene with { Models = [.. scene.Models.Where(model => !NotYet.Contains(model.Kind))] } : scene;
 
+    /// <summary>What a program does without attenuation or clipping.</summary>
+    public FormulaProgram PartOf(FormulaProgram program)
+    {
+        if (NotYet.Contains(Attenuation)) program = program.With(program[SectionKind.Light].With("att", "1"));
+        return NotYet.Contains(Clipping) ? program.With(program[SectionKind.Rule].With(Formula.When.Text, "t > bias")) : program;
+    }
+
     /// <summary>Every way to be unfinished: without each subset of the scene's kinds of shape, except the whole, with and without attenuation and
     /// clipping.</summary>
     public static IEnumerable<Unfinished> Ways(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)

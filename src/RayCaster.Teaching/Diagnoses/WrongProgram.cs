@@ -60,8 +60,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     public double Cost(double wrong, double rounding) =>
         (Misfit.Unexplained + 0.02 * Misfit.Error + rounding * wrong)
         * Math.Pow(PerMistake, Variants.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count)
-        * Math.Pow(Unknown, Variants.Count(variant => variant.Place is not null))
-        * Math.Pow(1.2, Variants.Sum(variant => variant.Styles)); // a shape that is lost in a formula style is rather not written
+        * Math.Pow(Unknown, Variants.Count(variant => variant.Place is not null));
 
     /// <summary>What may be left so that no program with one more mistake costs less.</summary>
     public double LeastLeft(double wrong, double rounding) => rounding * wrong * (Math.Pow(PerMistake, OtherSample ? 0.5 : 1) - 1);

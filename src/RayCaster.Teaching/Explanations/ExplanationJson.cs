@@ -9,7 +9,7 @@ public static class ExplanationJson
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null) => JsonText.Of(new
     {
         Pixel = new { pixel.Column, pixel.Line, pixel.Row, pixel.Scene.Camera.Width, pixel.Scene.Camera.Height },
-        Camera = Camera(pixel),
+        Camera = Camera(pixel.Scene.Camera, pixel.CameraSteps),
         Ray = new
         {
             pixel.Ray.Origin,
@@ -26,25 +26,21 @@ public static class ExplanationJson
         Reference = reference,
     });
 
-    private static object Camera(PixelExplanation pixel)
+    private static object Camera(Camera camera, object steps) => new
     {
-        var camera = pixel.Scene.Camera;
-        return new
-        {
-            camera.Position,
-            camera.Target,
-            camera.Up,
-            camera.FovY,
-            camera.ZNear,
-            camera.ZFar,
-            camera.Bias,
-            camera.Clip,
-            camera.Sample,
-            camera.FadeDistance,
-            Slide = Slides.Camera,
-            Steps = pixel.CameraSteps,
-        };
-    }
+        camera.Position,
+        camera.Target,
+        camera.Up,
+        camera.FovY,
+        camera.ZNear,
+        camera.ZFar,
+        camera.Bias,
+        camera.Clip,
+        camera.Sample,
+        camera.FadeDistance,
+        Slide = Slides.Camera,
+        Steps = steps,
+    };
 
     private static object Model(ModelExplanation model) => new
     {

@@ -5,11 +5,14 @@ namespace RayCaster.Teaching;
 /// <remarks>Not for several threads: arrays that <see cref="Forget"/> gives back are used again.</remarks>
 internal sealed class BatchArithmetic(int pixels)
 {
+    private static readonly FormulaSection slides = FormulaBook.Slides.StylesOf(SectionKind.Vectors)[0];
+
     private readonly List<double[]> pool = [];
     private int used;
+    private bool isInSum;
 
     /// <summary>The functions of vectors.</summary>
-    public FormulaSection Functions { get; set; } = FormulaBook.Slides.StylesOf(SectionKind.Vectors)[0];
+    public FormulaSection Functions { get; set; } = slides;
 
     /// <summary>Whether what is computed from now on must outlive <see cref="Forget"/>.</summary>
     public bool Keeps { get; set; }
@@ -38,6 +41,13 @@ internal sealed class BatchArithmetic(int pixels)
                 if (e.Operands.Length == 1)
                     return a.Y is null ? new(Map(e.Operator, a.X)) : new(Map(e.Operator, a.X), Map(e.Operator, a.Y), Map(e.Operator, a.Z!));
                 var b = Evaluate(e.Operands[1], frame);
+                if (e.Function >= 0 && !isInSum && Functions.Formulas[e.Function].Right is var edited && edited != slides.Formulas[e.Function].Right)
+                {
+                    isInSum = true; // an edited sum may have a sum of vectors itself
+                    var sum = Evaluate(edited, [a, b]);
+                    isInSum = false;
+                    return sum;
+                }
                 return a.Y is null && b.Y is null ? new(Zip(e.Operator, a.X, b.X))
                     : new(Zip(e.Operator, a.X, b.X), Zip(e.Operator, a.Y ?? a.X, b.Y ?? b.X), Zip(e.Operator, a.Z ?? a.X, b.Z ?? b.X));
         }

@@ -172,16 +172,10 @@ internal sealed class EditFactory
         var ids = new Dictionary<string, string>();
         foreach (var (id, written) in EditLabels.FormulasFor(section))
         {
-            var edited = section;
-            foreach (var (place, right) in written)
-            {
-                var names = new Dictionary<string, Expression>(section.Scope);
-                foreach (var (name, own, _) in section.Formulas.Take(place)) names[name.Text] = Expression.Name(name, own.Quantity);
-                edited = edited.With(place, new ExpressionParser(right, names, allUnits: true).Parse());
-            }
-            var first = written[0].Place;
+            var edited = written.Aggregate(section, (edited, formula) => edited.With(formula.Name, formula.Right));
+            var first = section.Find(written[0].Name);
             Add(edited, first, $"{section.Formulas[first].Right}", $"{edited.Formulas[first].Right}", OtherLaw, Named);
-            ids.TryAdd(TextOf(edited), id);
+            if (id != "") ids.TryAdd(TextOf(edited), id);
         }
         return ids;
     }

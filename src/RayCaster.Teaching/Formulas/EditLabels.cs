@@ -17,12 +17,12 @@ internal static class EditLabels
     public static string? IdOf(FormulaEdit edit) => Array.Find(labels, label => label.Written.Length == 0 && label.Kind == edit.Section.Kind
         && (label.Style is null || label.Style == edit.Section.Style) && Fits(edit, label))?.Id;
 
-    /// <summary>The formulas that have a name, in a section: some at once, each with its place and its text.</summary>
-    public static IEnumerable<(string Id, (int Place, string Right)[] Written)> FormulasFor(FormulaSection section) =>
+    /// <summary>The formulas that have a label, in a section: some at once.</summary>
+    public static IEnumerable<(string Id, (string Name, string Right)[] Written)> FormulasFor(FormulaSection section) =>
         from label in labels
         where label.Written.Length > 0 && label.Kind == section.Kind
             && (label.Style ?? FormulaBook.Slides.StylesOf(section.Kind)[0].Style) == section.Style
-        select (label.Id, label.Written.Select(formula => (section.Find(formula.Name), formula.Right)).ToArray());
+        select (label.Id, label.Written);
 
     /// <summary>The patterns that fit none of some edits.</summary>
     public static IEnumerable<string> Unused(IReadOnlyCollection<FormulaEdit> edits) =>
@@ -32,8 +32,17 @@ internal static class EditLabels
 
     private static bool Fits(FormulaEdit edit, Label label) =>
         (label.Operators.Length == 0 || label.Operators.Contains(edit.Operator)) && label.Subjects.Any(subject =>
-            subject == edit.Meant || subject == edit.Formula?.Computed
+            subject == edit.Meant || subject == edit.Formula?.Computed || subject == ComponentOf(edit)
             || (subject.EndsWith('*') && edit.Meant.StartsWith(subject[..^1], StringComparison.Ordinal)));
+
+    /// <summary>The first component in which an edited vector (x, y, z) differs, as "cross.y"; null for other edits.</summary>
+    private static string? ComponentOf(FormulaEdit edit)
+    {
+        if (edit.Formula is not { Right: { Operator: Operator.Vector } right } formula) return null;
+        if (edit.Section.Formulas[edit.Place!.Value].Right is not { Operator: Operator.Vector } written) return null;
+        var place = Enumerable.Range(0, 3).FirstOrDefault(i => written.Operands[i].ToString() != right.Operands[i].ToString());
+        return $"{formula.Computed}.{"xyz"[place]}";
+    }
 
     private static IEnumerable<Label> Read(string text)
     {

@@ -49,7 +49,7 @@ internal static class EditOperators
         [EditOperator.Halved] = (1.3, "Is it meant whole, or its half?"),
         [EditOperator.Doubled] = (1.3, "Is it meant once, or twice?"),
         [EditOperator.Absolute] = (1.8, "May it be negative, and what happens then?"),
-        [EditOperator.Truncated] = (1.3, "Where is a number cut to a whole one?"),
+        [EditOperator.Truncated] = (1.3, "Where is a number cut to a whole one, or fixed?"),
         [EditOperator.Shifted] = (1.2, "From where to where does it count?"),
         [EditOperator.Turned] = (1, "Which side of the comparison counts?"),
         [EditOperator.Strictness] = (1.2, "What about the border itself?"),

@@ -36,10 +36,19 @@ internal enum Operator
 /// <summary>A formula's tree; it never changes. Each node knows its kind and unit.</summary>
 internal sealed class Expression
 {
+    private static readonly string[] functions = ["dot", "cross", "length", "normalize", "plus", "minus"]; // as the section has them
+
     private Expression(Operator op, Quantity quantity, ImmutableArray<Expression> operands, Symbol? symbol = null, double number = 0)
     {
         (Operator, Quantity, Operands, Symbol, Value) = (op, quantity, operands, symbol, number);
-        Reads = symbol?.Bit ?? 0;
+        Function = Array.IndexOf(functions, (op, quantity.Kind) switch
+        {
+            (Operator.Call, _) => symbol!.Text,
+            (Operator.Add, ValueKind.Vector) => "plus",
+            (Operator.Subtract, ValueKind.Vector) => "minus",
+            _ => "",
+        });
+        Reads = op == Operator.Name ? symbol!.Bit : Function < 0 ? 0 : Symbol.Of(functions[Function]).Bit;
         foreach (var operand in operands) Reads |= operand.Reads;
         Size = 1 + operands.Sum(operand => operand.Size);
     }
@@ -53,8 +62,8 @@ internal sealed class Expression
     /// <summary>The name that is read, or the function that is called.</summary>
     public Symbol? Symbol { get; }
 
-    /// <summary>The place of the function that is called in the section of vectors.</summary>
-    public int Function => Symbol!.Text switch { "dot" => 0, "cross" => 1, "length" => 2, _ => 3 };
+    /// <summary>The place in the section of vectors of the function that computes it; −1 if none does.</summary>
+    public int Function { get; }
 
     /// <summary>The number that is written.</summary>
     public double Value { get; }

@@ -68,5 +68,14 @@ internal sealed class FormulaSection(
 
     public FormulaSection With(ImmutableArray<Formula> others) => new(kind, style, slide, scope, others);
 
+    /// <summary>The same with another formula, which may read what comes before it.</summary>
+    public FormulaSection With(string name, string right)
+    {
+        var place = Find(name);
+        var names = new Dictionary<string, Expression>(scope);
+        foreach (var (before, own, _) in formulas.Take(place)) names[before.Text] = Expression.Name(before, own.Quantity);
+        return With(place, new ExpressionParser(right, names, allUnits: true).Parse());
+    }
+
     public FormulaSection With(int place, Expression right) => With(formulas.SetItem(place, formulas[place] with { Right = right }));
 }

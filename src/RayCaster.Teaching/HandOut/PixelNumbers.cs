@@ -157,7 +157,7 @@ public sealed class PixelNumbers
 
     private static bool IsSame(object a, object b) => (a, b) switch
     {
-        (double x, double y) => x == y || Math.Abs(x - y) <= 1e-6 * (1 + Math.Abs(y)),
+        (double x, double y) => x == y || Math.Abs(x - y) <= 1e-6 * (1 + Math.Min(Math.Abs(x), Math.Abs(y))),
         (Vector3 v, Vector3 w) => IsSame(v.X, w.X) && IsSame(v.Y, w.Y) && IsSame(v.Z, w.Z),
         (Hit v, Hit w) => v.Model == w.Model && IsSame(v.T, w.T),
         (Bytes v, Bytes w) => PictureJudge.IsNear(v, w),

@@ -25,21 +25,25 @@ public static class StepHint
         var diagnosis = Judge(scene, picture, step, slide => wrong.Length > 0 ? !wrong.Contains(slide) : isRight?.Invoke(slide) == true);
         if (wrong.Length == 0) return Of(scene, diagnosis, step, level);
         var named = level == HintLevel.Symptom ? [] : wrong.Select(slide => $"  Wrong numbers in this scene: slide \"{slide}\"");
-        return string.Join("\n", [.. named, Of(scene, diagnosis, Slides.StepOf(wrong[0]), level, isFormulaKnown: true)]);
+        var isOfWrong = diagnosis is { Finding: Finding.Mistake, Suspects: [var suspect, ..] }
+            && suspect.Mistakes.Any(mistake => wrong.Contains(mistake.Slide)); // else its question would be about right code
+        var first = Slides.StepOf(wrong[0]);
+        return string.Join("\n", [.. named, isOfWrong ? Of(scene, diagnosis, first, level) : Indented(OfStep(first, level))]);
     }
 
-    internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level, bool isFormulaKnown = false) =>
-        string.Join("\n", Lines(scene, diagnosis, step, level, isFormulaKnown).Select(line => "  " + line));
+    internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
+        Indented(Lines(scene, diagnosis, step, level));
+
+    private static string Indented(IEnumerable<string> lines) => string.Join("\n", lines.Select(line => "  " + line));
 
     internal static Diagnosis Judge(Scene scene, Picture picture, int step, Predicate<string>? isProved = null) => step == 0
         ? Diagnosis.Of(scene, picture)
         : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step && isProved?.Invoke(mistake.Slide) != true)
             .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 
-    private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level, bool isFormulaKnown)
+    private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
     {
-        if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] })
-            return isFormulaKnown ? OfStep(step, level) : OfPicture(scene, diagnosis, step, level);
+        if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
         // light, zNear and zFar may not be written yet
         Mistake[] mistakes = [.. suspect.Mistakes.Where(mistake => step == 0 || Slides.StepOf(mistake.Slide) <= step)];
         if (mistakes.Length == 0) return ["Only a few pixels are wrong: too few to name a mistake.", .. OfStep(step, level)];
@@ -52,7 +56,8 @@ public static class StepHint
     {
         if (hasSymptom) yield return mistake.Hint.Symptom;
         else if (level == HintLevel.Symptom) yield return "A known mistake makes this picture.";
-        if (level == HintLevel.Question) yield return $"Ask yourself: {mistake.Hint.Question}";
+        var question = mistake.Hint.Question; // or a sentence, where the picture cannot tell formulas apart
+        if (level == HintLevel.Question) yield return question.EndsWith('?') ? $"Ask yourself: {question}" : question;
         if (level < HintLevel.Answer) yield break;
         yield return hasSymptom ? mistake.Cause : $"For example: {mistake.Cause}"; // in this variant, or in another one
         yield return mistake.Hint.Answer;

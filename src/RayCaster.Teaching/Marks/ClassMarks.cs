@@ -52,6 +52,7 @@ public sealed class ClassMarks
     /// <exception cref="ProblemException">A folder cannot be read, or a file not be written.</exception>
     public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
     {
+        if (Archive.Is(submissions)) submissions = Archive.Unpack(submissions, options.Notice);
         var all = Submission.In(submissions, options.Ids is { } ids ? TeacherTable.Ids(ids) : new Dictionary<string, string>());
         RefuseSharedPlaces(all, submissions, output);
         var runs = rubric.Source.Run.Count > 0;
@@ -74,6 +75,8 @@ public sealed class ClassMarks
             options.Notice?.Invoke($"{page} was changed after it was written, perhaps by a student's program: --resume writes it again");
         var others = decisions.Where(decision => !all.Any(submission => submission.Student == decision.Key));
         MarksFolder.Write(folder.PathOf(MarksFolder.Table), Encoding.UTF8.GetBytes(MarksTable.Of(rubric, marks, others)));
+        MarksFolder.Write(folder.PathOf(MarksFolder.Moodle), Encoding.UTF8.GetBytes(MarksTable.ForMoodle(rubric, marks)));
+        MarksFolder.Write(folder.PathOf(MarksFolder.Canvas), Encoding.UTF8.GetBytes(MarksTable.ForCanvas(rubric, marks)));
         MarksFolder.Write(folder.PathOf(MarksFolder.ClassPage), Encoding.UTF8.GetBytes(ClassPage.Of(rubric, marks)));
         return marks;
     }
@@ -86,9 +89,9 @@ public sealed class ClassMarks
             throw new ProblemException($"the marks cannot go to {output}, which is in the folder of submissions: name a folder outside it");
         if (File.Exists(output)) throw new ProblemException($"the marks cannot go to {output}, which is a file: name a folder");
         foreach (var submission in all)
-            if (submission.Student.ToLowerInvariant() is MarksFolder.Table or MarksFolder.ClassPage)
+            if (MarksFolder.Files.Contains(submission.Student.ToLowerInvariant()))
                 throw new ProblemException($"the submission '{submission.Student}' is named like a file of the marks: rename the folder");
-        foreach (var file in (string[])[MarksFolder.Table, MarksFolder.ClassPage])
+        foreach (var file in MarksFolder.Files)
             if (Directory.Exists(Path.Combine(output, file)))
                 throw new ProblemException($"cannot write {Path.Combine(output, file)}, which is a folder: rename it");
     }

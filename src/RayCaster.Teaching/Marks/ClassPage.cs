@@ -12,9 +12,9 @@ internal static class ClassPage
         var undecided = Mean(marks, student => student.Undecided);
         page.Element("p",
             $"{Mean(marks, student => student.Points)} of {MarksTable.Number(rubric.Points)} points on average" +
-            (undecided == "0" ? ". " : $", {undecided} more are undecided. ") +
+            (undecided == "0" ? ". " : $"; {undecided} undecided. ") +
             $"To look at yourself: {marks.Count(student => student.LookYourself.Count > 0)}.");
-        AddMistakes(page, marks);
+        AddMistakes(page, rubric, marks);
         AddLookYourself(page, marks);
         AddTable(page, rubric, marks);
         return page.ToString();
@@ -23,7 +23,7 @@ internal static class ClassPage
     private static string Mean(IReadOnlyList<StudentMarks> marks, Func<StudentMarks, double> points) =>
         MarksTable.Number(Math.Round(marks.Average(points), 2));
 
-    private static void AddMistakes(Page page, IReadOnlyList<StudentMarks> marks)
+    private static void AddMistakes(Page page, Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         (string Id, int Count)[] counts =
         [
@@ -41,6 +41,18 @@ internal static class ClassPage
                 + $"<td>{Page.Escaped(mistake?.Slide ?? "")}</td></tr>");
         }
         page.Html("</table>");
+        foreach (var (id, _) in counts.Take(MaxToDiscuss)) AddPictures(page, rubric, id);
+    }
+
+    /// <summary>What a mistake makes of the first scene that shows it, beside the right picture.</summary>
+    private static void AddPictures(Page page, Rubric rubric, string id)
+    {
+        var mistake = MistakeCatalog.Named(id);
+        if (rubric.Scenes.FirstOrDefault(scene => mistake is null ? scene.Needs(id) : scene.Shows(id)) is not { } scene) return;
+        var program = mistake is null ? new WrongProgram(new([id]), [], false) : new WrongProgram(Unfinished.Nothing, [mistake], false);
+        page.Element("p", $"{id} in {scene.Name}, and the right picture:", "small");
+        page.Html($"<p class=\"beside\">{Page.Image(program.Draw(scene.Scene).Render(), $"{scene.Name} with {id}")} " +
+            $"{Page.Image(scene.Right, $"{scene.Name}, right")}</p>");
     }
 
     private static string ToDiscuss(string id) =>

@@ -32,7 +32,9 @@ internal static class FeedbackPage
         var style = item.Undecided > 0 ? "undecided" : item.Points < item.Of ? "lost" : "";
         var why = item.Undecided > 0 ? "Not decided: your teacher will look."
             : string.Join("<br>", item.Because.Select(because => Hint(rubric, because, marks)).Where(hint => hint != ""));
-        page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">" +
+        var remark = rubric.Items.First(other => other.Name == item.Name).Remark is { } text
+            ? $"<br><span class=\"small\">{Page.Escaped(text)}</span>" : "";
+        page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}{remark}</td><td class=\"n\">" +
             $"{(item.Undecided > 0 ? "not decided" : $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)}")}</td><td>{why}</td></tr>");
     }
 

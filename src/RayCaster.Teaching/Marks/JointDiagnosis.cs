@@ -40,7 +40,7 @@ internal sealed class JointDiagnosis
         }
         if (Verdict.Misfit.Unexplained < Near * wrong.Length) Nearest = Verdict;
         (Verdict, Alternatives, Losing, Unexplained) = (right, [], [], wrong);
-        IsOnlyLight = !TellsNothing && IsLightOfAll();
+        if (!TellsNothing && OnlyLight() is var (steps, says)) (Steps, Says) = (steps, says);
     }
 
     /// <summary>What is wrong; a right program if nothing is wrong, or if nothing explains most of the wrong pictures.</summary>
@@ -65,11 +65,11 @@ internal sealed class JointDiagnosis
     /// <summary>The program that comes nearest where none explains the pictures; null where one does.</summary>
     public WrongProgram? Nearest { get; }
 
-    /// <summary>
-    /// Whether nothing explains the pictures, but all outlines are right. The light is wrong on more than one kind of shape, so no formula of a
-    /// shape is the reason.
-    /// </summary>
-    public bool IsOnlyLight { get; }
+    /// <summary>Where nothing explains the pictures but only the light is wrong, the steps of which one must be wrong; otherwise null.</summary>
+    public IReadOnlyCollection<SectionKind>? Steps { get; }
+
+    /// <summary>What the teacher should know of these steps.</summary>
+    public string? Says { get; }
 
     /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
     public bool TellsNothing { get; }
@@ -99,7 +99,7 @@ internal sealed class JointDiagnosis
     /// <summary>What a diagnosis of a single picture names, each mistake in the variant that fits.</summary>
     private static IEnumerable<WrongProgram> NamedFor(SubmittedPicture picture) =>
         from suspect in picture.Scene.Judge.Judge(picture.Evidence.Picture).Suspects
-        where suspect.Mistakes.All(mistake => mistake.Place is null) // an edit of formulas is not drawn by a lab
+        where suspect.Mistakes.All(mistake => mistake.Place is null)
         let way = new Unfinished(suspect.NotYet)
         select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)],
             suspect.OtherSample && suspect.Mistakes.All(mistake => mistake.Id != "center"));
@@ -112,17 +112,34 @@ internal sealed class JointDiagnosis
     private static double Weight(WrongProgram program, SubmittedPicture picture) =>
         picture.Evidence.Misfit(program.Draw(picture.Scene.Scene)).Weight;
 
+    /// <summary>Whether a kind of shape shows in the pictures that the verdict draws.</summary>
+    public bool Draws(string kind, IReadOnlyList<SubmittedPicture> pictures)
+    {
+        var without = Verdict with { Base = new([.. Verdict.Base.NotYet, kind]) };
+        return pictures.Any(picture => picture.Scene.Scene.Models.Any(model => model.Kind == kind)
+            && Weight(without, picture) > Weight(Verdict, picture) + picture.Evidence.LeastPixels);
+    }
+
     private bool IsHardlyExplained(Evidence picture)
     {
         var (left, all) = (picture.Misfit(Verdict.Draw(picture.Scene)), picture.Misfit(right.Draw(picture.Scene)));
         return left != all && left.Weight > Helpless * all.Weight;
     }
 
-    private bool IsLightOfAll()
+    /// <summary>
+    /// The steps where all outlines are right and only the light is not. If it is wrong on one kind of shape, this one's formula may be the reason.
+    /// </summary>
+    private (IReadOnlyCollection<SectionKind>, string)? OnlyLight()
     {
         var kinds = Unexplained.Select(picture => LikelyCause.InAnotherLight(picture.Evidence, new Renderer(picture.Scene.Scene).CastHits().Model))
             .TakeWhile(kinds => kinds.Count > 0).ToList();
-        var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value).Select(kind => kind.Sum()).ToList();
-        return kinds.Count == Unexplained.Count && counts.Max() < OneKind * counts.Sum();
+        if (kinds.Count < Unexplained.Count) return null;
+        var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value)
+            .ToDictionary(kind => kind.Key, kind => kind.Sum());
+        var most = counts.MaxBy(kind => kind.Value);
+        var isOneKind = most.Value >= OneKind * counts.Values.Sum();
+        return (isOneKind && Enum.TryParse<SectionKind>(most.Key == "mesh" ? "triangle" : most.Key, true, out var shape)
+                ? [SectionKind.Light, SectionKind.Bytes, shape] : [SectionKind.Light, SectionKind.Bytes],
+            isOneKind && most.Key == "background" ? "only the background is wrong" : "all outlines are right, only the light is not");
     }
 }

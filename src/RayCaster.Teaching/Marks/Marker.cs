@@ -6,12 +6,17 @@ internal sealed class Marker(Rubric rubric)
     /// <summary>Judges the pictures of a submission together.</summary>
     public StudentMarks Mark(string student, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
+        if (submitted.All(picture => picture.IsUntouched))
+            return new(student, "", [.. rubric.Items.Select(item => new ItemMarks(item.Name, item.Points, 0, 0, item.Undone))],
+                [.. submitted.Select(picture => new SceneMarks(picture.Scene.Name, SceneVerdict.Explained, null))], [], [], [], [],
+                [.. notes, "all pictures are those of the hand-out before anything is written"]);
         List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = new JointDiagnosis(pictures, rubric.Known);
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, diagnosis))];
         var verdict = diagnosis.Verdict;
         return new(student, "", Items(diagnosis, pictures), scenes,
-            [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.MistakeIds],
+            [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)],
+            [.. verdict.Mistakes.Where(mistake => mistake.Place is null).Select(mistake => mistake.Id)],
             [.. verdict.Variants.Where(mistake => diagnosis.IsCertain && mistake == MistakeCatalog.Named(mistake.Id)).Select(mistake => mistake.Id)],
             [.. diagnosis.Losing.Select(mistake => mistake.Id)],
             [.. notes, .. LookYourself(submitted, diagnosis)]);
@@ -29,6 +34,11 @@ internal sealed class Marker(Rubric rubric)
         var items = new List<ItemMarks>();
         var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Scene));
         var isAllTold = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
+        SectionKind[] steps =
+        [
+            .. Edits(diagnosis).SelectMany(edit => edit.Place!.Section.Split(", ")).Select(step => Enum.Parse<SectionKind>(step, ignoreCase: true)),
+            .. diagnosis.Steps ?? [],
+        ];
         foreach (var item in rubric.Items)
         {
             var (lost, because) = Cost(item, diagnosis.Verdict);
@@ -39,8 +49,9 @@ internal sealed class Marker(Rubric rubric)
                 (least, most) = (Math.Min(least, other), Math.Max(most, other));
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
-            var mayBeAtFault = diagnosis.IsOnlyLight ? ConcernsLight(item) || !Tells(judged, item)
-                : !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item)));
+            var mayBeAtFault = steps.Any(step => Concerns(item, step)) || (diagnosis.Steps is not null ? !Tells(judged, item)
+                : IsOutOfSight(item, diagnosis, pictures)
+                    || !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item))));
             if (mayBeAtFault) most = item.Points;
             if (diagnosis.IsGuess) least = 0;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
@@ -64,9 +75,20 @@ internal sealed class Marker(Rubric rubric)
     /// are right: these use them too.</summary>
     private static bool IsOfShapes(RubricItem item) => item.Undone.Any(part => Mistake.KindOf(part) != 0);
 
-    /// <summary>Whether an item is about the way from a hit to its colour.</summary>
-    private static bool ConcernsLight(RubricItem item) => item.Undone.Contains(Diagnosis.Attenuation)
-        || item.Mistakes.Any(mistake => (MistakeCatalog.Named(mistake)!.Affects & Affects.Color) != 0);
+    /// <summary>Whether an item is about a shape that mistakes keep out of all pictures: it may be unwritten.</summary>
+    private static bool IsOutOfSight(RubricItem item, JointDiagnosis diagnosis, List<SubmittedPicture> pictures) =>
+        diagnosis.Verdict.Variants.Count > 0 && item.Undone.Where(part => Mistake.KindOf(part) != 0).ToArray() is { Length: > 0 } kinds
+            && kinds.Any(kind => pictures.Any(picture => picture.Scene.Needs(kind))) && !kinds.Any(kind => diagnosis.Draws(kind, pictures));
+
+    /// <summary>Small edits of formulas that explain the pictures: no item has them, and none is charged for them.</summary>
+    private static IEnumerable<Mistake> Edits(JointDiagnosis diagnosis) =>
+        diagnosis.Alternatives.Prepend(diagnosis.Verdict).SelectMany(program => program.Mistakes).Where(mistake => mistake.Place is not null);
+
+    /// <summary>Whether an item is about a step: its shape is asked for, or a mistake in its formulas or in its effect.</summary>
+    private static bool Concerns(RubricItem item, SectionKind step) =>
+        item.Undone.Contains(step is SectionKind.Light ? Diagnosis.Attenuation : step.ToString().ToLowerInvariant())
+        || item.Mistakes.Select(mistake => MistakeCatalog.Named(mistake)!).Any(mistake => step is SectionKind.Light or SectionKind.Bytes
+            ? (mistake.Affects & Affects.Color) != 0 : mistake.Slide == FormulaBook.Slides.StylesOf(step)[0].Slide);
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
     private (double Lost, string[] Because) Cost(RubricItem item, WrongProgram program)
@@ -98,8 +120,10 @@ internal sealed class Marker(Rubric rubric)
         string[] unexplained = [.. diagnosis.Unexplained.Select(picture => picture.Scene.Name).Except(repeated.SelectMany(scenes => scenes))];
         if (!diagnosis.TellsNothing && unexplained.Length > 0)
             yield return $"{string.Join(", ", unexplained)}: " +
-                (diagnosis.IsOnlyLight ? "all outlines are right, only the light is not, and no known mistake explains it"
+                (diagnosis.Says is { } says ? $"no known mistake explains this, but {says}"
                     : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
+        foreach (var cause in Edits(diagnosis).Select(edit => edit.Cause).Distinct())
+            yield return $"no known mistake explains the pictures, but a slip in {cause}";
         foreach (var other in diagnosis.Alternatives)
             if (rubric.Items.Any(item => Cost(item, other).Lost != Cost(item, diagnosis.Verdict).Lost))
                 yield return $"these scenes cannot tell {Names(diagnosis.Verdict)} from {Names(other)}";

@@ -11,6 +11,9 @@ internal sealed class MarksFolder(string path, byte[] key)
 {
     public const string Table = "marks.csv";
     public const string ClassPage = "class.html";
+    public const string Moodle = "moodle.csv";
+    public const string Canvas = "canvas.csv";
+    public static readonly string[] Files = [Table, ClassPage, Moodle, Canvas];
 
     private const long MaxBytes = 1 << 26;
 

@@ -22,8 +22,33 @@ internal static class MarksTable
         ]);
         var rest = others.Select(other => (string[])
             [other.Key, Number(other.Value.Points), "", Number(rubric.Points), Number(other.Value.Points), other.Value.Comment]);
-        return "\uFEFF" + string.Concat(lines.Concat(rest).Prepend(head).Select(cells => string.Join(',', cells.Select(Cell)) + "\r\n"));
+        return "\uFEFF" + Text([head, .. lines, .. rest]);
     }
+
+    /// <summary>A table that Moodle's grade import takes. Points that are not all decided are left empty.</summary>
+    public static string ForMoodle(Rubric rubric, IReadOnlyList<StudentMarks> marks) => Text(
+    [
+        [marks.All(student => IsLogin(student.Student)) ? "Email address" : "ID number", rubric.Title, "Feedback"],
+        .. marks.Select(student => (string[])[student.Student, Decided(student), student.Comment ?? ""]),
+    ]);
+
+    /// <summary>A table that Canvas's gradebook import takes.</summary>
+    public static string ForCanvas(Rubric rubric, IReadOnlyList<StudentMarks> marks) => Text(
+    [
+        ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", rubric.Title],
+        ["    Points Possible", "", "", "", "", Number(rubric.Points)],
+        .. marks.Select(student => (string[])
+        [
+            student.Student, "", IsLogin(student.Student) ? "" : student.Student, IsLogin(student.Student) ? student.Student : "", "",
+            Decided(student),
+        ]),
+    ]);
+
+    private static bool IsLogin(string student) => student.Contains('@');
+
+    private static string Decided(StudentMarks student) => student.Undecided > 0 ? "" : Number(student.Points);
+
+    private static string Text(IEnumerable<string[]> rows) => string.Concat(rows.Select(cells => string.Join(',', cells.Select(Cell)) + "\r\n"));
 
     /// <summary>Points, with at most two decimals; empty for none.</summary>
     public static string Number(double? points) => points?.ToString("0.##", CultureInfo.InvariantCulture) ?? "";

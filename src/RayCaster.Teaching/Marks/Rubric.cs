@@ -87,7 +87,11 @@ public sealed class Rubric
 /// <summary>A part of the lab that has points.</summary>
 /// <param name="Each">The points that one of its mistakes costs; all together cost at most the item's points.</param>
 /// <param name="Undone">The parts of a program that cost all its points if they are missing (<see cref="Diagnosis.Parts"/>).</param>
-public sealed record RubricItem(string Name, double Points, double Each, IReadOnlyList<string> Mistakes, IReadOnlyList<string> Undone);
+public sealed record RubricItem(string Name, double Points, double Each, IReadOnlyList<string> Mistakes, IReadOnlyList<string> Undone)
+{
+    /// <summary>What the students' pages say of it, whatever was found; null for nothing.</summary>
+    public string? Remark { get; init; }
+}
 
 /// <summary>How to get a submission's pictures: they are in its folder, or its program draws them.</summary>
 /// <param name="Pictures">The path of a picture in the submission's folder; <c>{name}</c> stands for the scene's name.</param>

@@ -62,6 +62,7 @@ public static class RubricReader
         var mistakes = o.Texts("mistakes", "The ids of the mistakes that cost points of it (docs/mistakes.md).", false);
         var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", Diagnosis.Parts)}.", false);
         var each = o.Number("each", "What one of its mistakes costs; all of its points where it is left out.", Limits.Positive, points);
+        var remark = o.Text("remark", "What the students' pages say of it, whatever was found.", false);
         o.Close();
         if (before.Any(item => item.Name == name))
             o.Refuse("name", $" is \"{name}\", which another item is called already: tables and pages tell items apart by their names");
@@ -75,7 +76,8 @@ public static class RubricReader
                 o.Refuse("mistakes", $" is {mistakes[i]}, which costs points of \"{other.Name}\" already: a mistake belongs to one item", i);
         }
         RefuseUnknown(o, "undone", undone, Diagnosis.Parts);
-        return new(name, points, each, mistakes, undone.Contains("triangle") ? [.. undone, "mesh"] : undone); // a mesh is its triangles
+        if (undone.Contains("triangle")) undone = [.. undone, "mesh"]; // a mesh is its triangles
+        return new(name, points, each, mistakes, undone) { Remark = remark };
     }
 
     private static PictureSource ReadSource(SceneObject o, string folder)

@@ -22,6 +22,10 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     public bool IsCopied => CanBeJudged && Scene.Known is { } known && known.Width == Picture!.Width && !Evidence.IsRight
         && new PictureDifference(Picture, known) is var difference && difference.Wrong < SingleShare * difference.Pixels;
 
+    /// <summary>Whether it is what the hand-out draws before anything is written: the place of each pixel as a colour.</summary>
+    public bool IsUntouched => CanBeJudged && Picture is { } own && Enumerable.Range(0, own.Count).All(i => PictureJudge.IsNear(own.At(i),
+        new Color((double)(i % own.Width) / own.Width, (double)(own.Height - 1 - i / own.Width) / own.Height, 0.5).ToBytes()));
+
     /// <summary>What the picture tells, if it can be judged.</summary>
     public Evidence Evidence => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
 

@@ -25,7 +25,7 @@ public sealed class InterruptionCampaign : CommandTests
             ("INT", 130, "check PIPE"),
         ];
         raycaster.Run(Room, "-s", "8x8", "-q");
-        raycaster.Shell("mkfifo pipe.png");
+        raycaster.RunInShell("mkfifo pipe.png");
         var waiting = cases.Select(test => raycaster.Start(Words(test.Arguments.Replace("PIPE", "pipe.png")))).ToArray();
         Thread.Sleep(StartMilliseconds * 2);
         Assert.All(cases.Zip(waiting), test =>

@@ -16,14 +16,15 @@ public sealed class HostileSizeTests : IDisposable
     public void Dispose() => folder.Dispose();
 
     [Theory]
-    [InlineData("ascii")]
-    [InlineData("binary_little_endian")]
-    [InlineData("binary_big_endian")]
-    public void FourBillionVerticesAreNotBelieved(string format)
+    [InlineData("ascii", "9")]
+    [InlineData("ascii", "4294967296")]
+    [InlineData("binary_little_endian", "4294967296")]
+    [InlineData("binary_big_endian", "9223372036854775807")]
+    public void MoreVerticesThanTheFileCanHoldAreNotBelieved(string format, string count)
     {
-        var file = $"ply\nformat {format} 1.0\nelement vertex 4294967296\nproperty float x\nproperty float y\nproperty float z\n"
+        var file = $"ply\nformat {format} 1.0\nelement vertex {count}\nproperty float x\nproperty float y\nproperty float z\n"
             + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n";
-        Assert.Equal("a.ply(3): the header promises 4294967296 rows, more than the rest of the file can hold",
+        Assert.Equal($"a.ply(3): the header promises {count} rows, more than the rest of the file can hold",
             RefusedMesh("a.ply", Encoding.ASCII.GetBytes(file)));
     }
 

@@ -7,7 +7,7 @@ namespace RayCaster.Files.Tests.Parts;
 public class SceneDigestTests
 {
     private static readonly string Folder = ProjectFolder.PathOf("tests/RayCaster.Files.Tests/Good");
-    private static readonly string Everything = File.ReadAllText(Path.Combine(Folder, "everything.json"));
+    private static readonly string Everything = File.ReadAllText(Path.Combine(Folder, "everything.json")).ReplaceLineEndings("\n");
 
     [Fact]
     public void EveryNumberChangesItInAWayOfItsOwn()
@@ -28,7 +28,6 @@ public class SceneDigestTests
 
     [Theory]
     [InlineData("\"distance\"", "\"depth\"")]
-    [InlineData("\"center\" }", "\"corner\" }")]
     [InlineData("\"center\"\n", "\"corner\"\n")]
     [InlineData("\"#ff8000\"", "\"#ff8001\"")]
     [InlineData("\"#00FF7f\"", "\"#00FE7f\"")]
@@ -36,7 +35,6 @@ public class SceneDigestTests
     [InlineData("\"type\": \"mesh\", \"file\": \"./tetrahedron.obj\", \"scale\": 2,", "\"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 2")]
     public void EveryWordAndTheLastBitChangeIt(string from, string to)
     {
-        if (!Everything.Contains(from)) return; // one of two ways in which a line may end
         Assert.NotEqual(DigestOf(Everything), DigestOf(Everything.Replace(from, to)) ?? throw new InvalidDataException(from));
     }
 
@@ -96,8 +94,9 @@ public class SceneDigestTests
     {
         var scene = new Scene(new(new(5, 0, 0), Vector3.Zero), [Model.Of(new Sphere(Vector3.Zero, 1)), new Silent()]);
         Assert.Equal(
-            "models[1] is of the class Silent, which does not say its numbers; override ToString in it (docs/adding-a-primitive.md)",
-            Assert.Throws<NotSupportedException>(() => Digest(scene)).Message);
+            "the scene cannot be drawn in parts: models[1] is of the class Silent, which does not say its numbers; "
+            + "override ToString in it (docs/adding-a-primitive.md)",
+            Assert.Throws<ProblemException>(() => Digest(scene)).Message);
     }
 
     [Fact]

@@ -1,5 +1,5 @@
-using System.Buffers.Binary;
 using System.IO.Compression;
+using RayCaster.Testing.Fuzzing;
 using static RayCaster.Files.Tests.PictureFiles.PictureWriterTests;
 
 namespace RayCaster.Files.Tests.PictureFiles;
@@ -28,7 +28,7 @@ public class PngWriterTests
     public void TheDataAreOneZlibStream(int width, int height)
     {
         var picture = Noise(width, height);
-        var chunks = Chunks(Encode(PictureFormat.Png, picture, height)).Where(chunk => chunk.Type == "IDAT").Select(chunk => chunk.Data).ToArray();
+        var chunks = Chunks(picture, height).Where(chunk => chunk.Type == "IDAT").Select(chunk => chunk.Data).ToArray();
         Assert.True(chunks.Length > 2);
         var data = chunks.Aggregate((one, next) => [.. one, .. next]);
 
@@ -42,7 +42,7 @@ public class PngWriterTests
     {
         var picture = Noise(Width, Height);
         new Random(1).NextBytes(picture.Rgb); // cannot be compressed
-        Assert.All(Chunks(Encode(PictureFormat.Png, picture, Height)), chunk => Assert.InRange(chunk.Data.Length, 0, (1 << 20) + (1 << 17)));
+        Assert.All(Chunks(picture, Height), chunk => Assert.InRange(chunk.Data.Length, 0, (1 << 20) + (1 << 17)));
     }
 
     [Fact]
@@ -57,15 +57,8 @@ public class PngWriterTests
         writer.Dispose();
     }
 
-    private static IEnumerable<(string Type, byte[] Data)> Chunks(byte[] file)
-    {
-        for (var at = 8; at < file.Length;)
-        {
-            var length = BinaryPrimitives.ReadInt32BigEndian(file.AsSpan(at));
-            yield return (System.Text.Encoding.ASCII.GetString(file, at + 4, 4), file[(at + 8)..(at + 8 + length)]);
-            at += length + 12;
-        }
-    }
+    private static List<(string Type, byte[] Data)> Chunks(Picture picture, int height) =>
+        PngMutation.Chunks(Encode(PictureFormat.Png, picture, height));
 
     /// <summary>An output that fails when it is full.</summary>
     private sealed class FullStream(int room) : MemoryStream

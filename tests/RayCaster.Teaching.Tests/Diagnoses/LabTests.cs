@@ -15,16 +15,39 @@ public class LabTests
     }
 
     [Fact]
-    public void EachFormulaStyleIsRightByItself()
+    public void StepsByOtherRightFormulasDrawTheSame()
     {
         var scene = SceneFolder.Small("mistakes/generic");
-        var right = Of().Render();
-        var nothing = Mistake.Unnamed(_ => { });
-        foreach (var style in MistakeCatalog.All.SelectMany(mistake => mistake.InStyles(nothing)).DistinctBy(style => style.Cause))
+        var (right, slides) = (Of().Render(), FormulaProgram.For(scene.Camera));
+        foreach (var kind in Enum.GetValues<SectionKind>().Except([SectionKind.File, SectionKind.Rule])) // the scene says which
         {
-            var evidence = new Evidence(scene, right, new Lab(scene, style).Render(), int.MaxValue);
-            Assert.True(evidence.IsRight, $"{evidence.WrongCount} pixels are wrong{style.Cause}");
+            foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(section => section != slides[kind]))
+            {
+                var lab = new Lab(scene, Mistake.Unnamed(lab => lab.Follow(slides.With(section))));
+                var evidence = new Evidence(scene, right, lab.Render(), int.MaxValue);
+                Assert.True(evidence.IsRight, $"[{section.Name}]: {evidence.WrongCount} pixels are wrong");
+            }
         }
+    }
+
+    [Theory]
+    [InlineData("Vectors", "√(a.x² + a.y² + a.z²)", "len-nosqrt")]
+    [InlineData("Camera", "up × W", "u-cross")]
+    [InlineData("Pixel", "w / 2", "no-center")]
+    [InlineData("File", "height − 1", "row-off")]
+    [InlineData("Aabb", "tmin ≤ tmax", "slab-minmin")]
+    [InlineData("Rule", "bias", null)]
+    [InlineData("Light", "2·|T − P|", "att-no2")]
+    [InlineData("Bytes", "255", null)]
+    public void AnEditIsDrawnAsTheEvaluatorOfFormulasDrawsIt(string step, string meant, string? label)
+    {
+        var scene = SceneFolder.Small("mistakes/generic");
+        var slides = FormulaProgram.For(scene.Camera);
+        var edit = EditFactory.EditsOf(slides[Enum.Parse<SectionKind>(step)]).First(edit => edit.Meant == meant && edit.Label == label);
+        (int X, int Y)[] pixels = [.. Enumerable.Range(0, 60).Select(i => (i * 7 % scene.Camera.Width, i * 5 % scene.Camera.Height))];
+        var lab = new Lab(scene, Mistake.Unnamed(lab => lab.Follow(edit.In(slides))));
+        byte[] drawn = [.. pixels.SelectMany<(int X, int Y), byte>(pixel => lab[pixel.X, pixel.Y] is var (r, g, b) ? [r, g, b] : [])];
+        Assert.Equal(new FormulaEvaluator(scene, pixels, slides).Draw(edit.In(slides)), drawn);
     }
 
     [Fact]
@@ -83,29 +106,6 @@ public class LabTests
         var lab = new Lab(scene, MistakeCatalog.Named("bgr")!, MistakeCatalog.Named("att-none")!);
         Assert.Equal(((byte)0, (byte)128, (byte)255), lab[4, 4]);
     }
-
-    /// <summary>A ray at the box from (−1, −1, −1) to (1, 1, 1); P = (0, −5, 0).</summary>
-    [Theory]
-    [InlineData("plane-no-p", "B0 / d and B1 / d without P", 0, 1, 0, -1, 1)] // X = (0, −6, 0) and (0, −4, 0), x and z of which are in it
-    [InlineData("slab-2axes", "only the next", 0, 1, 0.5, -2, 2)] // z = −1 and z = 1 at x = 0
-    [InlineData("slab-2axes", "only the coordinate before", 0, 1, 0.5, 4, 6)] // y = −1 and y = 1 at x = 0
-    public void ABoxIsAskedFaceByFace(string id, string variant, double x, double y, double z, double near, double far)
-    {
-        var crossed = Worded(id, $"box: face by face, {variant}").Box.Do(new(new(-1, -1, -1), new(1, 1, 1)), new(x, y, z));
-        Assert.Equal((near, far), ((double)crossed.Near, (double)crossed.Far));
-    }
-
-    /// <summary>P = (0, −5, 0), C = (0, 0.5, 0), R = 6: tca = 0.5, so D = |(0, 5, 0)| and thc² = 36 − 25.</summary>
-    [Fact]
-    public void ASphereWithoutPInTcaIsMeasuredFromTheRay()
-    {
-        var crossed = Worded("plane-no-p", "sphere: tca = C·d, without P, and D = L − tca d").Sphere.Do(new(new(0, 0.5, 0), 6), new(0, 1, 0));
-        Assert.Equal(0.5 - Math.Sqrt(11), (double)crossed.Near, 12);
-        Assert.Equal(0.5 + Math.Sqrt(11), (double)crossed.Far, 12);
-    }
-
-    private static Lab Worded(string id, string cause) => new(new Scene(new(new(0, -5, 0), Vector3.Zero) { Width = 8, Height = 8 }, []),
-        MistakeCatalog.Named(id)!.Variants.Single(variant => variant.Cause.StartsWith(cause, StringComparison.Ordinal)));
 
     private static Lab Of(params string[] ids) =>
         new(SceneFolder.Small("mistakes/generic"), [.. ids.Select(id => MistakeCatalog.Named(id)!)]);

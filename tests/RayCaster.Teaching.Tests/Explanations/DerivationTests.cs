@@ -43,7 +43,10 @@ public class DerivationTests
     public void StepsComeInTheOrderOfTheFormula()
     {
         var crossings = new Sphere(new(0, 0, 0), 4).Intersect(Along(-1, 0, 0));
-        Assert.Equal((16, 24), (crossings.Near.Value, crossings.Far.Value));
+        var (near, far) = (crossings.Near.Value, crossings.Far.Value);
+        Assert.True(
+            (near, far) == (16, 24),
+            $"P = (20, 0, 0), d = (−1, 0, 0), sphere C = (0, 0, 0), R = 4: expected t = 16 and 24, but got {near} and {far}");
         var steps = FormulaStep.LeadingTo(crossings.Near, crossings.Far);
         Assert.Equal(["L", "tca", "D", "thc"], steps.Select(step => step.Name));
         Assert.Equal("√(16 − (0, 0, 0) · (0, 0, 0))", steps[3].Numbers);

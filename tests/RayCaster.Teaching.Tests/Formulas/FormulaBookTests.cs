@@ -22,7 +22,8 @@ public class FormulaBookTests
                 if (kind is SectionKind.File && section != slides[kind]) continue; // the scene says which
                 if (kind is SectionKind.Rule && section.Style == "distance" != (slides[kind].Style == "distance")) continue;
                 var evidence = new Evidence(scene, definition, Picture(definition, evaluator.Draw(slides.With(section))), int.MaxValue);
-                Assert.True(evidence.IsRight, $"[{section.Name}]: {evidence.WrongCount} pixels are wrong");
+                Assert.True(evidence.IsRight, $"{name}: the formulas of [{section.Name}] in src/RayCaster.Teaching/Formulas " +
+                    $"and those of src/RayCaster draw {evidence.WrongCount} pixels differently");
             }
         }
     }

@@ -8,18 +8,8 @@ public class MapMakerTests
     [Fact]
     public void TAndModelAreTheDefinitions()
     {
-        for (var seed = 0; seed < 8; seed++)
-        {
-            var scene = RandomScene.Make(new Random(seed));
-            var (t, model) = (MapMaker.Make(scene, MapKind.T), MapMaker.Make(scene, MapKind.Model));
-            for (var y = 0; y < t.Height; y++)
-                for (var x = 0; x < t.Width; x++)
-                {
-                    var ray = ScalarRenderer.Cast(scene, x, t.Height - 1 - y);
-                    Assert.Equal((float)ray.HitParameter, t[x, y][0]);
-                    Assert.Equal(ray.HitModel, model[x, y][0] < 0 ? null : scene.Models[(int)model[x, y][0]]);
-                }
-        }
+        foreach (var (_, ray, t) in Pixels(MapKind.T)) Assert.Equal((float)ray.HitParameter, t[0]);
+        foreach (var (scene, ray, model) in Pixels(MapKind.Model)) Assert.Equal(ray.HitModel, model[0] < 0 ? null : scene.Models[(int)model[0]]);
     }
 
     [Fact]
@@ -49,19 +39,11 @@ public class MapMakerTests
     [Fact]
     public void NormalsAreOneLongAndFaceTheCamera()
     {
-        for (var seed = 0; seed < 8; seed++)
+        foreach (var (_, ray, normal) in Pixels(MapKind.Normal).Where(pixel => pixel.Ray.HitModel is not null))
         {
-            var scene = RandomScene.Make(new Random(seed));
-            var map = MapMaker.Make(scene, MapKind.Normal);
-            for (var y = 0; y < map.Height; y++)
-                for (var x = 0; x < map.Width; x++)
-                {
-                    var ray = ScalarRenderer.Cast(scene, x, map.Height - 1 - y);
-                    if (ray.HitModel is null) continue;
-                    var n = new Vector3(map[x, y][0], map[x, y][1], map[x, y][2]);
-                    Assert.Equal(1, n.Length, 1e-6);
-                    Assert.True(n * ray.Direction <= 1e-6, $"seed {seed}: {n} looks away from the camera");
-                }
+            var n = new Vector3(normal[0], normal[1], normal[2]);
+            Assert.Equal(1, n.Length, 1e-6);
+            Assert.True(n * ray.Direction <= 1e-6, $"{n} looks away from the camera");
         }
     }
 
@@ -69,22 +51,14 @@ public class MapMakerTests
     public void OfAMeshItIsTheNearestTrianglesNormal()
     {
         var triangles = 0;
-        for (var seed = 0; seed < 16; seed++)
+        foreach (var (_, ray, normal) in Pixels(MapKind.Normal))
         {
-            var scene = RandomScene.Make(new Random(seed));
-            var map = MapMaker.Make(scene, MapKind.Normal);
-            for (var y = 0; y < map.Height; y++)
-                for (var x = 0; x < map.Width; x++)
-                {
-                    var ray = ScalarRenderer.Cast(scene, x, map.Height - 1 - y);
-                    if (ray.HitModel is not Mesh mesh) continue;
-                    triangles++;
-                    var i = 0;
-                    while (mesh[i].Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)).Near != ray.HitParameter) i++;
-                    var (n, expected) = (
-                        new Vector3(map[x, y][0], map[x, y][1], map[x, y][2]), ((mesh[i].B - mesh[i].A) % (mesh[i].C - mesh[i].A)).Normalized);
-                    Assert.Equal(1, Math.Abs(n * expected), 1e-6);
-                }
+            if (ray.HitModel is not Mesh mesh) continue;
+            triangles++;
+            var i = 0;
+            while (mesh[i].Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)).Near != ray.HitParameter) i++;
+            var expected = ((mesh[i].B - mesh[i].A) % (mesh[i].C - mesh[i].A)).Normalized;
+            Assert.Equal(1, Math.Abs(new Vector3(normal[0], normal[1], normal[2]) * expected), 1e-6);
         }
         Assert.InRange(triangles, 400, int.MaxValue);
     }
@@ -164,4 +138,15 @@ public class MapMakerTests
     }
 
     private static Scene Scene(params Model[] models) => new(Camera, models);
+
+    private static IEnumerable<(Scene Scene, Ray Ray, float[] Numbers)> Pixels(MapKind kind)
+    {
+        for (var seed = 0; seed < 16; seed++)
+        {
+            var scene = RandomScene.Make(new Random(seed));
+            var map = MapMaker.Make(scene, kind);
+            for (var y = 0; y < map.Height; y++)
+                for (var x = 0; x < map.Width; x++) yield return (scene, ScalarRenderer.Cast(scene, x, map.Height - 1 - y), map[x, y].ToArray());
+        }
+    }
 }

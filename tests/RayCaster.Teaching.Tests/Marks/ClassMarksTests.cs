@@ -87,6 +87,49 @@ public sealed class ClassMarksTests : IDisposable
     }
 
     [SkippableFact]
+    public void AnArchiveOfFoldersAndArchivesIsUnpackedAndMarked()
+    {
+        Skip.If(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
+        Write("anna", RightProgram).Write("boris", RightProgram).Write("carla", RightProgram);
+        Zip("class/boris"); // an archive beside the folders, and one in a folder
+        Zip("class/carla");
+        Directory.CreateDirectory(folder["class/carla"]);
+        File.Move(folder["class/carla.zip"], folder["class/carla/lab.zip"]);
+        WriteFile("class/damaged.zip", "PK and no more");
+        Zip("class");
+        var marks = ClassMarks.Mark(RubricReader.Read(folder["rubric.json"], out _)!, folder["class.zip"], folder["marks"], new(1), default);
+        Assert.Equal("anna 5, boris 5, carla 5, damaged 0", PointsOf(marks));
+        Assert.Contains("\r\nanna,5,\r\n", File.ReadAllText(folder["marks/moodle.csv"]));
+        Assert.Contains("\r\nanna,,anna,,,5\r\n", File.ReadAllText(folder["marks/canvas.csv"]));
+    }
+
+    private void Zip(string path)
+    {
+        System.IO.Compression.ZipFile.CreateFromDirectory(folder[path], folder[path + ".zip"]);
+        Directory.Delete(folder[path], recursive: true);
+    }
+
+    [Theory]
+    [InlineData("../evil", 0, "leads out of it")]
+    [InlineData("/tmp/evil", 0, "leads out of it")]
+    [InlineData("anna/link", 0xA000, "is a link")]
+    [InlineData("anna/large", 0, "too many bytes")]
+    public void AnArchiveThatAttacksIsNotUnpacked(string entry, int type, string problem)
+    {
+        using (var archive = System.IO.Compression.ZipFile.Open(folder["class.zip"], System.IO.Compression.ZipArchiveMode.Create))
+        {
+            archive.CreateEntry("anna/good");
+            var one = archive.CreateEntry(entry);
+            one.ExternalAttributes = type << 16;
+            using var stream = one.Open();
+            stream.Write(new byte[entry == "anna/large" ? 100_000 : 10]);
+        }
+        Assert.Contains(problem, Assert.Throws<ProblemException>(() => Archive.Unpack(folder["class.zip"], null, 50_000)).Message);
+        Assert.False(Path.Exists(folder["class"]));
+        Assert.False(Path.Exists(folder["evil"]) || Path.Exists("/tmp/evil"));
+    }
+
+    [SkippableFact]
     public void ATableThatIsALinkIsNotFollowed()
     {
         Skip.If(OperatingSystem.IsWindows(), "has no such file");

@@ -41,7 +41,7 @@ public class MarkerTests
     internal static StudentMarks Mark(string mistake, string second = "ok", string undone = "") => Mark(scene =>
         EditedLab.Render(Without(scene, undone), Manner.OfTheSlides, Planted.Named(mistake), Planted.Named(second)));
 
-    private static Scene Without(Scene scene, string kinds) =>
+    internal static Scene Without(Scene scene, string kinds) =>
         scene with { Models = [.. scene.Models.Where(model => !kinds.Split(' ').Contains(model.Kind))] };
 
     internal static string[] Lost(StudentMarks marks) =>
@@ -107,6 +107,46 @@ public class MarkerTests
         var parts = With([new("Plane", 1, 1, [], ["plane"]), new("Sphere", 2, 2, [], ["sphere"])], rubric.Scenes);
         var marks = Mark(parts, scene => scene == rubric.Scenes[0].Scene ? ScalarRenderer.Render(scene) : null);
         Assert.Equal((1.0, 2.0), (marks.Points, marks.Undecided)); // no sphere is in the only picture
+    }
+
+    [Theory] // no known mistake explains these, but a small edit of one step's formulas does
+    [InlineData("Camera", "(Up % W)", "(new Vector3(0, 0, 1) % W)", "4 Camera", "camera: normalize((0, 0, 1) × W) stood where")]
+    [InlineData("Vector3", "a.Z + b.Z);", "a.Z - b.Z);", "1 Vectors", "vectors: a.z − b.z stood where a.z + b.z is meant")]
+    [InlineData("Scene", "? Background :", "? new Color(0, 0, 0) :", "5 Shading", "only the background is wrong")]
+    public void WhatOneStepsFormulasExplainLeavesOnlyItsItemUndecided(string file, string old, string @new, string item, string says)
+    {
+        var slip = new Planted($"{file}: {@new}", "", new Edit(file, old, @new));
+        var marks = Mark(With(whole.Items, Scenes("3-spheres", "4-all").Select(Small)), scene => EditedLab.Render(scene, slip));
+        Assert.Equal([item], marks.Items.Where(item => item.Undecided > 0).Select(item => item.Name));
+        Assert.Equal([], marks.Items.Where(item => item.Points + item.Undecided < item.Of));
+        Assert.Contains(says, Assert.Single(marks.LookYourself));
+        Assert.Empty(marks.Mistakes);
+    }
+
+    [Fact] // a camera that looks backwards sees no sphere, so spheres may be unwritten
+    public void AShapeThatAMistakeKeepsOutOfAllPicturesIsUndecided()
+    {
+        var walls = Small(Scenes("1-planes").Single());
+        var ball = Model.Of(new Sphere(walls.Scene.Camera.Target, 1));
+        var room = walls with { Judge = new(walls.Scene with { Models = [.. walls.Scene.Models, ball] }) };
+        var marks = Mark(With(whole.Items, [room]), scene => EditedLab.Render(scene, Planted.Named("w-sign")));
+        Assert.Equal("4", string.Join(' ', Lost(marks).Except(["8"])));
+        Assert.Equal(2, marks.Items[7].Undecided);
+    }
+
+    [Fact]
+    public void TheUntouchedHandOutGetsNoPointsAndIsNotUndecided()
+    {
+        var marks = Mark(scene =>
+        {
+            var (picture, camera) = (new Picture(scene.Camera.Width, scene.Camera.Height), scene.Camera);
+            for (var r = 0; r < camera.Height; r++) // the stub of Scene.CastRay
+                for (var c = 0; c < camera.Width; c++)
+                    picture[c, camera.Height - 1 - r] = new Color((double)c / camera.Width, (double)r / camera.Height, 0.5).ToBytes();
+            return picture;
+        });
+        Assert.Equal((0.0, 0.0), (marks.Points, marks.Undecided));
+        Assert.Single(marks.LookYourself);
     }
 
     [Fact]

@@ -60,7 +60,7 @@ internal static class PngMutation
         return result.ToArray();
     }
 
-    private static List<(string Type, byte[] Data)> Chunks(byte[] file)
+    public static List<(string Type, byte[] Data)> Chunks(byte[] file)
     {
         var chunks = new List<(string, byte[])>();
         for (var at = 8; at <= file.Length - PngChunk.Frame;)

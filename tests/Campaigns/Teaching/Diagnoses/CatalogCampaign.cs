@@ -7,15 +7,15 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>The catalogue, against the lab, whose source is edited to have the same mistakes.</summary>
 public class CatalogCampaign
 {
+    /// <summary>A variant draws it in all scenes; or it is written in another way, which the diagnosis names in a scene.</summary>
     [Theory]
     [MemberData(nameof(Ids), MemberType = typeof(CatalogTests))]
-    public void OneVariantDrawsWhatTheLabWithThatMistakeDraws(string id)
+    public void WhatTheLabWithThatMistakeDrawsIsKnown(string id)
     {
-        var expected = scenes.Values.Select(scene => (Scene: scene, Picture: EditedLab.Render(scene, Planted.Named(id)))).ToArray();
-        var mistake = MistakeCatalog.Named(id)!;
-        IEnumerable<RayCaster.Teaching.Mistake> InStyles(RayCaster.Teaching.Mistake variant) => mistake.InStyles(variant).Prepend(variant);
-        Assert.Contains(mistake.Variants.SelectMany(InStyles).SelectMany(InStyles),
-            variant => expected.All(one => IsDrawnBy(one.Picture, MistakeCatalog.Draw(one.Scene, [variant]))));
+        var drawn = scenes.Values.Select(scene => (Scene: scene, Picture: EditedLab.Render(scene, Planted.Named(id)))).ToArray();
+        if (MistakeCatalog.Named(id)!.Variants.Any(variant =>
+            drawn.All(one => IsDrawnBy(one.Picture, MistakeCatalog.Draw(one.Scene, [variant]))))) return;
+        Assert.Contains(drawn, one => Diagnosis.Of(one.Scene, one.Picture).Suspects is [var first, ..] && DiagnosisTests.Named(first).Contains(id));
     }
 
     [Fact]

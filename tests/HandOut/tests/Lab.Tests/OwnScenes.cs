@@ -3,7 +3,7 @@ namespace Lab.Tests;
 /// <summary>Scenes of the course's own: scenes/my/NAME.json with a picture NAME.png beside it, from any program, is tested like the
 /// others.</summary>
 [Trait("step", "10")]
-public class OwnScenes
+public class OwnScenes : StepTests
 {
     [Fact]
     public void EachIsThePictureBesideIt()

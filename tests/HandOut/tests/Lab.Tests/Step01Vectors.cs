@@ -4,7 +4,7 @@ namespace Lab.Tests;
 
 /// <summary>Slides "C# Objects", "IDE &amp; Vectors".</summary>
 [Trait("step", "1")]
-public class Step01Vectors
+public class Step01Vectors : StepTests
 {
     private const string Slide = "IDE & Vectors";
 

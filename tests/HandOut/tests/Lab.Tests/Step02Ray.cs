@@ -4,7 +4,7 @@ namespace Lab.Tests;
 
 /// <summary>Slide "Ray".</summary>
 [Trait("step", "2")]
-public class Step02Ray
+public class Step02Ray : StepTests
 {
     private const string Slide = "Ray";
 

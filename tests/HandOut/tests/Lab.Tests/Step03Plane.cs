@@ -4,7 +4,7 @@ namespace Lab.Tests;
 
 /// <summary>Slides "Plane", "Ray – Plane Intersection".</summary>
 [Trait("step", "3")]
-public class Step03Plane
+public class Step03Plane : StepTests
 {
     private const string Slide = "Ray – Plane Intersection";
 

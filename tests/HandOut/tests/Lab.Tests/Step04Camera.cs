@@ -4,7 +4,7 @@ namespace Lab.Tests;
 
 /// <summary>Slides "Camera", "Camera Pixel Translation", "Ray Casting".</summary>
 [Trait("step", "4")]
-public class Step04Camera
+public class Step04Camera : StepTests
 {
     private const string Slide = "Camera", PixelSlide = "Camera Pixel Translation";
 
@@ -57,10 +57,15 @@ public class Step04Camera
         scene.Models.Add(new Plane(new(-5, 0, 0), new(1, 0, 0)) { Color = new(1, 0, 0) });
         scene.Models.Add(new Plane(new(5, 0, 0), new(1, 0, 0)) { Color = new(0, 1, 0) });
         scene.Models.Add(new Plane(new(-9, 0, 0), new(1, 0, 0)) { Color = new(1, 0, 0) });
+        var ray = camera.RayThrough(5, 5);
+        scene.Models[1].Intersect(ray);
+        Assert.True(
+            ray.HitModel == scene.Models[1],
+            $"the ray through the middle of the picture hits no plane: let the tests of W, U, V, h, w and d pass first.\n  {RayAssert.Cite(Slide)}");
         var color = scene.CastRay(5, 5);
         var wrong = color.B == 1
-            ? "the ray to three planes has no hit, so the pixel shows the background: look at d, and call Intersect of each model"
-            : color.R > 0 ? "of three planes behind each other the nearest shows, not the first or the last"
+            ? "the ray to three planes has no hit, so the pixel shows the background: call Intersect of each model with the pixel's ray"
+            : color.R > 0 ? "of three planes behind each other the nearest shows, not the first or the last: all models get the same ray"
             : color.G > 0 ? null
             : "the pixel has no light, though a plane is hit: CastRay returns what Shade makes of the hit; look at Shade";
         Assert.True(wrong == null, $"{wrong}.\n  {RayAssert.Cite("Ray Casting")}");
@@ -69,6 +74,22 @@ public class Step04Camera
         {
             try { return scene.CastRay(5, 5).B == 1; }
             catch (NullReferenceException) { return false; } // the colour of a HitModel that is null
+        }
+    }
+
+    [Fact]
+    public void TheRayIsThatOfThePixelsColumnAndRow()
+    {
+        var camera = new Camera(new(20, 0, 0), Vector3.Zero, new(0, 0, 1), 45, 10, 10);
+        var floor = new Plane(new(0, 0, -1), new(0, 0, 1)) { Color = new(1, 0, 0) }; // in the rows below the middle
+        var scene = new Scene(camera, new(0, 0, 1)) { Models = { floor } };
+        foreach (var (c, r) in ((int, int)[])[(8, 2), (2, 8)])
+        {
+            var ray = camera.RayThrough(c, r);
+            floor.Intersect(ray);
+            var expected = ray.HitModel == floor ? "the floor" : "the background";
+            var got = scene.CastRay(c, r).B == 0 ? "the floor" : "the background";
+            Assert.True(expected == got, $"CastRay(c = {c}, r = {r}): expected {expected}, but got {got}.\n  {RayAssert.Cite("Ray Casting")}");
         }
     }
 

@@ -2,7 +2,7 @@ namespace Lab.Tests;
 
 /// <summary>Slide "Primitive Shading".</summary>
 [Trait("step", "5")]
-public class Step05Shading
+public class Step05Shading : StepTests
 {
     private const string Slide = "Primitive Shading";
 
@@ -12,7 +12,7 @@ public class Step05Shading
     {
         var camera = new Camera(RayAssert.Mine(P), RayAssert.Mine(T), new(0, 0, 1), 45, 1, 1);
         var model = new Plane(Vector3.Zero, new(1, 0, 0)) { Color = new(red, 0, 0) };
-        return camera.Shade(new Ray(camera.Position, new(-1, 0, 0)) { HitParameter = t, HitModel = model }).R;
+        return camera.Shade(new Ray(camera.Position, new(-1, 0, 0)) { HitParameter = t, HitModel = model, DepthPerT = 0.5 }).R; // t, not z
     }
 
     [Fact]

@@ -6,7 +6,7 @@ namespace Lab.Tests;
 
 /// <summary>Slides "zNear &amp; zFar", "Bias".</summary>
 [Trait("step", "6")]
-public class Step06Clipping
+public class Step06Clipping : StepTests
 {
     private readonly Chance chance = new();
 
@@ -47,7 +47,7 @@ public class Step06Clipping
     [Fact]
     public void WithABiasOfZeroTheCameraMayTouch()
     {
-        AssertCounts(true, 0, bias: 0, zNear: 0, slide: "Bias");
+        AssertCounts(true, 0, bias: 0, zNear: -1, slide: "Bias");
         AssertCounts(false, -1e-9, bias: 0, zNear: -1, slide: "Bias");
     }
 

@@ -4,9 +4,11 @@ namespace Lab.Tests;
 
 /// <summary>Slides "AABB (Axis Aligned Bounding Box)", "AABB – intersection parameters", "AABB checking for intersection".</summary>
 [Trait("step", "7")]
-public class Step07Box
+public class Step07Box : StepTests
 {
-    private const string Slide = "AABB checking for intersection", SlabSlide = "AABB – intersection parameters";
+    private const string SlabSlide = "AABB – intersection parameters";
+
+    private static string Slide => Proof.IsSlabRight() ? "AABB checking for intersection" : SlabSlide;
 
     private static readonly Library.Model box = BoxOf(new(-1, -2, -3), new(1, 2, 3));
 

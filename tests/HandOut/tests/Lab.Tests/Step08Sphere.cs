@@ -4,7 +4,7 @@ namespace Lab.Tests;
 
 /// <summary>Slides "Sphere", "Sphere – Geometric Solution", "Sphere – Analytical Solution": both ways lead to the same intersections.</summary>
 [Trait("step", "8")]
-public class Step08Sphere
+public class Step08Sphere : StepTests
 {
     private readonly Chance chance = new();
 

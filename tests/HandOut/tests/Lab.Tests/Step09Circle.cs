@@ -4,7 +4,7 @@ namespace Lab.Tests;
 
 /// <summary>Slide "Circle".</summary>
 [Trait("step", "9")]
-public class Step09Circle
+public class Step09Circle : StepTests
 {
     private const string Slide = "Circle";
 

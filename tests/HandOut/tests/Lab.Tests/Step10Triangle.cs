@@ -4,7 +4,7 @@ namespace Lab.Tests;
 
 /// <summary>Slide "Triangle".</summary>
 [Trait("step", "10")]
-public class Step10Triangle
+public class Step10Triangle : StepTests
 {
     private const string Slide = "Triangle";
 

@@ -88,10 +88,11 @@ public sealed class Proof(RayCaster.Scene scene)
         var camera = mine.Camera;
         return Enumerable.Range(1, 12).Select(i => i * scene.Camera.FadeDistance / 10).All(t => RayAssert.AreEqual(
             Math.Max(0, 1 - t / scene.Camera.FadeDistance),
-            camera.Shade(new(camera.Position, new(1, 0, 0)) { HitParameter = t, HitModel = model }).R));
+            camera.Shade(new(camera.Position, new(1, 0, 0)) { HitParameter = t, HitModel = model, DepthPerT = 0.5 }).R));
     }
 
-    private static bool IsSlabRight()
+    /// <summary>Whether the intersection parameters of a box are right, which its other formulas use.</summary>
+    public static bool IsSlabRight()
     {
         return Is(1, 3, 0, 0.5, (2, 6)) && Is(1, 3, 5, -1, (2, 4)) && Is(1, 3, 2, 0.5, (-2, 2));
 

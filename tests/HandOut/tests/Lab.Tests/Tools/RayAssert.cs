@@ -110,7 +110,7 @@ public static class RayAssert
 
     /// <summary>Whether two numbers are equal except in their last bits.</summary>
     public static bool AreEqual(double a, double b) =>
-        a == b || Math.Abs(a - b) <= 1e-7 * (1 + Math.Abs(a)) || (double.IsNaN(a) && double.IsNaN(b));
+        a == b || Math.Abs(a - b) <= 1e-7 * (1 + Math.Min(Math.Abs(a), Math.Abs(b))) || (double.IsNaN(a) && double.IsNaN(b));
 
     /// <summary>The same coordinate by coordinate.</summary>
     public static bool AreEqual(RayCaster.Vector3 a, Vector3 b) => AreEqual(a.X, b.X) && AreEqual(a.Y, b.Y) && AreEqual(a.Z, b.Z);
