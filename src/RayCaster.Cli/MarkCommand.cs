@@ -20,8 +20,8 @@ internal sealed class MarkCommand : Command
                          or ZIP files, which is unpacked beside it.
 
         Options:
-          -o, --output <folder>  The folder for the marks: marks.csv, moodle.csv, canvas.csv, class.html
-                                 for the teacher, and feedback.html in a folder for each student.
+          -o, --output <folder>  The folder for the marks: marks.csv, moodle.csv, canvas.csv,
+                                 class.html for the teacher, and feedback.html for each student.
               --ids <file>       Names rows and pages by ids: a CSV file of folders and ids.
               --resume           Keeps finished marks of submissions that have not changed.
           -t, --threads <n>      How many submissions are marked at a time. [default: one per core;

@@ -17,7 +17,7 @@ internal sealed class BandQueue
     private readonly Camera camera;
     private readonly Action<int>? linesDone;
     private readonly CancellationToken cancellation;
-    private readonly int rowsOfBand, stripsAcross, threadCount;
+    private readonly int rowsOfBand, stripWidth, stripsAcross, threadCount;
     private readonly int lowestRow, endRow; // of the lines to draw
     private readonly long bandCount, lowestBand;
 
@@ -35,10 +35,11 @@ internal sealed class BandQueue
 
         // A band is a row of tiles (in very wide pictures a half, a quarter … of one), so that no tile lies in two bands.
         for (rowsOfBand = Tile.MaxSide; rowsOfBand > 1 && 3L * camera.Width * rowsOfBand > BytesOfBand;) rowsOfBand /= 2;
-        stripsAcross = Tile.StripsOf(camera.Width);
         (lowestRow, endRow) = (camera.Height - endLine, camera.Height - firstLine);
         lowestBand = lowestRow / rowsOfBand;
         bandCount = (endRow - 1) / rowsOfBand - lowestBand + 1;
+        stripWidth = Tile.StripWidth(camera.Width, bandCount, threads);
+        stripsAcross = (camera.Width + stripWidth - 1) / stripWidth;
         threadCount = (int)Math.Min(threads, bandCount * stripsAcross);
         buffers = new byte[threadCount == 1 ? 1 : Math.Min(bandCount, threads + 2)][];
         stripsMissing = new int[buffers.Length];
@@ -89,9 +90,9 @@ internal sealed class BandQueue
     {
         var (band, column) = Math.DivRem(strip, stripsAcross);
         var (row, height) = RowsOf(band);
-        var (left, buffer) = ((int)column * Tile.MaxStrip, (int)(band % buffers.Length));
+        var (left, buffer) = ((int)column * stripWidth, (int)(band % buffers.Length));
         consumer.Enter(buffers[buffer], row + height - 1);
-        caster(new(left, row, Math.Min(Tile.MaxStrip, camera.Width - left), height), consumer);
+        caster(new(left, row, Math.Min(stripWidth, camera.Width - left), height), consumer);
         lock (gate)
         {
             if (--stripsMissing[buffer] > 0) return;

@@ -122,7 +122,9 @@ public sealed class Renderer
     /// <summary>Casts all rays, on this thread and others.</summary>
     private void Cast(Frame frame, CancellationToken cancellation, Func<IHitConsumer> newConsumer)
     {
-        var (across, up) = (Tile.StripsOf(camera.Width), Tile.TilesOf(camera.Height));
+        var up = Tile.TilesOf(camera.Height);
+        var width = Tile.StripWidth(camera.Width, up, threadCount);
+        var across = (camera.Width + width - 1) / width;
         var workers = Math.Min(threadCount, across * up);
         var next = -1;
         ThreadTeam.Each(workers, workers, _ =>
@@ -131,8 +133,8 @@ public sealed class Renderer
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
                 cancellation.ThrowIfCancellationRequested();
-                var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
-                caster(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), consumer);
+                var (column, row) = (i % across * width, i / across * Tile.MaxSide);
+                caster(new(column, row, Math.Min(width, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), consumer);
             }
         });
     }

@@ -26,8 +26,16 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>How many tiles cover this many columns or rows.</summary>
     public static int TilesOf(int pixels) => (pixels + MaxSide - 1) / MaxSide;
 
-    /// <summary>How many strips cover this many columns.</summary>
-    public static int StripsOf(int pixels) => (pixels + MaxStrip - 1) / MaxStrip;
+    /// <summary>How many columns of a picture a thread takes at once: fewer tiles side by side if strips are few, so that all threads
+    /// have work until the end.</summary>
+    /// <param name="tilesUp">How many tiles lie above each other.</param>
+    public static int StripWidth(int width, long tilesUp, int threads)
+    {
+        const int StripsOfThread = 4;
+        var strip = MaxStrip;
+        while (threads > 1 && strip > MaxSide && (width + strip - 1) / strip * tilesUp < StripsOfThread * (long)threads) strip /= 2;
+        return strip;
+    }
 
     /// <summary>Whether the tiles share a pixel.</summary>
     public bool Overlaps(in Tile other) =>

@@ -20,7 +20,7 @@ public class GroupTests
 
     /// <summary>The formula finds hits of a triangle seen edge-on only between its corners along the axis that the ray follows most.</summary>
     [Fact]
-    public void AGroupHasTheGreatestWOfItsTriangles()
+    public void AGroupHasTheGreatestInverseDepthOfItsTriangles()
     {
         var (vertices, indices) = Specks(TriangleCluster.Length);
         var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
@@ -32,7 +32,7 @@ public class GroupTests
 
     /// <summary>Of triangles in a plane with the eye, the formula's areas are all rounding, and so are its hits between their corners.</summary>
     [Fact]
-    public void NoHitInAGroupSeenEdgeOnHasAGreaterW()
+    public void NoHitInAGroupSeenEdgeOnHasAGreaterInverseDepth()
     {
         var (random, screen, hits) = (new Random(20261123), new ScreenSpace(camera), 0);
         for (var round = 0; round < 300; round++)
