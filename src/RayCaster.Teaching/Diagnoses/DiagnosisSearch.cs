@@ -32,6 +32,8 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
 
     private readonly Mistake[] known = [.. known.OrderBy(mistake => rare.Contains(mistake.Id))];
 
+    private readonly List<WrongProgram> parts = []; // known edits of formulas that explain some of what is wrong
+
     private readonly string[] kinds = Unfinished.KindsOf(pictures);
 
     /// <summary>Compares and sorts the candidates.</summary>
@@ -96,7 +98,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         if (!isDone && Ranking.IsDone(all) && !Ranking.IsDone(all, Nearly)) all.AddRange(NearestPairs());
         if (Ranking.IsDone(all)) return Ranking.Sorted(all);
 
-        foreach (var some in pairs.ByEffort(singles, onTop))
+        foreach (var some in pairs.ByEffort(Ranking.Sorted([.. singles, .. parts]), onTop))
         {
             var best = Ranking.BestPairs(some);
             if (!Ranking.IsCertain(best)) best = Ranking.Sorted([.. best, .. Ranking.Best(InOtherVariants(best, Besides))]);
@@ -140,13 +142,17 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         var picture = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!;
         if (before is not null) picture = new(picture, before.Draw(picture.Scene));
         bool[] samples = MayBeOtherSample() ? [true, false] : [false];
-        return Ranking.Measured(
+        var found = samples.Select(otherSample => (otherSample, Edits: new EditSearch(picture, way, otherSample, budget).Find())).ToArray();
+        if (way.NotYet.Count == 0)
+            parts.AddRange(Measured(found.SelectMany(of => of.Edits.Others.Select(edits => (edits, of.otherSample))), onlyKnown: true));
+        return Measured(found.SelectMany(of => of.Edits.Explaining.Select(edits => (edits, of.otherSample))), onlyKnown: false);
+
+        List<WrongProgram> Measured(IEnumerable<(EditGroup Edits, bool OtherSample)> groups, bool onlyKnown) => Ranking.Measured(
         [
-            .. from otherSample in samples
-               from edits in new EditSearch(picture, way, otherSample, budget).Find()
-               let mistake = EditNaming.Of(edits)
-               where mistake.Place is null ? known.Any(other => other.Id == mistake.Id) : possible?.Invoke(mistake) != false
-               select new WrongProgram(way, [mistake], otherSample),
+            .. from of in groups
+               let mistake = EditNaming.Of(of.Edits)
+               where mistake.Place is null ? known.Any(other => other.Id == mistake.Id) : !onlyKnown && possible?.Invoke(mistake) != false
+               select new WrongProgram(way, [mistake], of.OtherSample),
         ], 1);
     }
 

@@ -28,7 +28,7 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
     /// <summary>If the best edit leaves more, the styles of other steps are tried with the nearest ones of the camera.</summary>
     private const double TriesStyles = 0.03;
 
-    private const int EditsInStyles = 24, MaxGroups = 4;
+    private const int EditsInStyles = 24, MaxGroups = 4, MaxOthers = 8;
 
     private readonly Scene scene = way.PartOf(evidence.Scene);
     private readonly FormulaProgram right = way.PartOf(FormulaProgram.For(evidence.Scene.Camera, otherSample));
@@ -43,12 +43,13 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
     /// edit, drawn with other last bits; more is chance.</summary>
     private const double MayLeavePixels = 8, MayLeaveOfPicture = 0.001, MayLeave = 0.05;
 
-    /// <summary>The edits that explain the picture, the best first.</summary>
-    public IReadOnlyList<EditGroup> Find()
+    /// <summary>The edits that explain the picture, the best first; and the nearest others, one of which may be half of what is wrong.</summary>
+    public (IReadOnlyList<EditGroup> Explaining, IReadOnlyList<EditGroup> Others) Find()
     {
-        if (scene.Models.Count > MaxModels || !evidence.HasRightSize) return [];
+        if (scene.Models.Count > MaxModels || !evidence.HasRightSize) return ([], []);
         var most = Math.Min(MayLeave * evidence.WrongCount, Math.Max(MayLeavePixels, MayLeaveOfPicture * evidence.PixelCount));
-        return [.. Run().TakeWhile(group => group.Unexplained * evidence.WrongCount <= most).Take(MaxGroups)];
+        var all = Run().ToLookup(group => group.Unexplained * evidence.WrongCount <= most);
+        return ([.. all[true].Take(MaxGroups)], [.. all[false].Where(group => group.Unexplained < 1).Take(MaxOthers)]);
     }
 
     /// <summary>The groups of edits that come nearest, the best first.</summary>

@@ -20,10 +20,12 @@ internal sealed class FormulaBook
     /// <summary>The formulas of the slides.</summary>
     public static FormulaBook Slides => slides.Value;
 
-    /// <summary>What every scene gives, and the pixel: x from the left, y from the top.</summary>
+    /// <summary>What every scene gives.</summary>
     private static Dictionary<string, Expression> OfScene { get; } = Names(
-        "P: point, T: point, up: direction, fovY: angle, width: pixels, height: pixels, zNear: length, zFar: length, bias: length, π: none, "
-        + "x: pixels, y: pixels");
+        "P: point, T: point, up: direction, fovY: angle, width: pixels, height: pixels, zNear: length, zFar: length, bias: length, π: none");
+
+    /// <summary>The pixel: x from the left, y from the top. The camera is made before there is one.</summary>
+    private static Dictionary<string, Expression> OfPixel { get; } = Names("x: pixels, y: pixels");
 
     /// <summary>The styles of a step, the slides' own first.</summary>
     public IReadOnlyList<FormulaSection> StylesOf(SectionKind kind) => sections[kind];
@@ -67,7 +69,7 @@ internal sealed class FormulaBook
         };
         var scope = new Dictionary<string, Expression>();
         if (kind is not (SectionKind.Vectors or SectionKind.Bytes))
-            foreach (var (name, expression) in OfScene) scope[name] = expression;
+            foreach (var (name, expression) in kind is SectionKind.Camera ? OfScene : OfScene.Concat(OfPixel)) scope[name] = expression;
         foreach (var formula in before.SelectMany(step => sections[step][0].Formulas))
             scope[formula.Name.Text] = Expression.Name(formula.Name, formula.Right.Quantity);
         if (givens.TryGetValue(kind, out var own))
