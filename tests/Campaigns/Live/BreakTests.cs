@@ -12,7 +12,7 @@ public class BreakTests(Chromium chromium)
         var (page, _) = await chromium.OpenAsync(live.Address);
         live.Send("INT");
         Assert.Equal(130, await live.ExitCodeAsync());
-        await page.GetByText("The program has ended").WaitForAsync();
+        await page.SaysAsync("The program has ended");
     }
 
     /// <summary>As "dotnet watch" does after a change of the code.</summary>
@@ -24,20 +24,20 @@ public class BreakTests(Chromium chromium)
         var first = LiveProcess.Start(scene, 1, folder.Path);
         var (page, _) = await chromium.OpenAsync(first.Address);
         await page.FocusAsync("#stage");
-        await page.Keyboard.PressAsync("ArrowLeft");
-        await page.WaitForSelectorAsync("#camera-reset:not([disabled])");
-        var camera = await page.InnerTextAsync("#camera-json");
-        await page.Keyboard.PressAsync("Enter");
-        await page.WaitForSelectorAsync("#pixel-bytes");
+        await page.PressAsync("ArrowLeft");
+        await page.ShowsAsync("#camera-reset:not([disabled])");
+        var camera = await page.TextOfAsync("#camera-json");
+        await page.PressAsync("Enter");
+        await page.ShowsAsync("#pixel-bytes");
         first.Dispose();
-        await page.WaitForSelectorAsync("body.apart");
+        await page.ShowsAsync("body.apart");
 
         folder.Write("scene.json", LivePage.Ball.Replace("\"models\"", "\"background\": [0, 0, 1], \"models\"").Replace("1, 0.5, 0.1", "0, 0, 0"));
         using var second = LiveProcess.Start(scene, 2, folder.Path);
         Assert.Equal(first.Address, second.Address);
-        await page.WaitForSelectorAsync("body:not(.apart)");
+        await page.ShowsAsync("body:not(.apart)");
         await page.WaitForFunctionAsync("() => ['0 0 0', '0 0 255'].includes(document.getElementById('pixel-bytes').textContent)");
-        Assert.Equal(camera, await page.InnerTextAsync("#camera-json"));
+        Assert.Equal(camera, await page.TextOfAsync("#camera-json"));
     }
 
     /// <summary>A program that is suspended for longer than the server waits for a browser's answer, as while a laptop sleeps.</summary>
@@ -51,6 +51,6 @@ public class BreakTests(Chromium chromium)
         folder.Write("scene.json", LivePage.Ball.Replace("\"width\": 40", "\"width\": 44"));
         await Task.Delay(TimeSpan.FromSeconds(31));
         live.Send("CONT");
-        await page.GetByText("Up to date: 44 × 30 pixels").WaitForAsync();
+        await page.SaysAsync("Up to date: 44 × 30 pixels");
     }
 }

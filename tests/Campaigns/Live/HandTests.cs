@@ -1,5 +1,3 @@
-using Microsoft.Playwright;
-
 namespace RayCaster.Live.Tests;
 
 /// <summary>Fingers on a touch screen, a file that is dropped, and what the page does for people who set their system up.</summary>
@@ -18,24 +16,24 @@ public class HandTests(Chromium chromium)
     {
         await using var live = await LivePage.OpenAsync();
         var (page, complaints) = await chromium.OpenAsync(
-            live, new() { ViewportSize = new() { Width = 360, Height = 740 }, HasTouch = true });
-        var touch = await page.Context.NewCDPSessionAsync(page);
-        var box = (await page.Locator("#picture").BoundingBoxAsync())!;
+            live, new() { Width = 360, Height = 740, HasTouch = true });
+        var touch = await page.CreateCDPSessionAsync();
+        var box = await page.BoxOfAsync("#picture");
         var (x, y) = (box.X + box.Width / 2, box.Y + box.Height / 2);
-        var before = await page.EvaluateAsync<double>(Distance);
+        var before = await page.EvaluateFunctionAsync<double>(Distance);
 
         await DragAsync([(x, y)], [(x + 60, y)]);
-        await page.WaitForSelectorAsync("#camera-reset:not([disabled])");
-        Assert.Equal(before, await page.EvaluateAsync<double>(Distance), tolerance: 1e-3);
+        await page.ShowsAsync("#camera-reset:not([disabled])");
+        Assert.Equal(before, await page.EvaluateFunctionAsync<double>(Distance), tolerance: 1e-3);
 
         await DragAsync([(x - 20, y), (x + 20, y)], [(x - 80, y), (x + 80, y)]);
         await page.WaitForFunctionAsync($"before => ({Distance})() < 0.5 * before", before);
 
         await page.Touchscreen.TapAsync(x, y);
-        await page.WaitForSelectorAsync("#pixel-bytes");
+        await page.ShowsAsync("#pixel-bytes");
         Assert.Empty(complaints);
 
-        async Task DragAsync((float X, float Y)[] from, (float X, float Y)[] to)
+        async Task DragAsync((decimal X, decimal Y)[] from, (decimal X, decimal Y)[] to)
         {
             await SendAsync("touchStart", from);
             for (var i = 1; i <= 10; i++)
@@ -43,10 +41,10 @@ public class HandTests(Chromium chromium)
             await SendAsync("touchEnd", []);
         }
 
-        Task SendAsync(string type, (float X, float Y)[] fingers) => touch.SendAsync("Input.dispatchTouchEvent", new()
+        Task SendAsync(string type, (decimal X, decimal Y)[] fingers) => touch.SendAsync("Input.dispatchTouchEvent", new
         {
-            ["type"] = type,
-            ["touchPoints"] = fingers.Select((finger, id) => new { x = finger.X, y = finger.Y, id }).ToArray(),
+            type,
+            touchPoints = fingers.Select((finger, id) => new { x = finger.X, y = finger.Y, id }).ToArray(),
         });
     }
 
@@ -56,19 +54,24 @@ public class HandTests(Chromium chromium)
         await using var live = await LivePage.OpenAsync();
         var (page, complaints) = await chromium.OpenAsync(live);
         PictureFile.Write(live.Folder["mine.png"], ScalarRenderer.Render(SceneReader.Read(live.Scene).Scene!));
-        var transfer = await page.EvaluateHandleAsync("""
+        var transfer = await page.EvaluateFunctionHandleAsync("""
             base64 => {
                 const transfer = new DataTransfer();
                 transfer.items.add(new File([Uint8Array.from(atob(base64), c => c.charCodeAt(0))], 'mine.png', { type: 'image/png' }));
                 return transfer;
             }
             """, Convert.ToBase64String(File.ReadAllBytes(live.Folder["mine.png"])));
-        await page.DispatchEventAsync("#camera", "dragover", new { dataTransfer = transfer });
-        await page.WaitForSelectorAsync("body.dropping");
-        await page.DispatchEventAsync("#camera", "drop", new { dataTransfer = transfer });
-        await page.GetByText("mine.png is compared: identical.").WaitForAsync();
-        Assert.Equal(0, await page.Locator("body.dropping").CountAsync());
+        await DispatchAsync("dragover");
+        await page.ShowsAsync("body.dropping");
+        await DispatchAsync("drop");
+        await page.SaysAsync("mine.png is compared: identical.");
+        Assert.Null(await page.QuerySelectorAsync("body.dropping"));
         Assert.Empty(complaints);
+
+        Task DispatchAsync(string type) => page.EvaluateFunctionAsync("""
+            (type, dataTransfer) => document.getElementById('camera').dispatchEvent(
+                new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }))
+            """, type, transfer);
     }
 
     /// <summary>WCAG 2.2: 4.5 for text, on every background that is behind it.</summary>
@@ -76,15 +79,14 @@ public class HandTests(Chromium chromium)
     public async Task TextHasEnoughContrastInLightAndDark()
     {
         await using var live = await LivePage.OpenAsync();
-        foreach (var scheme in new[] { ColorScheme.Light, ColorScheme.Dark })
+        foreach (var isDark in new[] { false, true })
         {
-            var (page, _) = await chromium.OpenAsync(
-                live, new() { ViewportSize = new() { Width = 1300, Height = 900 }, ColorScheme = scheme });
+            var (page, _) = await chromium.OpenAsync(live, isDark: isDark);
             await page.FocusAsync("#stage");
-            await page.Keyboard.PressAsync("Enter");
-            await page.WaitForSelectorAsync("#pixel-bytes");
-            await page.ClickAsync("#model-0-behind");
-            Assert.Equal("", await page.EvaluateAsync<string>("""
+            await page.PressAsync("Enter");
+            await page.ShowsAsync("#pixel-bytes");
+            await page.ClickOnAsync("#model-0-behind");
+            Assert.Equal("", await page.EvaluateFunctionAsync<string>("""
                 () => {
                     const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
                     const bytes = color => {
