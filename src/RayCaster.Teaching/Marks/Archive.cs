@@ -19,21 +19,17 @@ internal static class Archive
     {
         var folder = Path.ChangeExtension(Path.GetFullPath(path), null);
         if (Path.Exists(folder)) throw new ProblemException($"{folder} exists already: mark this folder, or delete it to unpack {path} again");
-        try
+        WrittenFiles.WriteFolder(folder, made =>
         {
-            Extract(path, folder, maxBytes, cancellation);
-            string[] all = [.. Directory.EnumerateFiles(folder), .. Directory.EnumerateDirectories(folder).SelectMany(Directory.EnumerateFiles)];
-            foreach (var inner in all.Where(Is).Order(StringComparer.Ordinal)) UnpackInner(inner, folder, notice, cancellation, maxBytes);
-            return folder;
-        }
-        catch (OperationCanceledException)
-        {
-            Directory.Delete(folder, recursive: true);
-            throw;
-        }
+            Extract(path, made, maxBytes, cancellation);
+            string[] all = [.. Directory.EnumerateFiles(made), .. Directory.EnumerateDirectories(made).SelectMany(Directory.EnumerateFiles)];
+            foreach (var inner in all.Where(Is).Order(StringComparer.Ordinal))
+                UnpackInner(inner, made, problem => notice?.Invoke(problem.Replace(made, folder)), cancellation, maxBytes);
+        });
+        return folder;
     }
 
-    private static void UnpackInner(string inner, string folder, Action<string>? notice, CancellationToken cancellation, long maxBytes)
+    private static void UnpackInner(string inner, string folder, Action<string> notice, CancellationToken cancellation, long maxBytes)
     {
         var student = Path.GetDirectoryName(inner)!;
         var isAlone = student != folder && Directory.GetFileSystemEntries(student).Length == 1; // what it contains is moved up
@@ -49,7 +45,7 @@ internal static class Archive
         }
         catch (ProblemException e)
         {
-            notice?.Invoke(e.Message);
+            notice(e.Message);
             if (student == folder && !Path.Exists(unpacked)) Directory.CreateDirectory(unpacked); // a row for the student
         }
     }
@@ -79,7 +75,8 @@ internal static class Archive
         if (name.StartsWith("__MACOSX/", StringComparison.Ordinal)) return; // what macOS knows about the files
         var target = Path.GetFullPath(Path.Combine(folder, name));
         if (!target.StartsWith(folder + Path.DirectorySeparatorChar, StringComparison.Ordinal) || (mode & typeOfFile) == link || entry.IsEncrypted)
-            throw new ProblemException($"cannot unpack {path}: its entry {PrintableText.Of(entry.FullName)} leads out of it, is a link or is encrypted");
+            throw new ProblemException(
+                $"cannot unpack {path}: its entry {PrintableText.Of(entry.FullName)} leads out of it, is a link or is encrypted");
         Directory.CreateDirectory(name.EndsWith('/') ? target : Path.GetDirectoryName(target)!);
         if (name.EndsWith('/')) return;
         using var from = entry.Open();

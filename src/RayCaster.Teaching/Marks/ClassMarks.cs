@@ -55,7 +55,8 @@ public sealed class ClassMarks
         if (Archive.Is(submissions)) submissions = Archive.Unpack(submissions, options.Notice, cancellation);
         var all = Submission.In(submissions, options.Ids is { } ids ? TeacherTable.Ids(ids) : new Dictionary<string, string>());
         if (options.Ids is not null && all.All(submission => submission.Id is null))
-            throw new ProblemException($"{options.Ids} has an id for none of the submissions: its first two columns must be their folders and the ids");
+            throw new ProblemException(
+                $"{options.Ids} has an id for none of the submissions: its first two columns must be their folders and the ids");
         RefuseSharedPlaces(all, submissions, output);
         var runs = rubric.Source.Run.Count > 0;
         if (runs) Containment.ThrowIfUnfit();
