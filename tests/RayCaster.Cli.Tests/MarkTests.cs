@@ -62,6 +62,10 @@ public sealed class MarkTests : CommandTests
         Assert.Contains("<h1>A ball: s123</h1>", File.ReadAllText(raycaster.PathOf("marks/s123/feedback.html")));
         raycaster.Write("ids.csv", "Anna Lee,s1\nboris,s1\n").Run("mark", "rubric.json", "class", "-o", "marks", "--ids", "ids.csv");
         Assert.Equal((2, "raycaster: ids.csv has the id s1 twice\n"), (raycaster.ExitCode, raycaster.Error));
+        raycaster.Write("ids.csv", "boris,Anna Lee\n").Run("mark", "rubric.json", "class", "-o", "marks", "--ids", "ids.csv");
+        Assert.Equal("raycaster: the id 'Anna Lee' is also the name of another submission: choose another one\n", raycaster.Error);
+        raycaster.Write("ids.csv", "s123;Anna Lee\n").Run("mark", "rubric.json", "class", "-o", "marks", "--ids", "ids.csv");
+        Assert.StartsWith("raycaster: ids.csv has an id for none of the submissions: ", raycaster.Error);
     }
 
     [Fact]

@@ -12,45 +12,53 @@ internal static class Archive
     /// <summary>Unpacks it into a folder beside it, with its name, and the archives of the students in it.</summary>
     /// <param name="maxBytes">How many bytes each archive may hold.</param>
     /// <param name="notice">Called with what is wrong with a student's archive, which then stays as it is.</param>
+    /// <param name="cancellation">Ends the work; no folder is left.</param>
     /// <returns>The folder.</returns>
     /// <exception cref="ProblemException">The archive cannot be unpacked, or the folder exists.</exception>
-    public static string Unpack(string path, Action<string>? notice, long maxBytes = 1L << 32)
+    public static string Unpack(string path, Action<string>? notice, CancellationToken cancellation, long maxBytes = 1L << 32)
     {
         var folder = Path.ChangeExtension(Path.GetFullPath(path), null);
         if (Path.Exists(folder)) throw new ProblemException($"{folder} exists already: mark this folder, or delete it to unpack {path} again");
-        Extract(path, folder, maxBytes);
-        string[] all = [.. Directory.EnumerateFiles(folder), .. Directory.EnumerateDirectories(folder).SelectMany(Directory.EnumerateFiles)];
-        foreach (var inner in all.Where(Is).Order(StringComparer.Ordinal))
+        WrittenFiles.WriteFolder(folder, made =>
         {
-            var isAlone = Path.GetDirectoryName(inner) is var student && student != folder && Directory.GetFileSystemEntries(student!).Length == 1;
-            var unpacked = Path.ChangeExtension(inner, null);
-            try
-            {
-                Extract(inner, unpacked, maxBytes);
-                File.Delete(inner);
-                if (!isAlone) continue;
-                Directory.Move(unpacked, student + ".unpacked"); // what a student's folder has in an archive alone is moved up
-                Directory.Delete(student!);
-                Directory.Move(student + ".unpacked", student!);
-            }
-            catch (ProblemException e)
-            {
-                notice?.Invoke(e.Message);
-                if (student == folder) Directory.CreateDirectory(unpacked); // a row for the student
-            }
-        }
+            Extract(path, made, maxBytes, cancellation);
+            string[] all = [.. Directory.EnumerateFiles(made), .. Directory.EnumerateDirectories(made).SelectMany(Directory.EnumerateFiles)];
+            foreach (var inner in all.Where(Is).Order(StringComparer.Ordinal))
+                UnpackInner(inner, made, problem => notice?.Invoke(problem.Replace(made, folder)), cancellation, maxBytes);
+        });
         return folder;
     }
 
+    private static void UnpackInner(string inner, string folder, Action<string> notice, CancellationToken cancellation, long maxBytes)
+    {
+        var student = Path.GetDirectoryName(inner)!;
+        var isAlone = student != folder && Directory.GetFileSystemEntries(student).Length == 1; // what it contains is moved up
+        var unpacked = isAlone ? Path.Combine(folder, ".unpacked") : Path.ChangeExtension(inner, null);
+        try
+        {
+            if (Path.Exists(unpacked)) throw new ProblemException($"cannot unpack {inner}: {unpacked} exists already");
+            Extract(inner, unpacked, maxBytes, cancellation);
+            File.Delete(inner);
+            if (!isAlone) return;
+            Directory.Delete(student);
+            Directory.Move(unpacked, student);
+        }
+        catch (ProblemException e)
+        {
+            notice(e.Message);
+            if (student == folder && !Path.Exists(unpacked)) Directory.CreateDirectory(unpacked); // a row for the student
+        }
+    }
+
     /// <summary>Unpacks all, or nothing: no entry may lead elsewhere, and no link is made.</summary>
-    private static void Extract(string path, string folder, long left)
+    private static void Extract(string path, string folder, long left, CancellationToken cancellation)
     {
         try
         {
             using var archive = ZipFile.OpenRead(path);
             if (archive.Entries.Count > MaxEntries) throw new ProblemException($"{path} has more than {MaxEntries} files");
             Directory.CreateDirectory(folder);
-            foreach (var entry in archive.Entries) Extract(entry, path, folder, ref left);
+            foreach (var entry in archive.Entries) Extract(entry, path, folder, ref left, cancellation);
         }
         catch (Exception e) when (e is IOException or InvalidDataException or UnauthorizedAccessException or ArgumentException or ProblemException)
         {
@@ -59,21 +67,26 @@ internal static class Archive
         }
     }
 
-    private static void Extract(ZipArchiveEntry entry, string path, string folder, ref long left)
+    private static void Extract(ZipArchiveEntry entry, string path, string folder, ref long left, CancellationToken cancellation)
     {
         const int typeOfFile = 0xF000, link = 0xA000;
         var mode = entry.ExternalAttributes >> 16;
         var name = entry.FullName.Replace('\\', '/');
+        if (name.StartsWith("__MACOSX/", StringComparison.Ordinal)) return; // what macOS knows about the files
         var target = Path.GetFullPath(Path.Combine(folder, name));
-        if (!target.StartsWith(folder + Path.DirectorySeparatorChar, StringComparison.Ordinal) || (mode & typeOfFile) == link)
-            throw new ProblemException($"cannot unpack {path}: its entry {PrintableText.Of(entry.FullName)} leads out of it or is a link");
+        if (!target.StartsWith(folder + Path.DirectorySeparatorChar, StringComparison.Ordinal) || (mode & typeOfFile) == link || entry.IsEncrypted)
+            throw new ProblemException(
+                $"cannot unpack {path}: its entry {PrintableText.Of(entry.FullName)} leads out of it, is a link or is encrypted");
         Directory.CreateDirectory(name.EndsWith('/') ? target : Path.GetDirectoryName(target)!);
         if (name.EndsWith('/')) return;
         using var from = entry.Open();
         using var to = File.Create(target);
         var buffer = new byte[81920];
         for (int read; (read = from.Read(buffer)) > 0; to.Write(buffer.AsSpan(0, read)))
+        {
+            cancellation.ThrowIfCancellationRequested();
             if ((left -= read) < 0) throw new ProblemException($"cannot unpack {path}: it holds too many bytes");
+        }
         if (!OperatingSystem.IsWindows() && (mode & 0x49) != 0) File.SetUnixFileMode(target, (UnixFileMode)0x1ED); // a program
     }
 }

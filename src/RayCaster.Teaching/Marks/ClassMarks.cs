@@ -52,8 +52,11 @@ public sealed class ClassMarks
     /// <exception cref="ProblemException">A folder cannot be read, or a file not be written.</exception>
     public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
     {
-        if (Archive.Is(submissions)) submissions = Archive.Unpack(submissions, options.Notice);
+        if (Archive.Is(submissions)) submissions = Archive.Unpack(submissions, options.Notice, cancellation);
         var all = Submission.In(submissions, options.Ids is { } ids ? TeacherTable.Ids(ids) : new Dictionary<string, string>());
+        if (options.Ids is not null && all.All(submission => submission.Id is null))
+            throw new ProblemException(
+                $"{options.Ids} has an id for none of the submissions: its first two columns must be their folders and the ids");
         RefuseSharedPlaces(all, submissions, output);
         var runs = rubric.Source.Run.Count > 0;
         if (runs) Containment.ThrowIfUnfit();
@@ -135,17 +138,19 @@ public sealed class ClassMarks
             var pictures = runner.Pictures(submission, cancellation);
             times[submission.Student] = (start, Stopwatch.GetTimestamp());
             cancellation.ThrowIfCancellationRequested();
-            var marks = marker.Mark(submission.Student, pictures, [.. notes, .. LibraryCalls.In(submission.Folder)]);
-            if (decisions.GetValueOrDefault(submission.Student) is { } decision)
-                marks = marks with { TeacherPoints = decision.Points, Comment = decision.Comment };
+            var marks = Decided(marker.Mark(submission.Student, pictures, [.. notes, .. LibraryCalls.In(submission.Folder)]));
             return folder.Write(marks, FeedbackPage.Of(rubric, marks, pictures), DigestOf(submission));
         }
         catch (Exception e) when (e is not OperationCanceledException)
         {
             options.Notice?.Invoke($"{submission.Student}: {e.Message}");
-            return marker.Mark(submission.Student, runner.None($"not marked: {e.Message}"));
+            return Decided(marker.Mark(submission.Student, runner.None($"not marked: {e.Message}")));
         }
     }
+
+    /// <summary>The marks with what the teacher has entered.</summary>
+    private StudentMarks Decided(StudentMarks marks) => decisions.GetValueOrDefault(marks.Student) is { } decision
+        ? marks with { TeacherPoints = decision.Points, Comment = decision.Comment } : marks;
 
     /// <summary>A hash of the rubric and the submission, with what building has made in it.</summary>
     private string? DigestOf(Submission submission) =>

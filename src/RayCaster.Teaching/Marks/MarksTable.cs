@@ -4,6 +4,9 @@ namespace RayCaster.Teaching;
 /// another encoding.</summary>
 internal static class MarksTable
 {
+    /// <summary>The characters with which a formula may begin.</summary>
+    public const string Formula = "=+-@\t\r";
+
     /// <summary>A header line, and a line for each student. Items that are not decided have a question mark.</summary>
     /// <param name="others">What a teacher has decided for students without a submission.</param>
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks, IEnumerable<KeyValuePair<string, TeacherDecision>> others)
@@ -57,12 +60,12 @@ internal static class MarksTable
     public static string Item(ItemMarks item) => item.Undecided > 0 ? $"{Number(item.Points)}?" : Number(item.Points);
 
     /// <summary>
-    /// A cell, in quotes if necessary. A text that begins with = + - @ gets an apostrophe, because a spreadsheet would run it as a formula, and
+    /// A cell, in quotes if necessary. A text that begins like a formula gets an apostrophe, because a spreadsheet would run it, and
     /// a student may name a folder so.
     /// </summary>
     private static string Cell(string text)
     {
-        if (text is ['=' or '+' or '-' or '@' or '\t' or '\r', ..]) text = "'" + text;
+        if (text is [var first, ..] && Formula.Contains(first)) text = "'" + text;
         return text.AsSpan().ContainsAny(",;\t\"\r\n") ? $"\"{text.Replace("\"", "\"\"")}\"" : text;
     }
 }

@@ -50,6 +50,8 @@ internal sealed record Submission(string Folder)
                         $"the submission '{PrintableText.Of(submission.Student)}' has an invisible character in its name: rename it");
                 if (submission.Student.AsSpan().ContainsAny('/', '\\') || submission.Student is ['.', ..])
                     throw new ProblemException($"the id '{submission.Student}' cannot name a folder: choose another one");
+                if (submission.Id is { } id && all.Any(other => other != submission && other.Student == id))
+                    throw new ProblemException($"the id '{id}' is also the name of another submission: choose another one");
                 if (Encoding.UTF8.GetByteCount(submission.Student) is > MaxNameBytes and var bytes)
                     throw new ProblemException(
                         $"the submission '{submission.Student}' has a name of {bytes} bytes, the limit is {MaxNameBytes}: rename it");

@@ -47,25 +47,29 @@ internal static class TeacherTable
         return ids;
     }
 
-    private static string Cell(List<string> row, int column) => column < row.Count ? row[column].Trim().TrimStart('\'') : "";
+    /// <summary>A cell, without the apostrophe that <see cref="MarksTable"/> has put before a formula.</summary>
+    private static string Cell(List<string> row, int column) => column >= row.Count ? ""
+        : row[column].Trim() is ['\'', var first, ..] text && MarksTable.Formula.Contains(first) ? text[1..] : row[column].Trim();
 
     private static List<List<string>> Rows(string path)
     {
         var bytes = RegularFile.Read(path, MaxBytes) ?? throw new ProblemException(
             $"cannot read {path}: it must be a file, no link, of {MaxBytes >> 20} MB at most");
         var text = (System.Text.Unicode.Utf8.IsValid(bytes) ? Encoding.UTF8 : Encoding.Latin1).GetString(bytes).TrimStart('\uFEFF');
-        var separator = text.FirstOrDefault(c => c is ',' or ';' or '\t');
-        var (rows, row, cell, isQuoted) = (new List<List<string>>(), new List<string>(), new StringBuilder(), false);
+        var (rows, row, cell, isQuoted, separator) = (new List<List<string>>(), new List<string>(), new StringBuilder(), false, default(char?));
         for (var i = 0; i < text.Length; i++)
         {
             var c = text[i];
             if (c == '"' && isQuoted && text.AsSpan(i + 1) is ['"', ..]) cell.Append(text[i++]);
-            else if (c == '"') isQuoted = !isQuoted;
-            else if (isQuoted || (c != separator && c is not ('\r' or '\n'))) cell.Append(c);
-            else if (c != '\r') EndCell(c == '\n');
+            else if (c == '"' && (isQuoted || cell.Length == 0)) isQuoted = !isQuoted;
+            else if (isQuoted || !IsEnd(c)) cell.Append(c);
+            else EndCell(c is '\r' or '\n');
         }
+        if (isQuoted) throw new ProblemException($"cannot read {path}: a cell begins with a quote (\") and does not end with one");
         EndCell(true);
         return rows;
+
+        bool IsEnd(char c) => c is '\r' or '\n' || (c is ',' or ';' or '\t' && c == (separator ??= c));
 
         void EndCell(bool isLast)
         {

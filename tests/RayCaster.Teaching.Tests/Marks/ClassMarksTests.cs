@@ -110,10 +110,68 @@ public sealed class ClassMarksTests : IDisposable
     }
 
     [Theory]
+    [InlineData("anna/.zip", "anna/lab/main.c")] // .zip would be unpacked into the student's folder
+    [InlineData(".zip", "anna/lab/main.c")]
+    [InlineData("anna/lab.zip", "anna/lab/main.c")]
+    [InlineData("anna.zip", "anna/lab/main.c")]
+    [InlineData("anna.zip", "anna")]
+    public void AnArchiveNeverTakesThePlaceOfAFileOrFolder(string archive, string file)
+    {
+        WriteFile("class/" + file, "main");
+        WriteFile("class/" + archive, "PK and no more");
+        Zip("class");
+        Archive.Unpack(folder["class.zip"], notices.Add, default);
+        Assert.Equal("main", File.ReadAllText(folder["class/" + file]));
+        Assert.EndsWith("exists already", Assert.Single(notices));
+    }
+
+    [Fact]
+    public void AnArchiveAloneInAFolderReplacesItWhateverTheOthersAreCalled()
+    {
+        WriteFile("own/lab/main.c", "");
+        Zip("own");
+        WriteFile("class/anna.unpacked/main.c", "");
+        WriteFile("class/__MACOSX/anna/._lab.zip", "");
+        File.Move(folder["own.zip"], WriteFile("class/anna/lab.zip", ""), true);
+        Zip("class");
+        Archive.Unpack(folder["class.zip"], null, default);
+        Assert.Equal(["anna.unpacked/main.c", "anna/lab/main.c"], Directory.EnumerateFiles(folder["class"], "*", SearchOption.AllDirectories)
+            .Select(path => Path.GetRelativePath(folder["class"], path).Replace('\\', '/')).Order(StringComparer.Ordinal));
+    }
+
+    [Fact]
+    public void UnpackingThatIsInterruptedLeavesNoFolder()
+    {
+        WriteFile("class/anna/main.c", "main");
+        Zip("class");
+        Assert.Throws<OperationCanceledException>(() => Archive.Unpack(folder["class.zip"], null, new(canceled: true)));
+        Assert.False(Path.Exists(folder["class"]));
+    }
+
+    [Theory]
+    [InlineData("\"Doe, Jane\";17", "[Doe, Jane, 17]")]
+    [InlineData("\"a;b\",1\rc,2\r", "[a;b, 1] [c, 2]")] // lines of an old Macintosh
+    [InlineData("'t Hooft,'=1", "['t Hooft, =1]")]
+    [InlineData("5\" disk,1\nc,\"2\"\"\"", "[5\" disk, 1] [c, 2\"]")]
+    public void ATableThatASpreadsheetOrAHandHasWrittenIsRead(string text, string ids) =>
+        Assert.Equal(ids, string.Join(' ', TeacherTable.Ids(WriteFile("ids.csv", text)).Select(id => id.ToString())));
+
+    [Fact]
+    public void WhatATeacherHasEnteredStaysThoughAPageCannotBeWritten()
+    {
+        WriteFile("class/anna/main.c", "");
+        WriteFile("marks/marks.csv", "student,teacher's points,comment\nanna,3,good\n");
+        WriteFile("marks/anna/feedback.html/file", "");
+        Assert.Equal("anna 3", PointsOf(Mark()));
+        Assert.Contains("\r\nanna,3,0,5,3,good,", File.ReadAllText(folder["marks/marks.csv"]));
+    }
+
+    [Theory]
     [InlineData("../evil", 0, "leads out of it")]
     [InlineData("/tmp/evil", 0, "leads out of it")]
     [InlineData("anna/link", 0xA000, "is a link")]
     [InlineData("anna/large", 0, "too many bytes")]
+    [InlineData("anna/secret", 0, "is encrypted")]
     public void AnArchiveThatAttacksIsNotUnpacked(string entry, int type, string problem)
     {
         using (var archive = System.IO.Compression.ZipFile.Open(folder["class.zip"], System.IO.Compression.ZipArchiveMode.Create))
@@ -124,7 +182,13 @@ public sealed class ClassMarksTests : IDisposable
             using var stream = one.Open();
             stream.Write(new byte[entry == "anna/large" ? 100_000 : 10]);
         }
-        Assert.Contains(problem, Assert.Throws<ProblemException>(() => Archive.Unpack(folder["class.zip"], null, 50_000)).Message);
+        if (entry == "anna/secret")
+        {
+            var bytes = File.ReadAllBytes(folder["class.zip"]);
+            bytes[bytes.AsSpan().LastIndexOf("PK\u0001\u0002"u8) + 8] |= 1; // the flag of the last entry in the list
+            File.WriteAllBytes(folder["class.zip"], bytes);
+        }
+        Assert.Contains(problem, Assert.Throws<ProblemException>(() => Archive.Unpack(folder["class.zip"], null, default, 50_000)).Message);
         Assert.False(Path.Exists(folder["class"]));
         Assert.False(Path.Exists(folder["evil"]) || Path.Exists("/tmp/evil"));
     }
@@ -141,6 +205,7 @@ public sealed class ClassMarksTests : IDisposable
 
     [Theory]
     [InlineData("student,teacher's points,comment\nanna,many,", "the teacher's points of anna must be a number, but is \"many\"")]
+    [InlineData("student,teacher's points,comment\nanna,,\"oops\nboris,3,", "a cell begins with a quote (\") and does not end with one")]
     [InlineData("name;points\nanna;3", "has no column \"student\", \"teacher's points\" or \"comment\"")]
     public void ATableThatCannotBeReadIsRefusedBeforeTheWork(string table, string problem)
     {
