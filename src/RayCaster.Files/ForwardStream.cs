@@ -1,9 +1,9 @@
 namespace RayCaster.Files;
 
-/// <summary>A stream whose bytes come in order, and have no length that is known. A class that inherits from it reads or writes spans.</summary>
+/// <summary>A stream whose bytes are read in order, and have no length that is known. A class that inherits from it reads spans.</summary>
 internal abstract class ForwardStream : Stream
 {
-    public override bool CanRead => false;
+    public override bool CanRead => true;
 
     public override bool CanWrite => false;
 
@@ -17,18 +17,11 @@ internal abstract class ForwardStream : Stream
         set => throw new NotSupportedException();
     }
 
-    public override int Read(byte[] buffer, int offset, int count) =>
-        CanRead ? Read(buffer.AsSpan(offset, count)) : throw new NotSupportedException();
+    public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));
 
-    public override void Write(byte[] buffer, int offset, int count)
-    {
-        if (!CanWrite) throw new NotSupportedException();
-        Write(buffer.AsSpan(offset, count));
-    }
+    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
-    public override void Flush()
-    {
-    }
+    public override void Flush() { }
 
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
 

@@ -12,21 +12,17 @@ internal sealed class Options
 
           --quick          A minute: small pictures, few repeats.
           --scene NAME     Only this scene: room, bumpy-70k, bumpy-1m, bumpy-10m, spheres-100k, or
-                           bumpy-N and spheres-N with another number, or a mesh that is hard:
-                           inside-N, layers-N, slivers-N, speck-N, shuffled-N. May be repeated.
+                           bumpy-N and spheres-N with another number, or shuffled-N. May be repeated.
           --size WxH       Only this size; otherwise 1920x1080 and 500x500. May be repeated.
           --threads N      Only this number of threads; otherwise 1 and 2. May be repeated.
           --repeats N      How often each way runs in each comparison; otherwise 15.
           --only PART      Only rays or programs (whole processes). May be repeated.
-          --write          Writes the tables into the benchmark's README.md.
           --help           Shows this.
 
         Peers: apt-get install libembree-dev povray g++. What is not there is left out, and said.
         """;
 
     public bool Quick { get; private set; }
-
-    public bool Write { get; private set; }
 
     public bool ShowHelp { get; private set; }
 
@@ -61,7 +57,6 @@ internal sealed class Options
             switch (arguments[i])
             {
                 case "--quick": options.Quick = true; break;
-                case "--write": options.Write = true; break;
                 case "--help": options.ShowHelp = true; break;
                 case "--scene": options.Scenes.Add(Value()); break;
                 case "--only": options.parts.Add(Value(["rays", "programs"])); break;

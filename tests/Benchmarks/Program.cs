@@ -40,5 +40,4 @@ if (options.Does("programs")) report.Programs.AddRange(new Programs(options, wor
 
 var text = report.Write(options, clock.Elapsed);
 Console.WriteLine("\n" + text);
-if (options.Write) report.Save(text);
 return 0;

@@ -31,7 +31,7 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
     private IEnumerable<ProgramComparison> Hello()
     {
         var hello = workshop.BuildHello();
-        string[] arguments = [Path.Combine(Workshop.Root, "scenes", "room.json"), "-o", workshop.PathOf("room.png"), "--quiet"];
+        string[] arguments = [ProjectFolder.PathOf("scenes/room.json"), "-o", workshop.PathOf("room.png"), "--quiet"];
         var theirs = new Way("hello", Answer.Bytes, () => workshop.Run(hello, []).Processor);
         Way[] ours = [.. apps.Select(app => new Way(app.Name, Answer.Bytes, () => workshop.Run(app.Path, arguments).Processor))];
         Measure([theirs, .. ours], Math.Max(rounds, 7));

@@ -5,8 +5,6 @@ namespace RayCaster.Benchmarks;
 /// <summary>All that was measured, as Markdown.</summary>
 internal sealed class Report
 {
-    private const string Begin = "<!-- measured: begin -->", End = "<!-- measured: end -->";
-
     public List<RayComparison> Comparisons { get; } = [];
 
     public List<ProgramComparison> Programs { get; } = [];
@@ -70,15 +68,5 @@ internal sealed class Report
     {
         text.AppendLine("\n## Whole processes\n\n| what | quotient | median |\n|---|---|---|");
         foreach (var p in Programs) text.AppendLine($"| {p.What} | {p.Measure} | {Text.Spread(p.Ratio)} |");
-    }
-
-    /// <summary>Puts the tables between the marks in README.md beside the benchmark.</summary>
-    public void Save(string text)
-    {
-        var page = Path.Combine(Workshop.Root, "tests", "Benchmarks", "README.md");
-        var old = File.ReadAllText(page);
-        var (begin, end) = (old.IndexOf(Begin, StringComparison.Ordinal), old.IndexOf(End, StringComparison.Ordinal));
-        if (begin < 0 || end < begin) throw new InvalidOperationException($"{page} lacks the lines {Begin} and {End}");
-        File.WriteAllText(page, old[..(begin + Begin.Length)] + "\n\n" + text + "\n" + old[end..]);
     }
 }

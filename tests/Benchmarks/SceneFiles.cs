@@ -1,4 +1,3 @@
-using System.Buffers.Binary;
 using System.Text;
 
 namespace RayCaster.Benchmarks;
@@ -29,7 +28,7 @@ internal static class SceneFiles
             writer.WriteLine($"    {{ \"type\": {shape}, \"color\": {Vector(scene.Models[i].Color)} }}{(i < scene.Models.Count - 1 ? "," : "")}");
         }
         writer.WriteLine("  ] }");
-        if (mesh is not null) WritePly(Path.ChangeExtension(path, ".ply"), mesh);
+        if (mesh is not null) File.WriteAllBytes(Path.ChangeExtension(path, ".ply"), MeshWriter.PlyFloat(mesh));
     }
 
     /// <summary>The same picture by POV-Ray: no lights, the attenuation as a pattern about the camera, rays through pixels' corners.</summary>
@@ -68,38 +67,6 @@ internal static class SceneFiles
             writer.WriteLine(Line($" pigment {{ spherical color_map {{ [0 rgb 0] [1 rgb {Angled(Vector(model.Color))}] }} ") +
                 Line($"scale {camera.FadeDistance:R} ") +
                 $"translate {Angled(camera.Position)} }} finish {{ ambient 1 diffuse 0 }} }}");
-        }
-    }
-
-    /// <summary>Binary, little-endian, corners in float.</summary>
-    public static void WritePly(string path, MeshData mesh)
-    {
-        using var file = new BufferedStream(File.Create(path), 1 << 20);
-        file.Write(Encoding.ASCII.GetBytes($"""
-            ply
-            format binary_little_endian 1.0
-            element vertex {mesh.Vertices.Length}
-            property float x
-            property float y
-            property float z
-            element face {mesh.Indices.Length / 3}
-            property list uchar int vertex_indices
-            end_header
-
-            """.ReplaceLineEndings("\n")));
-        Span<byte> record = stackalloc byte[13];
-        foreach (var v in mesh.Vertices)
-        {
-            BinaryPrimitives.WriteSingleLittleEndian(record, (float)v.X);
-            BinaryPrimitives.WriteSingleLittleEndian(record[4..], (float)v.Y);
-            BinaryPrimitives.WriteSingleLittleEndian(record[8..], (float)v.Z);
-            file.Write(record[..12]);
-        }
-        record[0] = 3;
-        for (var i = 0; i < mesh.Indices.Length; i += 3)
-        {
-            for (var j = 0; j < 3; j++) BinaryPrimitives.WriteInt32LittleEndian(record[(1 + 4 * j)..], mesh.Indices[i + j]);
-            file.Write(record);
         }
     }
 

@@ -7,9 +7,6 @@ namespace RayCaster.Benchmarks;
 /// <summary>A temporary folder, the programs built in it, and processes and their times.</summary>
 internal sealed class Workshop : IDisposable
 {
-    /// <summary>The project's root: where the solution is.</summary>
-    public static string Root { get; } = FindRoot();
-
     private readonly string folder = Directory.CreateTempSubdirectory("raycaster-benchmarks-").FullName;
 
     public string PathOf(string file) => Path.Combine(folder, file);
@@ -78,7 +75,7 @@ internal sealed class Workshop : IDisposable
     {
         try
         {
-            Run("dotnet", ["publish", Path.Combine(Root, "src", "RayCaster.Cli"), "-p:PublishAot=true", "-o", PathOf("native")]);
+            Run("dotnet", ["publish", ProjectFolder.PathOf("src/RayCaster.Cli"), "-p:PublishAot=true", "-o", PathOf("native")]);
             return PathOf("native/raycaster");
         }
         catch (InvalidOperationException)
@@ -134,12 +131,4 @@ internal sealed class Workshop : IDisposable
     private static extern int GetResourceUsage(int who, long[] usage);
 
     public void Dispose() => Directory.Delete(folder, recursive: true);
-
-    private static string FindRoot()
-    {
-        for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder is not null; folder = folder.Parent)
-            if (File.Exists(Path.Combine(folder.FullName, "RayCaster.sln")))
-                return folder.FullName;
-        throw new DirectoryNotFoundException("RayCaster.sln is in no folder above the benchmark");
-    }
 }

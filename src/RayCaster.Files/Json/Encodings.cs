@@ -6,10 +6,7 @@ namespace RayCaster.Files;
 internal static class Encodings
 {
     /// <summary>What is wrong with a text's encoding, or null.</summary>
-    public static JsonMistake? MistakeIn(ReadOnlySpan<byte> text) =>
-        text is [(byte)'{', not 0, ..] && Utf8.IsValid(text) ? null : LookFor(text); // for most files the runtime need not compile LookFor
-
-    private static JsonMistake? LookFor(ReadOnlySpan<byte> text)
+    public static JsonMistake? MistakeIn(ReadOnlySpan<byte> text)
     {
         if (text is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] or [0, not 0, ..] or [not 0, 0, ..] or [0, 0, 0xFE, 0xFF, ..])
             return new(0, 0, "the file is in UTF-16 or UTF-32; save it as UTF-8");

@@ -69,7 +69,8 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 if (wrong.Text(at, out var end) is { } unfinished) return unfinished;
                 var colon = words.SkipBlanks(end);
                 if (colon == utf8.Length) return CutOff();
-                if (utf8[colon] == ':') return null;
+                if (utf8[colon] == ':' && !utf8[end..colon].Contains((byte)'/')) return null;
+                if (utf8[colon] == ':') return new(end, colon, $"no comment may stand between the key {tree.Text.Quote(at, end)} and its colon");
                 if (utf8[colon] == '/') return Misplaced(colon);
                 var hint = utf8[colon] == '=' ? ", not '='," : "";
                 return new(colon, words.End(colon), $"a colon{hint} must follow the key {tree.Text.Quote(at, end)}");

@@ -5,26 +5,19 @@ internal sealed class JsonTree
 {
     public const int MaxDepth = 64;
 
-    private Node[] nodes;
-    private int count, lastClosed;
+    private static readonly JsonReaderOptions options =
+        new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, MaxDepth = MaxDepth };
 
-    private JsonTree(SourceText text) => (Text, nodes) = (text, new Node[16 + text.Utf8.Length / 4]);
+    private readonly List<Node> nodes = [];
+    private int lastClosed;
 
-    /// <summary>A token; an object's keys stand before their values. It has plain fields because the runtime would have to compile
-    /// properties at start-up.</summary>
-    public struct Node
-    {
-        public JsonTokenType Kind;
+    private JsonTree(SourceText text) => Text = text;
 
-        /// <summary>The place of its first byte.</summary>
-        public int Start;
-
-        /// <summary>The place after its last byte.</summary>
-        public int End;
-
-        /// <summary>The node after this one and all nodes in it.</summary>
-        public int Next;
-    }
+    /// <summary>A token; an object's keys stand before their values.</summary>
+    /// <param name="Start">The place of its first byte.</param>
+    /// <param name="End">The place after its last byte.</param>
+    /// <param name="Next">The node after this one and all nodes in it.</param>
+    public readonly record struct Node(JsonTokenType Kind, int Start, int End, int Next);
 
     public SourceText Text { get; }
 
@@ -33,13 +26,13 @@ internal sealed class JsonTree
 
     public JsonValue Root => new(this, 0);
 
-    public ref Node this[int node] => ref nodes[node];
+    public Node this[int node] => nodes[node];
 
     /// <summary>The bytes between the quotes of a text or key.</summary>
     public ReadOnlySpan<byte> Written(int node) => Text.Utf8[(nodes[node].Start + 1)..(nodes[node].End - 1)];
 
     /// <summary>The token that was added last.</summary>
-    public Node Last => nodes[count - 1];
+    public Node Last => nodes[^1];
 
     /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>
     public int? KeyOfLastClosed => lastClosed > 0 && nodes[lastClosed - 1].Kind == JsonTokenType.PropertyName ? lastClosed - 1 : null;
@@ -66,7 +59,7 @@ internal sealed class JsonTree
         var tree = new JsonTree(text);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
         var depth = 0;
-        var reader = new Utf8JsonReader(JsonComments.Blanked(text.Utf8), new JsonReaderOptions { AllowTrailingCommas = true, MaxDepth = MaxDepth });
+        var reader = new Utf8JsonReader(text.Utf8, options);
         var (last, lastEnd) = (JsonTokenType.None, 0);
         try
         {
@@ -78,7 +71,7 @@ internal sealed class JsonTree
                     tree.Close(open[--depth], lastEnd);
                     continue;
                 }
-                if (last is JsonTokenType.StartObject or JsonTokenType.StartArray) open[depth++] = tree.count;
+                if (last is JsonTokenType.StartObject or JsonTokenType.StartArray) open[depth++] = tree.nodes.Count;
                 var start = (int)reader.TokenStartIndex;
                 tree.Add(last, start, last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd);
             }
@@ -92,12 +85,11 @@ internal sealed class JsonTree
         }
     }
 
-    private void Add(JsonTokenType kind, int start, int end)
-    {
-        if (count == nodes.Length) Array.Resize(ref nodes, 2 * count);
-        ref var node = ref nodes[count++];
-        (node.Kind, node.Start, node.End, node.Next) = (kind, start, end, count);
-    }
+    private void Add(JsonTokenType kind, int start, int end) => nodes.Add(new(kind, start, end, nodes.Count + 1));
 
-    private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next, lastClosed) = (end, count, opening);
+    private void Close(int opening, int end)
+    {
+        nodes[opening] = nodes[opening] with { End = end, Next = nodes.Count };
+        lastClosed = opening;
+    }
 }

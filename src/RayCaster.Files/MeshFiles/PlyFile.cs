@@ -13,8 +13,6 @@ internal sealed class PlyFile(PlyHeader header, PlyValues values, MeshBuilder me
         foreach (var element in header.Elements)
         {
             if (element.Properties.Count == 0) continue; // its rows take no space
-            if (element.Count > values.MaxRows(element))
-                throw source.ErrorAtLine(element.Line, $"the header promises {element.Count} rows, more than the rest of the file can hold");
             for (var row = 0L; row < element.Count; row++) file.ReadRow(element);
         }
         values.CheckEnd();

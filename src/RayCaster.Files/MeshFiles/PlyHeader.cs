@@ -11,12 +11,6 @@ internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType?
 {
     public int Size => SizeOf(Type);
 
-    /// <summary>The fewest bytes that the property takes in a binary file.</summary>
-    public int LeastSize => CountType is { } type ? SizeOf(type) + (LeastNumbers - 1) * Size : Size;
-
-    /// <summary>The fewest numbers that the property takes, with the count of a list. A face has at least three corners.</summary>
-    public int LeastNumbers => Role == PlyRole.Corners ? 4 : 1;
-
     public static int SizeOf(PlyType type) => type switch
     {
         PlyType.Int8 or PlyType.UInt8 => 1,

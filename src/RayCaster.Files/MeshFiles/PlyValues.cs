@@ -5,9 +5,6 @@ internal abstract class PlyValues(MeshSource source)
 {
     protected MeshSource Source => source;
 
-    /// <summary>How many rows of an element the rest of the file can hold at most.</summary>
-    public abstract long MaxRows(PlyElement element);
-
     /// <exception cref="ProblemException">It is missing or not finite.</exception>
     public abstract double Next(PlyType type);
 
@@ -31,10 +28,6 @@ internal abstract class PlyValues(MeshSource source)
 /// <summary>Numbers as text, each row on a line of its own.</summary>
 internal sealed class AsciiPlyValues(MeshSource source, TextScanner scanner) : PlyValues(source)
 {
-    /// <remarks>Each number has a digit, and a blank or line end; the last line may have no end.</remarks>
-    public override long MaxRows(PlyElement element) =>
-        (Source.Length - Source.Position + 1) / element.Properties.Sum(property => 2L * property.LeastNumbers);
-
     public override double Next(PlyType type) => scanner.ToNumber(NextWord(), "the value");
 
     public override void Skip(PlyProperty property, long count)
@@ -72,9 +65,6 @@ internal sealed class AsciiPlyValues(MeshSource source, TextScanner scanner) : P
 internal sealed class BinaryPlyValues(MeshSource source, bool isBigEndian) : PlyValues(source)
 {
     private long last; // where the last number begins
-
-    public override long MaxRows(PlyElement element) =>
-        (Source.Length - Source.Position) / element.Properties.Sum(property => property.LeastSize);
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override double Next(PlyType type)

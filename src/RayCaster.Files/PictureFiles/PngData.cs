@@ -3,8 +3,6 @@ namespace RayCaster.Files;
 /// <summary>The compressed data of a PNG: the data of all its chunks IDAT as one stream, which can be read once.</summary>
 internal sealed class PngData(PngChunkReader chunks) : ForwardStream
 {
-    public override bool CanRead => true;
-
     public override int Read(Span<byte> buffer)
     {
         while (chunks.Left == 0 || chunks.Type != "IDAT")

@@ -117,10 +117,14 @@ public sealed class PixelNumbers
             if (Of(name, Slides.Vectors, result) is { Right: not null } wrong)
                 yield return wrong with { Name = $"{name} for a = {Digits.Of(a)}, b = {Digits.Of(b)}" };
 
-        foreach (var step in PixelSteps.OfCamera(scene.Camera)) yield return Of(step.Name, Slides.Camera, step.Value);
+        foreach (var step in PixelSteps.OfCamera(scene.Camera))
+        {
+            yield return Of(step.Name, Slides.Camera, step.Value);
+            if (yours.GetValueOrDefault("W") is Exception) yield break; // there is no camera
+        }
         foreach (var step in PixelSteps.OfRay(scene.Camera, column, row).Where(step => step.Name != "pixel"))
             yield return Of(step.Name, Slides.PixelTranslation, step.Value);
-        if (unwritten.Overlaps([Slides.Vectors, Slides.Camera, Slides.PixelTranslation])) yield break;
+        if (unwritten.Overlaps([Slides.Vectors, Slides.Camera, Slides.PixelTranslation]) || yours.GetValueOrDefault("d") is Exception) yield break;
 
         foreach (var (i, model) in scene.Models.Index())
             foreach (var line in OfModel(model, i)) yield return line;
@@ -138,7 +142,8 @@ public sealed class PixelNumbers
         var rightly = model.Intersect(right) ?? double.PositiveInfinity;
         if (!IsWritten(model) || yours.GetValueOrDefault($"{index}") is not (double T, bool Counts)[] calls)
         {
-            yield return IsWritten(model) ? Of($"{index}", slide, rightly) with { Name = name } : new(name, slide, null, null);
+            yield return IsWritten(model)
+                ? Of($"{index}", slide, rightly) with { Name = name, Right = HitText(rightly) } : new(name, slide, null, null);
             yield break;
         }
         var mine = calls.Select(call => call.T).Where(right.Counts).DefaultIfEmpty(double.PositiveInfinity).Min();
@@ -171,7 +176,7 @@ public sealed class PixelNumbers
         Hit hit => hit.Model < 0 ? "none" : $"{ModelName.Typed(scene, hit.Model)} at t = {Digits.Of(hit.T)}",
         Bytes bytes => $"({bytes.R}, {bytes.G}, {bytes.B})",
         TimeoutException => Endless,
-        Exception e => $"{e.GetType().Name}, {e.Message.TrimEnd('.')}{Place(e)}",
+        Exception e => $"{e.GetType().Name}, {e.Message.ReplaceLineEndings(" ").TrimEnd('.')}{Place(e)}",
         _ => $"{value}",
     };
 

@@ -24,8 +24,7 @@ public sealed class HostileSizeTests : IDisposable
     {
         var file = $"ply\nformat {format} 1.0\nelement vertex {count}\nproperty float x\nproperty float y\nproperty float z\n"
             + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n";
-        Assert.Equal($"a.ply(3): the header promises {count} rows, more than the rest of the file can hold",
-            RefusedMesh("a.ply", Encoding.ASCII.GetBytes(file)));
+        Assert.Contains("the file ends before all that its header promises", RefusedMesh("a.ply", Encoding.ASCII.GetBytes(file)));
     }
 
     [Fact]

@@ -6,8 +6,6 @@ internal class Pipe(byte[] bytes) : ForwardStream
     /// <summary>How many bytes were read.</summary>
     public long Given { get; private set; }
 
-    public override bool CanRead => true;
-
     public override int Read(Span<byte> buffer)
     {
         var count = 0;

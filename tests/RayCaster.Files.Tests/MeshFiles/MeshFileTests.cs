@@ -57,13 +57,5 @@ public sealed class MeshFileTests : IDisposable
             Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
     }
 
-    [Fact]
-    public void PlaceIsALineOfTextOrAByteOfBinaryData()
-    {
-        Assert.StartsWith(
-            "a/box.obj(2): ", Assert.Throws<ProblemException>(() => MeshBytes.Read("a/box.obj", "v 0 0 0\nf 1 1"u8.ToArray())).Message);
-        Assert.StartsWith("a/box.stl(byte 80): ", Assert.Throws<ProblemException>(() => MeshBytes.Read("a/box.stl", new byte[140])).Message);
-    }
-
     public void Dispose() => folder.Dispose();
 }

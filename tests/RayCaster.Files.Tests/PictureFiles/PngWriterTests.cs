@@ -16,13 +16,6 @@ public class PngWriterTests
     public void APictureOfManyChunksIsReadBack() => Assert.Equal(noise.Rgb, PictureFile.Read(new MemoryStream(encoded)).Rgb);
 
     [Theory]
-    [InlineData(1)]
-    [InlineData(17)]
-    [InlineData(40)]
-    public void TheFileDoesNotDependOnHowManyLinesComeAtOnce(int linesAtOnce) =>
-        Assert.Equal(encoded, Encode(PictureFormat.Png, noise, linesAtOnce));
-
-    [Theory]
     [InlineData(400_000, 15)] // a line is more than a chunk
     [InlineData(20_000, 290)]
     public void TheDataAreOneZlibStream(int width, int height)

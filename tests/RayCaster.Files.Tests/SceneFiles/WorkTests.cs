@@ -44,18 +44,6 @@ public sealed class WorkTests : IDisposable
         Assert.Equal([folder["a.obj"]], reading.MeshFiles);
     }
 
-    /// <summary>A search for the end of each would read the rest of the file as often as it has slashes: what comes after the first slash that
-    /// begins no comment stays as it is, also a comment.</summary>
-    [Theory]
-    [InlineData("{ /* ")]
-    [InlineData("{ / ")]
-    [InlineData("{ \"radius\": 1/2, ")]
-    public void AfterASlashThatBeginsNoCommentNoneIsLookedFor(string start)
-    {
-        var text = Encoding.ASCII.GetBytes(start + "// a comment\n");
-        Assert.Equal(text, JsonComments.Blanked(text));
-    }
-
     private static long KeysLookedAt(string file, string part, int parts)
     {
         var text = string.Format(null, file, string.Concat(Enumerable.Range(0, parts).Select(i => string.Format(null, part, $"{i:x}"))));

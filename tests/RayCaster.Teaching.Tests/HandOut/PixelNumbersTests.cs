@@ -91,6 +91,26 @@ public class PixelNumbersTests
     }
 
     [Fact]
+    public void WhatNeedsTheResultOfABodyThatThrowsIsNotTold()
+    {
+        var lines = Numbers("Camera", "W = -(Target", "throw new Exception(\"one\\ntwo\"); W = -(Target");
+        Assert.StartsWith("  W: yours Exception, one two", lines[1]);
+        Assert.EndsWith(", right (1, 0, 0): here it parts. Slide \"Camera\"", lines[1]);
+        Assert.Equal(3, lines.Length);
+        lines = Numbers("Camera", "var ur =", "throw new Exception(); var ur =");
+        Assert.StartsWith("  d: yours Exception, ", lines[^2]);
+        lines = Numbers("Sphere", "var t_ca = ", "throw new Exception(); var t_ca = ");
+        Assert.StartsWith("  bytes: yours Exception, ", lines[^2]);
+    }
+
+    [Fact]
+    public void WhereABodyThrowsNoHitIsRightInWords()
+    {
+        var lines = Numbers("Circle", "var X = ray.At(t)", "Vector3 X = null");
+        Assert.EndsWith(", right no hit: here it parts. Slide \"Circle\"", FirstWrong(lines));
+    }
+
+    [Fact]
     public void ABodyThatDoesNotEndIsTold()
     {
         var lines = Numbers("Camera", "var ur = ", "while (c > 0) { } var ur = ");

@@ -28,7 +28,4 @@ public class ColorTests
 
     [Fact]
     public void TheChannelsAreRedGreenBlue() => Assert.Equal((255, 128, 0), new Color(1, 0.5, 0).ToBytes());
-
-    [Fact]
-    public void AttenuationComesBeforeTheClamp() => Assert.Equal((255, 191, 0), (0.25 * new Color(4, 3, 0)).ToBytes());
 }
