@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Benchmarks;
 
 /// <summary>Writes benchmark scenes for whole programs: as our scene files, as POV-Ray's, and meshes as PLY.</summary>

@@ -26,16 +26,4 @@ public sealed class PartCampaign : CommandTests
             @"^room\.part-0000-0009\.png: exists already\nroom\.part-0010-2989\.png: lines .*\nroom\.part-2990-2999\.png: exists already\n$", said);
         Assert.Equal(0, raycaster.Run("stitch", ".", "--missing").ExitCode);
     }
-
-    [SkippableFact]
-    public void AStitchThatIsInterruptedLeavesTheOldPicture()
-    {
-        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
-        raycaster.Write("whole.png", "the old picture").Run(Room, "-s", "20000x3000", "--rows", "1/1", "-o", "a.png");
-        using var process = raycaster.Start("stitch", "a.png", "-o", "whole.png");
-        WaitForTemporaryFile(process);
-        Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
-        Assert.Equal(["a.png", "whole.png"], raycaster.Files);
-        Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("whole.png")));
-    }
 }

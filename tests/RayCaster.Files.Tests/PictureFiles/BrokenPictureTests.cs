@@ -228,18 +228,6 @@ public class BrokenPictureTests
     private static ProblemException Refused(byte[] file) =>
         Assert.Throws<ProblemException>(() => PictureFile.Read(new MemoryStream(file)));
 
-    internal static void RefusedOrRead(byte[] file)
-    {
-        try
-        {
-            Assert.NotEmpty(PictureFile.Read(new MemoryStream(file)).Rgb);
-        }
-        catch (ProblemException e)
-        {
-            Assert.NotEmpty(e.Message);
-        }
-    }
-
     /// <summary>A stream that cannot seek and comes in small pieces.</summary>
     private sealed class Pipe(byte[] bytes) : MemoryStream(bytes)
     {

@@ -31,22 +31,10 @@ internal static class TestPng
 
     public static byte[] Chunk(string type, params byte[] data)
     {
-        var length = new byte[4];
+        byte[] content = [.. Encoding.ASCII.GetBytes(type), .. data], length = new byte[4], checksum = new byte[4];
         BinaryPrimitives.WriteInt32BigEndian(length, data.Length);
-        return WithRightChecksums([.. Png(), .. length, .. Encoding.ASCII.GetBytes(type), .. data, 0, 0, 0, 0])[8..];
-    }
-
-    public static byte[] WithRightChecksums(byte[] file)
-    {
-        for (var at = 8; at <= file.Length - 12;)
-        {
-            var length = BinaryPrimitives.ReadUInt32BigEndian(file.AsSpan(at));
-            if (length > file.Length - at - 12) break;
-            var end = at + 8 + (int)length;
-            BinaryPrimitives.WriteUInt32BigEndian(file.AsSpan(end), Crc(file.AsSpan(at + 4, end - at - 4)));
-            at = end + 4;
-        }
-        return file;
+        BinaryPrimitives.WriteUInt32BigEndian(checksum, Crc(content));
+        return [.. length, .. content, .. checksum];
     }
 
     /// <summary>CRC-32 bit by bit, as its definition says.</summary>

@@ -65,14 +65,4 @@ public class SlideTests
         Assert.Equal(0.5, attenuation);
         Assert.Equal(new Color(0.5, 0.5, 0.5), attenuation * ray.HitModel!.Color);
     }
-
-    /// <summary>The slide writes <c>new Vector3(b * a.X, b * a.Y, b * a.Z, 0)</c>, but its vector has three coordinates. This is what it
-    /// means.</summary>
-    [Fact]
-    public void SlideVectorsProductWithoutTheSlipOfAFourthCoordinate()
-    {
-        Vector3 a = new(1, 2, 3);
-        var b = 2.0;
-        Assert.Equal(b * a, new Vector3(b * a.X, b * a.Y, b * a.Z));
-    }
 }

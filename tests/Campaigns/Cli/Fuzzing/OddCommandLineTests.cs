@@ -9,6 +9,21 @@ public class OddCommandLineTests
     public void OddCommandLinesDoNoHarm() =>
         Campaign.Run("command-line", 5000, OddCommandLine.Next, input => Understand(OddCommandLine.Words(input)));
 
+    /// <summary>A sample through the real process, which leaves no temporary file.</summary>
+    [Fact]
+    public void OddCommandLinesEndInAPictureOrInWords()
+    {
+        using var raycaster = new RayCasterProcess();
+        raycaster.Write("scene.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0], "width": 9, "height": 9 }, "models": [] }""");
+        for (var i = 0; i < 8; i++)
+        {
+            raycaster.RunApart("", OddCommandLine.Words(OddCommandLine.Next(new Random(Campaign.Seed * 1000 + i))));
+            Assert.Contains(raycaster.ExitCode, (int[])[0, 1, 2]);
+            Promise.Wholesome(raycaster.Error.Replace("\r", ""));
+            Assert.DoesNotContain(raycaster.Files, name => name.EndsWith(".tmp"));
+        }
+    }
+
     private static void Understand(string[] words)
     {
         try

@@ -13,7 +13,7 @@ public class PlantedSlipsCampaign(ITestOutputHelper output)
         var (shown, right, none) = (0, 0, 0);
         for (var i = 0; i < PlantedSlips.All.Length; i++)
         {
-            var (section, _, what) = PlantedSlips.All[i];
+            var (section, what, _) = PlantedSlips.All[i];
             var diagnosis = Diagnose(scenes[i % scenes.Length], i);
             var named = diagnosis.Suspects.FirstOrDefault()?.Mistakes[0];
             output.WriteLine($"{diagnosis.Finding}\t{section}: {what}\t{named?.Id} {named?.Place}");
