@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Xml;
 using System.Xml.Linq;
 
@@ -49,12 +48,10 @@ internal sealed class StepTests(Rubric rubric, ProgramRunner programs)
     public IReadOnlyDictionary<int, StepResult> Of(Submission submission, CancellationToken cancellation, out string? problem)
     {
         var assembly = rubric.Source.Run.First(word => word.EndsWith(Lab, StringComparison.Ordinal)).Replace("{dir}", submission.Folder);
-        problem = $"the tests of the steps did not run: there is no {Path.GetRelativePath(submission.Folder, assembly)}";
-        if (!File.Exists(assembly)) return new Dictionary<int, StepResult>();
+        problem = $"the tests of the steps did not run: there is no {Path.GetRelativePath(submission.Folder, assembly)}, or it is a link";
+        if (!File.Exists(assembly) || SubmissionRunner.LinkIn(submission.Folder, assembly) is not null) return new Dictionary<int, StepResult>();
         using var work = new WorkFolder();
-        var folder = Directory.CreateDirectory(Path.Combine(work.Files, "tests")).FullName;
-        foreach (var file in Directory.EnumerateFiles(rubric.Tests!)) File.Copy(file, Path.Combine(folder, Path.GetFileName(file)));
-        File.Copy(assembly, Path.Combine(folder, Lab), overwrite: true);
+        var folder = work.Copy([.. Directory.EnumerateFiles(rubric.Tests!), assembly], "tests");
         var limits = rubric.Source.Limits;
         var run = programs.Run(
             ["dotnet", "test", Tests, "--filter", Filter, "--logger", $"steps;junit={Report}", "--results-directory", work.Files],
