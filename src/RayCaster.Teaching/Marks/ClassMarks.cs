@@ -11,6 +11,7 @@ public sealed class ClassMarks
     private readonly MarksFolder folder;
     private readonly ProgramRunner programs;
     private readonly SubmissionRunner runner;
+    private readonly StepTests? tests;
     private readonly Marker marker;
     private readonly ConcurrentDictionary<string, (long Start, long End)> times = [];
     private readonly ConcurrentDictionary<string, StudentMarks> done = [];
@@ -23,6 +24,7 @@ public sealed class ClassMarks
         (this.rubric, this.folder, this.decisions) = (rubric, folder, decisions);
         programs = new(containment);
         runner = new(rubric, programs);
+        tests = rubric.Tests is null ? null : new(rubric, programs);
         marker = new(rubric);
         digestsAtStart = MayChangeOthers ? all.ToDictionary(submission => submission.Student, submission => submission.Digest()) : [];
     }
@@ -136,9 +138,12 @@ public sealed class ClassMarks
             string[] notes = digestsAtStart.TryGetValue(submission.Student, out var digest) && digest != submission.Digest()
                 ? ["its files were changed after the run began and before it was its turn, perhaps by another program"] : [];
             var pictures = runner.Pictures(submission, cancellation);
+            string? problem = null;
+            var steps = pictures.All(picture => picture.Picture is null) ? null : tests?.Of(submission, cancellation, out problem);
             times[submission.Student] = (start, Stopwatch.GetTimestamp());
             cancellation.ThrowIfCancellationRequested();
-            var marks = Decided(marker.Mark(submission.Student, pictures, [.. notes, .. LibraryCalls.In(submission.Folder)]));
+            if (problem is not null) notes = [.. notes, problem];
+            var marks = Decided(marker.Mark(submission.Student, pictures, steps, [.. notes, .. LibraryCalls.In(submission.Folder)]));
             return folder.Write(marks, FeedbackPage.Of(rubric, marks, pictures), DigestOf(submission));
         }
         catch (Exception e) when (e is not OperationCanceledException)

@@ -32,6 +32,7 @@ internal static class FeedbackPage
         var style = item.Undecided > 0 ? "undecided" : item.Points < item.Of ? "lost" : "";
         var why = item.Undecided > 0 ? "Not decided: your teacher will look."
             : string.Join("<br>", item.Because.Select(because => Hint(rubric, because, marks)).Where(hint => hint != ""));
+        if (item.Tests is { } tests) why += $"{(why == "" ? "" : "<br>")}{Page.Escaped(tests)}.";
         var remark = rubric.Items.First(other => other.Name == item.Name).Remark is { } text
             ? $"<br><span class=\"small\">{Page.Escaped(text)}</span>" : "";
         page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}{remark}</td><td class=\"n\">" +

@@ -4,6 +4,25 @@ namespace RayCaster.Teaching;
 internal sealed class Marker(Rubric rubric)
 {
     /// <summary>Judges the pictures of a submission together.</summary>
+    /// <param name="tests">The results of the tests by step; null if they were not run.</param>
+    public StudentMarks Mark(
+        string student, IReadOnlyList<SubmittedPicture> submitted, IReadOnlyDictionary<int, StepResult>? tests, params IEnumerable<string> notes)
+    {
+        var marks = Mark(student, submitted, notes);
+        if (tests is null) return marks;
+        var contradictions = new List<string>();
+        return marks with
+        {
+            Items =
+            [
+                .. rubric.Items.Zip(marks.Items, (item, pictures) =>
+                    WithTests(item, pictures, tests.GetValueOrDefault(item.Step), contradictions)),
+            ],
+            LookYourself = [.. marks.LookYourself, .. contradictions],
+        };
+    }
+
+    /// <summary>Judges the pictures of a submission together.</summary>
     public StudentMarks Mark(string student, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
         if (submitted.All(picture => picture.IsUntouched))
@@ -20,6 +39,23 @@ internal sealed class Marker(Rubric rubric)
             [.. verdict.Variants.Where(mistake => diagnosis.IsCertain && mistake == MistakeCatalog.Named(mistake.Id)).Select(mistake => mistake.Id)],
             [.. diagnosis.Losing.Select(mistake => mistake.Id)],
             [.. notes, .. LookYourself(submitted, diagnosis)]);
+    }
+
+    /// <summary>An item's points by its pictures and the tests of its step.</summary>
+    private static ItemMarks WithTests(RubricItem item, ItemMarks pictures, StepResult? tests, List<string> contradictions)
+    {
+        if (item.Evidence == ItemEvidence.Pictures) return pictures;
+        var isFull = pictures.Points == item.Points;
+        if (tests is null)
+            return item.Evidence == ItemEvidence.Both ? pictures : pictures with { Points = 0, Undecided = item.Points, Because = [] };
+        var marks = pictures with { Tests = tests.ToString() };
+        if (item.Evidence == ItemEvidence.Both && pictures.Undecided == 0)
+        {
+            if (isFull == tests.IsPassed) return marks;
+            contradictions.Add($"{item.Name}: {tests}, but its pictures {(isFull ? "cost no points" : "cost points")}");
+            return marks with { Points = 0, Undecided = item.Points };
+        }
+        return marks with { Points = tests.IsPassed ? item.Points : 0, Undecided = 0, Because = tests.IsPassed ? [] : pictures.Because };
     }
 
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>

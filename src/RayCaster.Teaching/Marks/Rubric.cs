@@ -32,6 +32,9 @@ public sealed class Rubric
     /// <summary>Whether programs draw variations of the scenes.</summary>
     public bool Vary { get; init; }
 
+    /// <summary>The folder of the built step tests; null if they are not run.</summary>
+    public string? Tests { get; init; }
+
     /// <summary>The sum of all items' points.</summary>
     public double Points => Items.Sum(item => item.Points);
 
@@ -62,6 +65,7 @@ public sealed class Rubric
             Hint = Hint,
             Items = Items,
             Source = Source,
+            Tests = Tests,
         };
     }
 
@@ -91,6 +95,12 @@ public sealed record RubricItem(string Name, double Points, double Each, IReadOn
 {
     /// <summary>What the students' pages say of it, whatever was found; null for nothing.</summary>
     public string? Remark { get; init; }
+
+    /// <summary>What decides its points.</summary>
+    public ItemEvidence Evidence { get; init; }
+
+    /// <summary>The step whose tests decide, from 1; 0 if the pictures alone do.</summary>
+    public int Step { get; init; }
 }
 
 /// <summary>How to get a submission's pictures: they are in its folder, or its program draws them.</summary>

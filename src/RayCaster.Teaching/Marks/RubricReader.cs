@@ -35,11 +35,14 @@ public static class RubricReader
         var vary = o.Flag("vary",
             "Whether programs draw variations of the scenes, which nobody knows before: then a program that copies pictures fails.");
         if (vary && source.Run.Count == 0 && o.IsSound) o.Refuse("vary", $" needs run: pictures that are there already show the scenes as they are");
+        var tests = ReadTests(o, source, Path.GetDirectoryName(Path.GetFullPath(Path.Combine(".", path))) ?? "/", digest);
         var hint = o.OptionalChoice("hint", "How much of a hint the students' pages tell: what is to be seen, what to ask oneself, or nothing.",
             "question", "symptom", "none");
         var items = new List<RubricItem>();
         foreach (var element in o.Objects("items", "What has points of its own, an array of items.")) items.Add(ReadItem(element, items));
         o.Close();
+        if (!o.Has("tests") && items.FindIndex(item => item.Step > 0) is >= 0 and var tested)
+            o.Refuse("items", $" has a step, which needs tests: a hand-out whose tests are built", tested);
         if (o.Has("items") && items.Count == 0 && o.IsSound) o.Refuse("items", $" must hold at least one item");
 
         var scenes = ReadScenes(o, files, Path.GetDirectoryName(path) ?? "", digest, sceneReports);
@@ -51,6 +54,7 @@ public static class RubricReader
             Items = items,
             Vary = vary,
             Source = source,
+            Tests = tests,
         };
     }
 
@@ -62,6 +66,9 @@ public static class RubricReader
         var mistakes = o.Texts("mistakes", "The ids of the mistakes that cost points of it (docs/mistakes.md).", false);
         var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", Diagnosis.Parts)}.", false);
         var each = o.Number("each", "What one of its mistakes costs; all of its points where it is left out.", Limits.Positive, points);
+        var step = o.Whole("step", "The step of the hand-out whose tests decide; 0 for none.", 0, LabSteps.Count, 0);
+        var by = o.OptionalChoice("by", "What decides: the pictures, the tests of its step, or both; where these contradict each other, you do.",
+            step > 0 ? "both" : "pictures", step > 0 ? "pictures" : "both", "tests");
         var remark = o.Text("remark", "What the students' pages say of it, whatever was found.", false);
         o.Close();
         if (before.Any(item => item.Name == name))
@@ -77,7 +84,27 @@ public static class RubricReader
         }
         RefuseUnknown(o, "undone", undone, Diagnosis.Parts);
         if (undone.Contains("triangle")) undone = [.. undone, "mesh"]; // a mesh is its triangles
-        return new(name, points, each, mistakes, undone) { Remark = remark };
+        if (by != "pictures" && step == 0) o.Refuse("by", $" needs step: the step of the hand-out whose tests decide");
+        return new(name, points, each, mistakes, undone)
+        {
+            Remark = remark,
+            Evidence = Enum.Parse<ItemEvidence>(by, ignoreCase: true),
+            Step = by == "pictures" ? 0 : step,
+        };
+    }
+
+    /// <summary>Finds the built tests of the hand-out that a rubric names.</summary>
+    private static string? ReadTests(SceneObject o, PictureSource source, string folder, IncrementalHash digest)
+    {
+        var handOut = o.FileName("tests",
+            $"Your copy of the hand-out, with built tests: they are run with the {StepTests.Lab} of each submission.", false);
+        if (handOut is null) return null;
+        var tests = StepTests.BuiltIn(Path.GetFullPath(handOut, folder));
+        if (tests is null) o.Refuse("tests", $" must be a hand-out whose tests are built: raycaster handout LAB --solution, then dotnet build LAB");
+        else foreach (var file in Directory.GetFiles(tests, "*.dll").Order(StringComparer.Ordinal)) digest.AppendData(File.ReadAllBytes(file));
+        if (!source.Run.Any(word => word.EndsWith("/" + StepTests.Lab, StringComparison.Ordinal)))
+            o.Refuse("tests", $" needs run with the path of {StepTests.Lab}, as in {"{dir}"}/bin/{StepTests.Lab}");
+        return tests;
     }
 
     private static PictureSource ReadSource(SceneObject o, string folder)

@@ -37,7 +37,11 @@ public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<I
 /// <param name="Points">The points that are certain.</param>
 /// <param name="Undecided">The points that are not decided.</param>
 /// <param name="Because">The ids of the mistakes and the names of the missing parts that cost points, or may cost points.</param>
-public sealed record ItemMarks(string Name, double Of, double Points, double Undecided, IReadOnlyList<string> Because);
+public sealed record ItemMarks(string Name, double Of, double Points, double Undecided, IReadOnlyList<string> Because)
+{
+    /// <summary>What the tests of its step say, for example "9 of 12 tests of step 7 pass"; null if they do not count.</summary>
+    public string? Tests { get; init; }
+}
 
 /// <summary>The judgement of one picture.</summary>
 /// <param name="Problem">What is unusual about the picture, in words; null if nothing is.</param>

@@ -48,7 +48,7 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         OrPpm(Path.Combine(submission.Folder, rubric.Source.Pictures.Replace("{name}", scene.Name)));
 
     /// <summary>The first part of a path below a folder that is a link, perhaps into somebody else's folder; null if none is.</summary>
-    private static string? LinkIn(string folder, string path)
+    public static string? LinkIn(string folder, string path)
     {
         var parts = Path.GetRelativePath(folder, path).Split(Path.DirectorySeparatorChar);
         return Enumerable.Range(1, parts.Length).Select(count => string.Join(Path.DirectorySeparatorChar, parts[..count]))

@@ -49,6 +49,15 @@ internal sealed class WorkFolder : IDisposable
         return path;
     }
 
+    /// <summary>Copies files into a new folder for the program; of two with one name the second stays.</summary>
+    /// <returns>The folder's path.</returns>
+    public string Copy(IEnumerable<string> files, string folder)
+    {
+        var target = Directory.CreateDirectory(Path.Combine(Files, folder)).FullName;
+        foreach (var file in files) File.Copy(file, Path.Combine(target, Path.GetFileName(file)), overwrite: true);
+        return target;
+    }
+
     /// <summary>Deletes the folder. Files that cannot be deleted stay in the system's folder for temporary files.</summary>
     public void Dispose()
     {

@@ -56,6 +56,37 @@ public class MarkerTests
     }
 
     [Theory]
+    [InlineData(ItemEvidence.Both, "ok", 12, "2")]
+    [InlineData(ItemEvidence.Both, "ok", 9, "0 +2")]     // the two contradict each other
+    [InlineData(ItemEvidence.Both, "r-nosq", 12, "0 +2")]
+    [InlineData(ItemEvidence.Both, "r-nosq", 9, "0")]
+    [InlineData(ItemEvidence.Tests, "r-nosq", 12, "2")]
+    [InlineData(ItemEvidence.Tests, "ok", 9, "0")]
+    [InlineData(ItemEvidence.Tests, "ok", 0, "0 +2")]    // they did not run
+    [InlineData(ItemEvidence.Pictures, "ok", 9, "2")]
+    public void PicturesAndTestsOfAStepDecideTogether(ItemEvidence evidence, string mistake, int passed, string expected)
+    {
+        var item = whole.Items.Single(item => item.Name == "8 Sphere") with { Evidence = evidence, Step = 8 };
+        var both = With([item], Scenes("4-all").Select(Small));
+        var scene = both.Scenes[0];
+        var picture = EditedLab.Render(scene.Scene, Manner.OfTheSlides, Planted.Named(mistake), Planted.None);
+        var tests = passed == 0 ? [] : new Dictionary<int, StepResult> { [8] = new(8, passed, 12) };
+        var marks = new Marker(both).Mark("somebody", [new(scene, picture, null)], tests);
+        Assert.Equal(expected, $"{marks.Points}{(marks.Undecided > 0 ? $" +{marks.Undecided}" : "")}");
+        Assert.Equal(evidence == ItemEvidence.Both && expected == "0 +2" ? [$"8 Sphere: {passed} of 12 tests of step 8 pass, "
+            + $"but its pictures {(mistake == "ok" ? "cost no points" : "cost points")}"] : Array.Empty<string>(), marks.LookYourself);
+    }
+
+    [Theory]
+    [InlineData("<testsuites><testsuite>"
+        + "<testcase classname='Lab.Tests.Step08Sphere' name='a'/><testcase classname='Lab.Tests.Step08Sphere' name='b'><failure/></testcase>"
+        + "<testcase classname='Lab.Tests.OwnScenes' name='c'/></testsuite></testsuites>", "1 of 2 tests of step 8 pass")]
+    [InlineData("", "")]
+    [InlineData("<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>", "")] // forged
+    public void AReportOfTestsIsCountedByStep(string report, string expected) =>
+        Assert.Equal(expected, string.Join(", ", StepTests.Read(System.Text.Encoding.UTF8.GetBytes(report)).Values));
+
+    [Theory]
     [InlineData("rad", "ok", "4")] // follow-through: all shapes are elsewhere, and only the camera costs
     public void AMistakeCostsItsOwnItemAndNoOther(string mistake, string second, string lost)
     {

@@ -51,6 +51,15 @@ public sealed class RubricReaderTests : IDisposable
             $"{file} is not what the reader says; dotnet run --project tests/Documents writes it anew");
     }
 
+    [Theory]
+    [InlineData("", "\"step\": 7", "items[0] has a step, which needs tests: a hand-out whose tests are built")]
+    [InlineData("", "\"by\": \"tests\"", "items[0].by needs step: the step of the hand-out whose tests decide")]
+    [InlineData("\"tests\": \".\",", "\"step\": 7", "tests must be a hand-out whose tests are built: raycaster handout LAB --solution, then")]
+    public void TestsNeedABuiltHandOutAndAStep(string tests, string item, string error) => Assert.Contains(error, ErrorOf($$"""
+        { "scenes": ["room.json"], "run": ["sh", "{dir}/bin/Lab.dll", "{scene}", "{out}"], {{tests}}
+          "items": [{ "name": "a", "points": 1, {{item}} }] }
+        """));
+
     [Fact]
     public void WhatIsLeftOutHasADefault()
     {
