@@ -95,26 +95,11 @@ internal static class Gallery
 
     private static string Markdown(string text) => text.Replace("|", "\\|").Replace("<", "&lt;").Replace("*", "\\*");
 
-    /// <summary>The mean over the places of the large picture that each pixel of the small one covers.</summary>
     private static Picture Thumb(Picture tile)
     {
         var scale = Math.Max((double)tile.Width / ThumbWidth, (double)tile.Height / ThumbHeight);
-        var thumb = new Picture((int)(tile.Width / scale), (int)(tile.Height / scale));
-        const int n = 4;
-        for (var y = 0; y < thumb.Height; y++)
-        {
-            for (var x = 0; x < thumb.Width; x++)
-            {
-                var (r, g, b) = (0, 0, 0);
-                for (var i = 0; i < n * n; i++)
-                {
-                    var (left, top) = ((int)((x + (i % n + 0.5) / n) * scale), (int)((y + (i / n + 0.5) / n) * scale));
-                    var pixel = tile[Math.Min(left, tile.Width - 1), Math.Min(top, tile.Height - 1)];
-                    (r, g, b) = (r + pixel.R, g + pixel.G, b + pixel.B);
-                }
-                thumb[x, y] = ((byte)(r / (n * n)), (byte)(g / (n * n)), (byte)(b / (n * n)));
-            }
-        }
-        return thumb;
+        var thumb = new SmallPicture(tile.Width, tile.Height, (int)(tile.Width / scale), (int)(tile.Height / scale));
+        thumb.Take(tile.Rgb);
+        return thumb.Picture;
     }
 }

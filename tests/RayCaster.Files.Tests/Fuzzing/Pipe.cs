@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.Fuzzing;
 
-/// <summary>A stream without a length that cannot seek.</summary>
+/// <summary>A stream without a length that cannot seek, and comes in pieces of at most 100 bytes.</summary>
 internal class Pipe(byte[] bytes) : ForwardStream
 {
     /// <summary>How many bytes were read.</summary>
@@ -9,7 +9,7 @@ internal class Pipe(byte[] bytes) : ForwardStream
     public override int Read(Span<byte> buffer)
     {
         var count = 0;
-        for (; count < buffer.Length && ByteAt(Given) is { } value; Given++) buffer[count++] = value;
+        for (; count < Math.Min(buffer.Length, 100) && ByteAt(Given) is { } value; Given++) buffer[count++] = value;
         return count;
     }
 
