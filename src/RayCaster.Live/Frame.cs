@@ -26,12 +26,11 @@ internal sealed class Frame(int width, int height)
     public byte[] Header(Layer layer, int version, int number, bool isFinal) =>
         MemoryMarshal.AsBytes<int>([(int)layer, version, number, isFinal ? 1 : 0, width, height]).ToArray();
 
-    public Frame Fill(ReadOnlySpan<byte> rgb, int firstPixel = 0)
+    public static Frame Of(Picture picture)
     {
-        var to = MemoryMarshal.Cast<byte, uint>(pixels.AsSpan(4 * firstPixel, rgb.Length / 3 * 4));
+        var (frame, rgb) = (new Frame(picture.Width, picture.Height), picture.Rgb);
+        var to = MemoryMarshal.Cast<byte, uint>(frame.pixels.AsSpan());
         for (int i = 0, j = 0; j < to.Length; i += 3, j++) to[j] = 0xFF000000u | (uint)rgb[i + 2] << 16 | (uint)rgb[i + 1] << 8 | rgb[i];
-        return this;
+        return frame;
     }
-
-    public static Frame Of(Picture picture) => new Frame(picture.Width, picture.Height).Fill(picture.Rgb);
 }

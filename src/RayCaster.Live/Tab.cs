@@ -13,7 +13,6 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private const int MaxUnseen = 2;
 
     private readonly Channel<bool> wake = Channel.CreateBounded<bool>(new BoundedChannelOptions(1) { FullMode = BoundedChannelFullMode.DropWrite });
-    private readonly MovingBuffer buffer = new();
     private readonly CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
     private readonly ConcurrentQueue<byte[]> posted = new();
     private Task sending = Task.CompletedTask;
@@ -138,10 +137,8 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     {
         if (sent - shown >= MaxUnseen || !Takes(Pending.Frame)) return;
         var moves = isMoving;
-        var wanted = moves ? view with { Divisor = divisor } : view;
-        var frame = moves
-            ? await server.Studio.DoAsync(() => buffer.Draw(wanted.Of(state.Scene!)), end.Token)
-            : await server.Studio.DrawAsync(state.Scene!, wanted, Outdated());
+        var wanted = moves ? view with { Divisor = divisor, Look = Live.Look.Plain } : view;
+        var frame = await server.Studio.DrawAsync(state.Scene!, wanted, moves ? end.Token : Outdated());
         await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
         if (hasFault) await SendAsync(Messages.OfFault(null));
         hasFault = false;

@@ -24,7 +24,8 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
     /// <summary>The scene with new models.</summary>
     public Scene Create(int width, int height) => create(width, height);
 
-    /// <summary>A scene by its name: room, or bumpy-N, shuffled-N or spheres-N, N being a number as in 500, 70k or 10m.</summary>
+    /// <summary>A scene by its name: room, or bumpy-N, spheres-N or one of <see cref="OddMeshes.Kinds"/> and a number, as in 500, 70k or
+    /// 10m.</summary>
     /// <exception cref="ArgumentException">The name is another.</exception>
     public static BenchmarkScene Named(string name)
     {
@@ -37,7 +38,7 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
                 var count = checked(value * unit);
                 if (kind == "bumpy") return Bumpy(name, BandsFor(count));
                 if (kind == "spheres") return Spheres(name, count);
-                if (kind == "shuffled") return Shuffled(name, BandsFor(count));
+                if (OddMeshes.Kinds.Contains(kind)) return OddMeshes.Make(name, kind, count);
             }
         }
         throw new ArgumentException($"no scene is called '{name}'; choose {string.Join(", ", Names)}, or another number");
@@ -54,7 +55,7 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
     /// A sphere with bumps, of 4 m (m − 1) triangles: m bands from pole to pole and 2 m around, at polar angle a and longitude b the
     /// radius is 1 + 0.1 sin 8a sin 9b + 0.01 sin 40a sin 45b. Corners are rounded to float, so that all peers see the same.
     /// </summary>
-    private static MeshData BumpyMesh(int m)
+    public static MeshData BumpyMesh(int m)
     {
         var around = 2 * m;
         var vertices = new Vector3[2 + (m - 1) * around];
@@ -86,33 +87,21 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
         return new(vertices, indices);
     }
 
+    /// <summary>A scene of one mesh.</summary>
+    public static BenchmarkScene Of(string name, string title, MeshData mesh, Func<int, int, Camera> camera) =>
+        new(name, title, mesh.Indices.Length / 3, (width, height) =>
+            new(camera(width, height), [new Mesh(mesh.Vertices, mesh.Indices) { Color = new(0.9, 0.8, 0.6) }], new Color(0.1, 0.1, 0.2)))
+        { Mesh = mesh };
+
     /// <summary>The scene of <see cref="BumpyMesh"/>.</summary>
     public static BenchmarkScene Bumpy(string name, int m)
     {
         var mesh = BumpyMesh(m);
-        return Of(name, $"a bumpy sphere of {Text.Count(mesh.Indices.Length / 3)} triangles", mesh);
+        return Of(name, $"a bumpy sphere of {Text.Count(mesh.Indices.Length / 3)} triangles", mesh, CameraAt);
     }
-
-    /// <summary>The same, vertices and triangles in random order, as a scanner's software writes them; seeded.</summary>
-    private static BenchmarkScene Shuffled(string name, int m)
-    {
-        var (mesh, random) = (BumpyMesh(m), new Random(20261122));
-        var (places, triangles) = (Enumerable.Range(0, mesh.Vertices.Length).ToArray(), mesh.Indices.Chunk(3).ToArray());
-        random.Shuffle(places);
-        random.Shuffle(triangles);
-        var vertices = new Vector3[places.Length];
-        for (var i = 0; i < places.Length; i++) vertices[places[i]] = mesh.Vertices[i];
-        return Of(name, $"{Text.Count(triangles.Length)} triangles in random order",
-            new(vertices, [.. triangles.SelectMany(corners => corners).Select(index => places[index])]));
-    }
-
-    private static BenchmarkScene Of(string name, string title, MeshData mesh) =>
-        new(name, title, mesh.Indices.Length / 3, (width, height) =>
-            new(CameraAt(width, height), [new Mesh(mesh.Vertices, mesh.Indices) { Color = new(0.9, 0.8, 0.6) }], new Color(0.1, 0.1, 0.2)))
-        { Mesh = mesh };
 
     /// <summary>The number of bands with which <see cref="BumpyMesh"/> has about so many triangles.</summary>
-    private static int BandsFor(int count) => Math.Max(2, (int)((1 + Math.Sqrt(1 + count)) / 2));
+    public static int BandsFor(int count) => Math.Max(2, (int)((1 + Math.Sqrt(1 + count)) / 2));
 
     /// <summary>Spheres in a cube of side 2, with radii from a quarter to a half of the side that each has for itself; seeded.</summary>
     public static BenchmarkScene Spheres(string name, int count)
@@ -139,6 +128,6 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
     }
 
     /// <summary>A camera that a thing of radius 1.1 about the origin fills from top to bottom.</summary>
-    private static Camera CameraAt(int width, int height) =>
+    public static Camera CameraAt(int width, int height) =>
         new(new(2.2, 1.5, 1.2), new(0, 0, 0)) { Width = width, Height = height, ZNear = 0.125, ZFar = 128 };
 }

@@ -12,7 +12,8 @@ internal sealed class Options
 
           --quick          A minute: small pictures, few repeats.
           --scene NAME     Only this scene: room, bumpy-70k, bumpy-1m, bumpy-10m, spheres-100k, or
-                           bumpy-N and spheres-N with another number, or shuffled-N. May be repeated.
+                           bumpy-N and spheres-N with another number, or a mesh that is hard:
+                           inside-N, layers-N, slivers-N, shuffled-N. May be repeated.
           --size WxH       Only this size; otherwise 1920x1080 and 500x500. May be repeated.
           --threads N      Only this number of threads; otherwise 1 and 2. May be repeated.
           --repeats N      How often each way runs in each comparison; otherwise 15.
