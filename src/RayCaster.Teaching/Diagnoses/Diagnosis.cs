@@ -61,8 +61,11 @@ public sealed class Diagnosis
         }
         answer = new Judgement(prepared, evidence, done, likely, byModels, leftByMissingModel).Decide();
         if (plain is null) return;
-        // several mistakes would explain one colour by chance
-        answer = answer with { Suspects = [.. Suspects.Where(suspect => suspect is { Mistakes.Count: 1, NotYet.Count: 0 })] };
+        // several mistakes, or one of thousands of edits, would explain one colour by chance
+        answer = answer with
+        {
+            Suspects = [.. Suspects.Where(suspect => suspect is { Mistakes: [{ Id: not EditNaming.Id }], NotYet.Count: 0 })],
+        };
         if (Suspects.Count == 0) answer = tellsNothing;
     }
 

@@ -14,7 +14,12 @@ public sealed class SearchBudget(TimeSpan processorTime, CancellationToken cance
     public bool LeavesOut { get; private set; }
 
     /// <summary>Whether the time is over; asked before each piece of work that is then left out.</summary>
-    internal bool IsSpent() => LeavesOut |= cancellation.IsCancellationRequested || Environment.CpuUsage.TotalTime > end;
+    internal bool IsSpent()
+    {
+        // Once spent, always spent: several threads ask, and the system's clock of processor time may go back a little.
+        if (cancellation.IsCancellationRequested || Environment.CpuUsage.TotalTime > end) LeavesOut = true;
+        return LeavesOut;
+    }
 
     /// <exception cref="TimeoutException">The time is over.</exception>
     internal void ThrowIfSpent()

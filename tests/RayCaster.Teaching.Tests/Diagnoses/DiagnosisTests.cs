@@ -173,6 +173,16 @@ public class DiagnosisTests
     }
 
     [Fact]
+    public void NoEditOfAFormulaIsNamedForOneColour()
+    {
+        var first = SceneFolder.Small("first", 10);
+        var picture = new Picture(first.Camera.Width, first.Camera.Height);
+        for (var i = 0; i < picture.Rgb.Length; i++) picture.Rgb[i] = (byte)(1 + i % 3);
+        var diagnosis = Diagnosis.Of(first, picture);
+        Assert.Equal((Finding.TellsNothing, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+    }
+
+    [Fact]
     public void AFlatWhitePictureTellsNothing()
     {
         var white = Planted("att-none");
