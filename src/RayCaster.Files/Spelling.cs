@@ -34,10 +34,12 @@ public static class Spelling
 
         var least = word.Length switch { <= 1 => 0, <= 4 => 1, <= 8 => 2, _ => 3 } + 1;
         string? nearest = null;
+        int[,]? table = null; // one for all candidates: a file may have a thousand errors
         foreach (var candidate in known)
         {
             if (Math.Abs(candidate.Length - word.Length) >= least) continue;
-            var mistakes = Mistakes(word, candidate);
+            table ??= new int[word.Length + 1, word.Length + least];
+            var mistakes = Mistakes(word, candidate, table);
             if (mistakes < least) (nearest, least) = (candidate, mistakes);
         }
         return nearest;
@@ -52,9 +54,8 @@ public static class Spelling
     }
 
     /// <summary>How many letters must be added, left out, changed or swapped with their neighbour; case is ignored.</summary>
-    private static int Mistakes(string a, string b)
+    private static int Mistakes(string a, string b, int[,] mistakes)
     {
-        var mistakes = new int[a.Length + 1, b.Length + 1];
         for (var i = 0; i <= a.Length; i++) mistakes[i, 0] = i;
         for (var j = 0; j <= b.Length; j++) mistakes[0, j] = j;
         for (var i = 1; i <= a.Length; i++)
