@@ -149,7 +149,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     {
         var colon = words.SkipBlanks(end);
         var isKey = utf8[at] == '"' && colon < utf8.Length && utf8[colon] == ':';
-        if (!isKey || Bracket(out var line) != '[' || at == tree[open[^1] + 1].Start) return null;
+        if (!isKey || Bracket(out var line) != '[' || at == words.SkipBlanks(tree[open[^1]].Start + 1)) return null;
         return new(at, end, $"the [ of line {line} is not closed before the key {tree.Text.Quote(at, end)}");
     }
 

@@ -10,7 +10,7 @@ internal readonly ref struct JsonWords(SourceText text)
     {
         while (at < utf8.Length)
         {
-            var end = utf8[at] is (byte)' ' or (byte)'\t' or (byte)'\r' or (byte)'\n' ? at + 1 : JsonComments.EndOf(utf8, at);
+            var end = utf8[at] is (byte)' ' or (byte)'\t' or (byte)'\r' or (byte)'\n' ? at + 1 : EndOfComment(at);
             if (end == at) break;
             at = end;
         }
@@ -36,5 +36,13 @@ internal readonly ref struct JsonWords(SourceText text)
     {
         Rune.DecodeFromUtf8(utf8[at..], out var character, out _);
         return character;
+    }
+
+    /// <summary>The place after the comment that begins at a place. The place itself where no comment begins, or where one is not closed.</summary>
+    private int EndOfComment(int at)
+    {
+        var text = utf8[at..];
+        if (text.StartsWith("//"u8)) return at + (text.IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? length : text.Length);
+        return text.StartsWith("/*"u8) && text[2..].IndexOf("*/"u8) is >= 0 and var inner ? at + inner + 4 : at;
     }
 }
