@@ -21,7 +21,7 @@ internal static class Archive
         if (Path.Exists(folder)) throw new ProblemException($"{folder} exists already: mark this folder, or delete it to unpack {path} again");
         WrittenFiles.WriteFolder(folder, made =>
         {
-            Extract(path, made, maxBytes, cancellation);
+            Extract(path, made, maxBytes, name => name == Path.GetFileName(folder), cancellation);
             string[] all = [.. Directory.EnumerateFiles(made), .. Directory.EnumerateDirectories(made).SelectMany(Directory.EnumerateFiles)];
             foreach (var inner in all.Where(Is).Order(StringComparer.Ordinal))
                 UnpackInner(inner, made, problem => notice?.Invoke(problem.Replace(made, folder)), cancellation, maxBytes);
@@ -37,7 +37,7 @@ internal static class Archive
         try
         {
             if (Path.Exists(unpacked)) throw new ProblemException($"cannot unpack {inner}: {unpacked} exists already");
-            Extract(inner, unpacked, maxBytes, cancellation);
+            Extract(inner, unpacked, maxBytes, _ => true, cancellation);
             File.Delete(inner);
             if (!isAlone) return;
             Directory.Delete(student);
@@ -51,7 +51,9 @@ internal static class Archive
     }
 
     /// <summary>Unpacks all, or nothing: no entry may lead elsewhere, and no link is made.</summary>
-    private static void Extract(string path, string folder, long left, CancellationToken cancellation)
+    /// <param name="mayMoveUp">Whether a folder of this name that holds everything is left out: hosting sites put one around a
+    /// repository.</param>
+    private static void Extract(string path, string folder, long left, Predicate<string> mayMoveUp, CancellationToken cancellation)
     {
         try
         {
@@ -59,12 +61,22 @@ internal static class Archive
             if (archive.Entries.Count > MaxEntries) throw new ProblemException($"{path} has more than {MaxEntries} files");
             Directory.CreateDirectory(folder);
             foreach (var entry in archive.Entries) Extract(entry, path, folder, ref left, cancellation);
+            if (Directory.GetFileSystemEntries(folder) is [var only] && Directory.Exists(only) && mayMoveUp(Path.GetFileName(only))) MoveUp(only);
         }
         catch (Exception e) when (e is IOException or InvalidDataException or UnauthorizedAccessException or ArgumentException or ProblemException)
         {
             if (Directory.Exists(folder)) Directory.Delete(folder, recursive: true);
             throw e as ProblemException ?? new ProblemException($"cannot unpack {path}: {ProblemException.Reason(e)}", e);
         }
+    }
+
+    private static void MoveUp(string only)
+    {
+        var folder = Path.GetDirectoryName(only)!;
+        var moved = Path.Combine(folder, ".moved"); // it may hold a folder of its own name
+        Directory.Move(only, moved);
+        foreach (var entry in Directory.GetFileSystemEntries(moved)) Directory.Move(entry, Path.Combine(folder, Path.GetFileName(entry)));
+        Directory.Delete(moved);
     }
 
     private static void Extract(ZipArchiveEntry entry, string path, string folder, ref long left, CancellationToken cancellation)

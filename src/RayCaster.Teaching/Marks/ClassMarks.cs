@@ -72,6 +72,7 @@ public sealed class ClassMarks
         var (key, files) = (MarksKey.Read(), rubric.HashOfFiles());
         if (rubric.Vary) rubric = rubric.WithVariedScenes(MarksKey.Sign(key, Encoding.UTF8.GetBytes(rubric.Digest)), options.Notice);
         var folder = new MarksFolder(output, key);
+        folder.ThrowIfNotWritable();
         new ClassMarks(rubric, all, folder, decisions, runs ? options.Containment ?? Containment.Here : Containment.None)
             .MarkAll(all, options, cancellation, out var marks);
         if (rubric.HashOfFiles() != files)

@@ -25,6 +25,15 @@ internal sealed class MarksFolder(string path, byte[] key)
 
     public string PathOf(params ReadOnlySpan<string> names) => Path.Combine([path, .. names]);
 
+    /// <summary>Refuses a folder in which nothing can be written, before all programs have run.</summary>
+    /// <exception cref="ProblemException">It is such a folder.</exception>
+    public void ThrowIfNotWritable()
+    {
+        var probe = PathOf(".writable");
+        Write(probe, [0]);
+        File.Delete(probe);
+    }
+
     public string PageOf(string student) => PathOf(student, "feedback.html");
 
     /// <summary>Writes a student's page, and then the marks with a digest of all that they depend on.</summary>

@@ -129,14 +129,38 @@ public sealed class ClassMarksTests : IDisposable
     public void AnArchiveAloneInAFolderReplacesItWhateverTheOthersAreCalled()
     {
         WriteFile("own/lab/main.c", "");
+        WriteFile("own/notes", "");
         Zip("own");
         WriteFile("class/anna.unpacked/main.c", "");
         WriteFile("class/__MACOSX/anna/._lab.zip", "");
         File.Move(folder["own.zip"], WriteFile("class/anna/lab.zip", ""), true);
         Zip("class");
         Archive.Unpack(folder["class.zip"], null, default);
-        Assert.Equal(["anna.unpacked/main.c", "anna/lab/main.c"], Directory.EnumerateFiles(folder["class"], "*", SearchOption.AllDirectories)
-            .Select(path => Path.GetRelativePath(folder["class"], path).Replace('\\', '/')).Order(StringComparer.Ordinal));
+        Assert.Equal(["anna.unpacked/main.c", "anna/lab/main.c", "anna/notes"],
+            Directory.EnumerateFiles(folder["class"], "*", SearchOption.AllDirectories)
+                .Select(path => Path.GetRelativePath(folder["class"], path).Replace('\\', '/')).Order(StringComparer.Ordinal));
+    }
+
+    [Fact]
+    public void AFolderAroundEverythingIsLeftOut()
+    {
+        WriteFile("class/class/anna/lab1/lab1/main.c", "");
+        Zip("class/class/anna");
+        Zip("class");
+        Archive.Unpack(folder["class.zip"], null, default);
+        Assert.True(File.Exists(folder["class/anna/lab1/main.c"]));
+    }
+
+    [SkippableFact]
+    public void MarksThatCannotBeWrittenAreRefusedBeforeAnyProgramRuns()
+    {
+        Skip.If(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
+        Write("anna", $"touch '{folder["trace"]}'");
+        var rubric = RubricReader.Read(folder["rubric.json"], out _)!;
+        var problem = Assert.Throws<ProblemException>(() => ClassMarks.Mark(
+            rubric, folder["class"], folder["rubric.json/marks"], new(1) { Containment = Containment.None }, default));
+        Assert.StartsWith($"cannot write {folder["rubric.json/marks"]}", problem.Message);
+        Assert.False(File.Exists(folder["trace"]));
     }
 
     [Fact]
