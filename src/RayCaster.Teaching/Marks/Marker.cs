@@ -10,15 +10,14 @@ internal sealed class Marker(Rubric rubric)
     {
         var marks = Mark(student, submitted, notes);
         if (tests is null) return marks;
-        var contradictions = new List<string>();
+        var lookYourself = new List<string>();
         return marks with
         {
             Items =
             [
-                .. rubric.Items.Zip(marks.Items, (item, pictures) =>
-                    WithTests(item, pictures, tests.GetValueOrDefault(item.Step), contradictions)),
+                .. rubric.Items.Zip(marks.Items, (item, pictures) => WithTests(item, pictures, tests, lookYourself)),
             ],
-            LookYourself = [.. marks.LookYourself, .. contradictions],
+            LookYourself = [.. marks.LookYourself, .. lookYourself],
         };
     }
 
@@ -42,20 +41,23 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <summary>An item's points by its pictures and the tests of its step.</summary>
-    private static ItemMarks WithTests(RubricItem item, ItemMarks pictures, StepResult? tests, List<string> contradictions)
+    private static ItemMarks WithTests(
+        RubricItem item, ItemMarks pictures, IReadOnlyDictionary<int, StepResult> all, List<string> lookYourself)
     {
         if (item.Evidence == ItemEvidence.Pictures) return pictures;
-        var isFull = pictures.Points == item.Points;
-        if (tests is null)
-            return item.Evidence == ItemEvidence.Both ? pictures : pictures with { Points = 0, Undecided = item.Points, Because = [] };
-        var marks = pictures with { Tests = tests.ToString() };
-        if (item.Evidence == ItemEvidence.Both && pictures.Undecided == 0)
+        var tests = all.GetValueOrDefault(item.Step);
+        var (isFull, isOpen) = (pictures.Points == item.Points, item.Evidence == ItemEvidence.Tests || pictures.Undecided > 0);
+        var marks = pictures with { Tests = tests?.ToString() };
+        if (tests?.IsTelling(all) != true)
         {
-            if (isFull == tests.IsPassed) return marks;
-            contradictions.Add($"{item.Name}: {tests}, but its pictures {(isFull ? "cost no points" : "cost points")}");
-            return marks with { Points = 0, Undecided = item.Points };
+            if (item.Evidence == ItemEvidence.Both) return marks;
+            if (tests is not null) lookYourself.Add($"{item.Name}: {tests}, but tests of an earlier step, which it uses, fail too");
+            return marks with { Points = 0, Undecided = item.Points, Because = [] };
         }
-        return marks with { Points = tests.IsPassed ? item.Points : 0, Undecided = 0, Because = tests.IsPassed ? [] : pictures.Because };
+        if (isOpen) return marks with { Points = tests.IsPassed ? item.Points : 0, Undecided = 0, Because = tests.IsPassed ? [] : pictures.Because };
+        if (isFull == tests.IsPassed) return marks;
+        lookYourself.Add($"{item.Name}: {tests}, but its pictures {(isFull ? "cost no points" : "cost points")}");
+        return marks with { Points = 0, Undecided = item.Points };
     }
 
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>

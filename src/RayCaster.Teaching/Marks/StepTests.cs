@@ -21,6 +21,10 @@ internal sealed record StepResult(int Step, int Passed, int Count)
 {
     public bool IsPassed => Passed == Count;
 
+    /// <summary>Whether the tests say something about their step: they fail, too, where a step fails that they use.</summary>
+    public bool IsTelling(IReadOnlyDictionary<int, StepResult> all) =>
+        IsPassed || !Enumerable.Range(1, Step is 4 or 5 ? 3 : 2).Any(used => used < Step && all.GetValueOrDefault(used) is { IsPassed: false });
+
     public override string ToString() => $"{Passed} of {Count} tests of step {Step} pass";
 }
 
@@ -57,18 +61,22 @@ internal sealed class StepTests(Rubric rubric, ProgramRunner programs)
             ["dotnet", "test", Tests, "--filter", Filter, "--logger", $"steps;junit={Report}", "--results-directory", work.Files],
             work.Place(folder, work.Files), limits, limits.BuildTime, cancellation);
         var results = Read(RegularFile.Read(Path.Combine(work.Files, Report), MaxReportBytes) ?? []);
-        problem = results.Count > 0 ? null : $"the tests of the steps did not run: {run.InWords(limits, limits.BuildTime)}";
+        problem = results.Count > 0 ? null : $"the tests of the steps did not come to an end: {run.InWords(limits, limits.BuildTime)}";
         return results;
     }
 
     /// <summary>Counts the test cases of a JUnit report whose classes are called <c>Step01Vectors</c> and the like.</summary>
+    /// <returns>Of a run that was stopped, only the steps that fail: tests of the others may be missing.</returns>
     internal static IReadOnlyDictionary<int, StepResult> Read(byte[] report)
     {
         try
         {
             using var reader = XmlReader.Create(new MemoryStream(report)); // which refuses a DTD
-            return XDocument.Load(reader).Descendants("testcase").GroupBy(StepOf).Where(step => step.Key > 0)
-                .ToDictionary(step => step.Key, step => new StepResult(step.Key, step.Count(test => !test.HasElements), step.Count()));
+            var tests = XDocument.Load(reader).Descendants("testcase").ToArray();
+            var isStopped = tests.Any(test => test.Element("error") is not null);
+            return tests.GroupBy(StepOf).Where(step => step.Key > 0)
+                .Select(step => new StepResult(step.Key, step.Count(test => !test.HasElements), step.Count()))
+                .Where(step => !isStopped || !step.IsPassed).ToDictionary(step => step.Step);
         }
         catch (XmlException)
         {

@@ -78,9 +78,26 @@ public class MarkerTests
     }
 
     [Theory]
+    [InlineData(ItemEvidence.Tests, 8, 1, 0.0, 2.0)] // rays and shapes use the vectors
+    [InlineData(ItemEvidence.Both, 8, 1, 2.0, 0.0)]
+    [InlineData(ItemEvidence.Tests, 8, 3, 0.0, 0.0)] // a sphere is no plane
+    [InlineData(ItemEvidence.Tests, 5, 3, 0.0, 2.0)] // the light's tests look at a plane
+    public void AStepThatFailsWithOneThatItUsesLosesNothing(ItemEvidence evidence, int step, int used, double points, double undecided)
+    {
+        var item = whole.Items.Single(item => item.Name == "8 Sphere") with { Evidence = evidence, Step = step };
+        var both = With([item], Scenes("4-all").Select(Small));
+        var tests = new Dictionary<int, StepResult> { [used] = new(used, 3, 4), [step] = new(step, 3, 4) };
+        var marks = new Marker(both).Mark("somebody", [new(both.Scenes[0], both.Scenes[0].Right, null)], tests);
+        Assert.Equal((points, undecided), (marks.Points, marks.Undecided));
+    }
+
+    [Theory]
     [InlineData("<testsuites><testsuite>"
         + "<testcase classname='Lab.Tests.Step08Sphere' name='a'/><testcase classname='Lab.Tests.Step08Sphere' name='b'><failure/></testcase>"
         + "<testcase classname='Lab.Tests.OwnScenes' name='c'/></testsuite></testsuites>", "1 of 2 tests of step 8 pass")]
+    [InlineData("<a><testcase classname='Lab.Tests.Step03Plane' name='a'/>"
+        + "<testcase classname='Lab.Tests.Step08Sphere' name='b'><error/></testcase></a>",
+        "0 of 1 tests of step 8 pass")] // stopped there; tests of step 3 may be missing
     [InlineData("", "")]
     [InlineData("<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>", "")] // forged
     public void AReportOfTestsIsCountedByStep(string report, string expected) =>
