@@ -68,7 +68,7 @@ public class UnseenSlipsCampaign(ITestOutputHelper output)
         new("triangle", "t", "t = (A + P)·n / d·n", new Edit("Triangle", "(A - ray.Origin) * n", "(A + ray.Origin) * n")),
         new("triangle", "t", "t = (A − P)·n / |n|", new Edit("Triangle", "n / (d * n)", "n / n.Length")),
         new("triangle", "w", "w = d·(b × a)", new Edit("Triangle", "d * (b % c)", "d * (b % a)")),
-        new("triangle", "S", "u and v divided by u + v", new Edit("Triangle", "w + u + v", "u + v")),
+        new("triangle", "S", "w + u − v for the sum", new Edit("Triangle", "sum = w + u + v", "sum = w + u - v")),
         new("triangle", "hit", "u ≥ ½", new Edit("Triangle", "u / sum >= 0", "u / sum >= 0.5")),
         new("triangle", "u v", "a = A, without P", new Edit("Triangle", "(a, b, c) = (A - ray.Origin,", "(a, b, c) = (A,")),
         new("rule", "z", "z = t − d·W", new Edit("Ray", "t * DepthPerT;", "t + DepthPerT;")),
