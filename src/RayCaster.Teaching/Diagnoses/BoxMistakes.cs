@@ -10,12 +10,12 @@ internal static class BoxMistakes
     public static Mistake[] All =>
     [
         new("slab-noswap", Affects.Boxes, Slides.BoxParameters, "box: t0 and t1 not sorted, which is wrong where d is negative",
-            lab => lab.Order.Is((t0, t1) => (t0, t1)),
+            Slabs(isSorted: false),
             "Boxes show from one side and vanish from another.",
             "Where d is negative, which face of a slab comes first?",
             "If t0 > t1, swap them, for each of x, y and z."),
         new("slab-minmin", Affects.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
-            lab => lab.LastIn.Is(Least),
+            Slabs(lastIn: Least),
             "Boxes smear over the picture.",
             "The ray is in the box when it is in all three slabs. Has it entered at the first way in, or at the last?",
             "t_min = max of the ways in, t_max = min of the ways out."),
@@ -31,13 +31,12 @@ internal static class BoxMistakes
             "t = t_min, and t_max only if that does not count."),
         new Mistake("slab-inv-nan", Affects.Boxes, Slides.BoxParameters,
             "box: (B − P) · (1 / d) with d = 0 gives 0 · ∞, NaN, which loses the box",
-            lab => lab.Faces.Is((axis, box, d) =>
-                ((box.Min.At(axis) - lab.P.At(axis)) * (1 / d.At(axis)), (box.Max.At(axis) - lab.P.At(axis)) * (1 / d.At(axis)))),
+            Slabs((lo, hi, P) => ((lo - P) * endless, (hi - P) * endless)),
             "A box lacks a line one pixel wide, at its edge or right through it.",
             "What is 0 · (1 / 0) in doubles?",
             "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0.")
-            .Or("box: a ray along a slab, d = 0, misses it", AlongASlab((double.NaN, double.NaN)))
-            .Or("box: a ray along a slab, d = 0, is always in it", AlongASlab((double.NegativeInfinity, double.PositiveInfinity))),
+            .Or("box: a ray along a slab, d = 0, misses it", Slabs((_, _, _) => (double.NaN, double.NaN)))
+            .Or("box: a ray along a slab, d = 0, is always in it", Slabs((_, _, _) => (-endless, endless))),
         new Mistake("slab-inside", Affects.Boxes, Slides.BoxTest, "box: t_min or none, so that it is not seen from inside",
             lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Near)),
             "A box that the camera is in, or that is cut open, is not there.",
@@ -51,9 +50,25 @@ internal static class BoxMistakes
             "B0 = min and B1 = max, as the scene has them."),
     ];
 
-    /// <summary>The ways into a slab and out of it, for a ray along it.</summary>
-    private static Action<Lab> AlongASlab((double, double) ways) =>
-        lab => lab.Faces.Becomes(faces => (axis, box, d) => d.At(axis) == 0 ? ways : faces(axis, box, d));
+    /// <summary>The slides' way: t_min is the last way into a slab, t_max the first way out.</summary>
+    /// <param name="along">From the faces of a slab and P, the ways in and out of a ray along it; the right ones if null.</param>
+    /// <param name="lastIn">From the ways in, the one that counts.</param>
+    private static Action<Lab> Slabs(Func<double, double, double, (double, double)>? along = null, bool isSorted = true,
+        Func<double, double, double, double>? lastIn = null) => lab => lab.Box.Is((box, d) =>
+    {
+        var (x, y, z) = (SlabOf(0), SlabOf(1), SlabOf(2));
+        var (tMin, tMax) = (lastIn?.Invoke(x.In, y.In, z.In) ?? Math.Max(Math.Max(x.In, y.In), z.In), Least(x.Out, y.Out, z.Out));
+        return tMin <= tMax ? new(tMin, tMax) : None;
+
+        (double In, double Out) SlabOf(int axis)
+        {
+            var (lo, hi, P) = (box.Min.At(axis), box.Max.At(axis), lab.P.At(axis));
+            var (t0, t1) = d.At(axis) is not 0 and var b ? ((lo - P) / b, (hi - P) / b)
+                : along is not null ? along(lo, hi, P)
+                : lo <= P && P <= hi ? (-endless, endless) : (double.NaN, double.NaN);
+            return isSorted ? (Math.Min(t0, t1), Math.Max(t0, t1)) : (t0, t1);
+        }
+    });
 
     private static Action<Lab> Corners(Func<Aabb, Aabb> other) => lab => lab.Box.Becomes(cross => (box, d) => cross(other(box), d));
 }

@@ -28,8 +28,6 @@ internal sealed partial class Lab
     /// <summary>Computes what is the same for all rays.</summary>
     private void SetUp()
     {
-        if (Inside.IsChanged || Whole.IsChanged) TriangleIs(TriangleFormula ?? TriangleByShares);
-        if (TriangleFormula is { } formula) Triangle.Is(formula);
         W = AxisW.Do(ToTarget.Do(P, T));
         U = AxisU.Do(Camera.Up, W);
         V = AxisV.Do(W, U);
@@ -40,12 +38,8 @@ internal sealed partial class Lab
 
     /// <summary>The shapes whose own formulas its mistakes change.</summary>
     public Affects ChangedShapes =>
-        (Plane.IsChanged ? Affects.Planes : 0)
-        | (Sphere.IsChanged || Thc2.IsChanged || Thc.IsChanged || Roots.IsChanged || Discriminant.IsChanged ? Affects.Spheres : 0)
-        | (Box.IsChanged || IsBySlabs ? Affects.Boxes : 0) | (Circle.IsChanged ? Affects.Circles : 0)
-        | (Triangle.IsChanged ? Affects.Triangles : 0);
-
-    private bool IsBySlabs => Faces.IsChanged || Order.IsChanged || LastIn.IsChanged;
+        (Plane.IsChanged ? Affects.Planes : 0) | (Sphere.IsChanged ? Affects.Spheres : 0) | (Box.IsChanged ? Affects.Boxes : 0)
+        | (Circle.IsChanged ? Affects.Circles : 0) | (Triangle.IsChanged ? Affects.Triangles : 0);
 
     /// <summary>As many models as a ray may try; with more a scene's mistakes are not tried at all.</summary>
     public const int MaxModels = 10_000;

@@ -61,11 +61,10 @@ internal sealed partial class Lab
     public Step<Func<Plane, Vector3, Crossed>> Plane => field ??= new((plane, d) => plane.Intersect(RayOf(d)));
 
     /// <summary>(sphere, d) → its crossings.</summary>
-    public Step<Func<Sphere, Vector3, Crossed>> Sphere => field ??= new(SphereBySteps);
+    public Step<Func<Sphere, Vector3, Crossed>> Sphere => field ??= new((sphere, d) => sphere.Intersect(RayOf(d)));
 
     /// <summary>(box, d) → its crossings.</summary>
-    public Step<Func<Aabb, Vector3, Crossed>> Box => field ??= new((box, d) =>
-        IsBySlabs ? Slabs(box, d) : box.Intersect(RayOf(d)));
+    public Step<Func<Aabb, Vector3, Crossed>> Box => field ??= new((box, d) => box.Intersect(RayOf(d)));
 
     /// <summary>(circle, d) → its crossing.</summary>
     public Step<Func<Circle, Vector3, Crossed>> Circle => field ??= new((circle, d) => circle.Intersect(RayOf(d)));

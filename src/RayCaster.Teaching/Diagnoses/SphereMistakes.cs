@@ -1,4 +1,5 @@
 using static RayCaster.Teaching.SlideFormulas;
+using Crossed = RayCaster.Crossings<RayCaster.Scalar>;
 
 namespace RayCaster.Teaching;
 
@@ -36,7 +37,12 @@ internal static class SphereMistakes
             "From where to where does L point?",
             "L = C − P, tca = L·d. (In the quadratic: b = 2 d·(P − C).)"),
         new("disc-2", Affects.Spheres, Slides.SphereAnalytical, "sphere: discriminant b² − a c, while b = 2 d·(P − C) has its 2",
-            lab => lab.Discriminant.Is((a, b, c) => b * b - a * c),
+            lab => lab.Sphere.Is((s, d) =>
+            {
+                var (a, b, L) = (d * d, 2 * (d * (lab.P - s.Center)), lab.P - s.Center);
+                var root = Math.Sqrt(b * b - a * (L * L - (double)s.Radius * s.Radius));
+                return new((-b - root) / (2 * a), (-b + root) / (2 * a));
+            }),
             "Spheres bleed over the picture, or have a wrong size or depth.",
             "Is the discriminant b² − 4ac or (b/2)² − ac? Which one fits your b?",
             "With b = 2 d·(P − C): b² − 4ac and t = (−b ∓ √…) / 2a."),
@@ -46,17 +52,17 @@ internal static class SphereMistakes
             "You are inside a sphere, its centre is behind you. What is the sign of tca, and is there a wall before you?",
             "tca < 0 says only that the centre lies behind; ask t = tca + thc."),
         new("d-nosq", Affects.Spheres, Slides.Sphere, "sphere: thc = √(R² − D), with the distance D where D² is meant",
-            lab => lab.Thc2.Is((R, D2) => R * R - Math.Sqrt(D2)),
+            Roots((R, tca, thc) => Both(tca, Math.Sqrt(R * R - Math.Sqrt(Math.Max(0, R * R - thc * thc))))),
             "Spheres have a wrong size, or are dented: too flat or too deep.",
             "D is a length. What is it taken from?",
             "thc = √(R² − D²), D² = L² − tca²."),
         new("thc-nosqrt", Affects.Spheres, Slides.Sphere, "sphere: thc = R² − D² without the root",
-            lab => lab.Thc.Is(thc2 => thc2),
+            Roots((_, tca, thc) => Both(tca, thc * thc)),
             "Spheres have the right outline, but bulge or are too flat: their light is wrong, and so is what covers them.",
             "In which unit is R² − D²: metres, or square metres?",
             "thc = √(R² − D²)."),
         new("tca-only", Affects.Spheres, Slides.Sphere, "sphere: t = tca, where the ray is nearest to the centre",
-            lab => lab.Roots.Is((tca, _) => new(tca)),
+            Roots((_, tca, _) => new(tca)),
             "Spheres look like flat discs, and stand too deep in what they touch.",
             "What is at t = tca: the ray's way in, or its middle?",
             "t = tca − thc, and tca + thc if that does not count."),
@@ -72,10 +78,18 @@ internal static class SphereMistakes
     private static Action<Lab> SphereRadius(Func<double, double> R) =>
         lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = R((double)s.Radius) }, d));
 
+    /// <summary>Other crossings of spheres, from R, tca and thc.</summary>
+    private static Action<Lab> Roots(Func<double, double, double, Crossed> other) => lab => lab.Sphere.Becomes(cross => (s, d) =>
+    {
+        var crossed = cross(s, d);
+        return other((double)s.Radius, (double)(crossed.Near + crossed.Far) / 2, (double)(crossed.Far - crossed.Near) / 2);
+    });
+
+    private static Crossed Both(double tca, double thc) => new(tca - thc, tca + thc);
+
     /// <summary>A ray that passes by a sphere hits it at NaN.</summary>
     private static Action<Lab> NoNumberHits(Func<double, double, bool> better) => lab =>
     {
-        lab.NeverPassesBy = true;
         lab.Hit.Becomes(hit => (model, d) =>
             model is Model<Sphere> s && double.IsNaN(lab.Sphere.Do(s.Primitive, d).Near) ? double.NaN : hit(model, d));
         lab.Better.Is(better);

@@ -43,23 +43,23 @@ internal static class SurfaceMistakes
     private static Mistake[] OfTriangles =>
     [
         new Mistake("tri-uv", Affects.Triangles, Slides.Triangle, "triangle: u ≥ 0 and v ≥ 0, but no u + v ≤ 1: an endless wedge",
-            lab => lab.Inside.Is((u, v) => u >= 0 && v >= 0),
+            lab => lab.TriangleByShares(inside: (u, v) => u >= 0 && v >= 0),
             "Triangles reach beyond the side that is opposite to their first corner.",
             "Which condition draws the side from B to C? What are u and v at B and at C?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1; u is 1 at B, v is 1 at C.")
-            .Or("triangle: n normalised, so that u and v are too large or too small", lab => lab.Whole.Is(n => n.Length)),
+            .Or("triangle: n normalised, so that u and v are too large or too small", lab => lab.TriangleByShares(whole: n => n.Length)),
         new("tri-cull", Affects.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
             lab => lab.Triangle.Becomes(cross => (triangle, d) => d * lab.NormalOf(triangle) >= 0 ? None : cross(triangle, d)),
             "Some triangles are missing; they come back when two corners are swapped.",
             "Does the slide say anything of the sign of d·n?",
             "Only d·n = 0 has no crossing; both sides are visible."),
         new("tri-neg", Affects.Triangles, Slides.Triangle, "triangle: u + v ≤ 1, but neither u ≥ 0 nor v ≥ 0: a half-plane",
-            lab => lab.Inside.Is((u, v) => u + v <= 1),
+            lab => lab.TriangleByShares(inside: (u, v) => u + v <= 1),
             "A triangle covers a large part of the picture.",
             "Are u and v positive in the middle of the triangle? Which conditions draw the two sides at A?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1."),
         new Mistake("tri-area", Affects.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
-            lab => lab.TriangleFormula = (triangle, d) => lab.TriangleByAreas(triangle, d),
+            lab => lab.Triangle.Is((triangle, d) => ByAreas(lab, triangle, d)),
             "Triangles are full of holes, like lace.",
             "Is 0.1 + 0.2 equal to 0.3 in doubles?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1: no sums that must be equal to the last bit.")
@@ -69,6 +69,17 @@ internal static class SurfaceMistakes
                 lab.Scatters = true;
             }),
     ];
+
+    /// <summary>The areas of the triangles that X makes with the sides are in sum that of the triangle, where X is in it.</summary>
+    private static Crossings<Scalar> ByAreas(Lab lab, Triangle triangle, Vector3 d)
+    {
+        var (A, B, C, n) = (triangle.A, triangle.B, triangle.C, lab.NormalOf(triangle));
+        var t = (A - lab.P) * n / (d * n);
+        var X = lab.P + t * d;
+        return Area(C - B, X - B) + Area(A - C, X - C) + Area(B - A, X - A) == lab.Length.Do(n) ? new(t) : None;
+
+        double Area(Vector3 a, Vector3 b) => lab.Length.Do(lab.Cross.Do(a, b));
+    }
 
     /// <summary>Another radius of circles, from the right one.</summary>
     internal static Action<Lab> CircleRadius(Func<double, double> R) =>

@@ -37,12 +37,12 @@ internal static class VectorMistakes
             "t is a distance only if d has a certain length. Which?",
             "d = (uc U + ur V − W) normalised."),
         new Mistake("dir-unnorm-a1", Affects.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
-            LeaveDirection + (lab => lab.Sphere.Is((s, d) => lab.Geometric(s, d))),
+            LeaveDirection + Geometric((L, tca, _) => L * L - tca * tca),
             "Spheres bleed into wedges towards the borders, which are too bright.",
             "The sphere's formula left out a = d·d. When is that allowed?",
             "d = (uc U + ur V − W) normalised.")
-            .Or("d not normalised, while the sphere takes d·d = 1 and D = L − tca d", LeaveDirection + (lab => lab.Sphere.Is((s, d) =>
-                lab.Geometric(s, d, (L, tca) => (L - tca * d) * (L - tca * d))))),
+            .Or("d not normalised, while the sphere takes d·d = 1 and D = L − tca d",
+                LeaveDirection + Geometric((L, tca, d) => (L - tca * d) * (L - tca * d))),
         OfCross("cross-x", "the cross product's x has the wrong sign", (_, _, n) => n with { X = -n.X },
             "The picture is mirrored, turned or skewed, and triangles are torn.",
             "What is (0, 1, 0) × (0, 0, 1)?"),
@@ -54,7 +54,7 @@ internal static class VectorMistakes
         lab =>
         {
             lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
-            lab.TriangleIs(lab.TriangleByShares);
+            lab.TriangleByShares();
         },
         symptom, question, "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).");
 
@@ -67,10 +67,20 @@ internal static class VectorMistakes
     };
 
     /// <summary>The sphere's formula for a direction of any length: t counts in its lengths.</summary>
-    private static Action<Lab> AllowAnyLength => lab => lab.Sphere.Is((s, d) =>
+    private static Action<Lab> AllowAnyLength => lab => lab.Sphere.Becomes(cross => (s, d) =>
     {
         var length = d.Length;
-        var crossed = lab.SphereBySteps(s, d / length);
+        var crossed = cross(s, d / length);
         return new(crossed.Near / length, crossed.Far / length);
+    });
+
+    /// <summary>The slide's sphere, for d·d = 1.</summary>
+    /// <param name="DSquare">(L, tca, d) → D².</param>
+    private static Action<Lab> Geometric(Func<Vector3, double, Vector3, double> DSquare) => lab => lab.Sphere.Is((s, d) =>
+    {
+        var L = s.Center - lab.P;
+        var tca = L * d;
+        var thc = Math.Sqrt((double)s.Radius * s.Radius - DSquare(L, tca, d)); // no number where the ray passes by
+        return new(tca - thc, tca + thc);
     });
 }

@@ -114,7 +114,7 @@ public class StepHintTests
     [Fact]
     public void ANormalisedNormalIsAVariantOfTheTriangles()
     {
-        var (hint, _) = Hint("mistakes/generic", 10, lab => lab.Whole.Is(n => n.Length));
+        var (hint, _) = Hint("mistakes/generic", 10, lab => lab.TriangleByShares(whole: n => n.Length));
         Assert.Contains(MistakeCatalog.Named("tri-uv")!.Hint.Question, hint);
     }
 
