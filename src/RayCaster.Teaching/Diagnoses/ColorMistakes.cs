@@ -56,15 +56,12 @@ internal static class ColorMistakes
             "How bright should the target be, wherever zFar is?",
             "1 − t / (2 |T − P|)."),
         new Mistake("noclamp", Affects.Color, Slides.Template, "nothing is clamped to 0 … 1, so that a byte wraps round",
-            Wraps(channel => channel, channel => 255 * channel + 0.5),
+            Wraps(channel => channel),
             "The brightest or the farthest places have wild colours.",
             "What does a cast to byte make of 306, and what of −25?",
             "Clamp each channel to 0 … 1 before you multiply by 255.")
-            .Or("the same, and truncated", Wraps(channel => channel, channel => 255 * channel))
-            .Or("the same, and rounded by Math.Round", Wraps(channel => channel, channel => Math.Round(255 * channel)))
-            .Or("the attenuation is not below 0, but a channel over 1 wraps round",
-                Wraps(channel => Math.Max(channel, 0), channel => 255 * channel + 0.5))
-            .Or("only what is less than 0 is not clamped", Wraps(channel => Math.Min(channel, 1), channel => 255 * channel + 0.5)),
+            .Or("the attenuation is not below 0, but a channel over 1 wraps round", Wraps(channel => Math.Max(channel, 0)))
+            .Or("only what is less than 0 is not clamped", Wraps(channel => Math.Min(channel, 1))),
         new("x256", Affects.Color, Slides.Template, "256 · channel",
             lab => lab.Byte.Is(channel => (byte)Math.Min(256 * channel, 255)),
             "Many channels differ by one level.",
@@ -98,15 +95,12 @@ internal static class ColorMistakes
     private static Action<Lab> Gamma(double exponent) => lab => lab.Clamp.Becomes(clamp => channel => Math.Pow(clamp(channel), exponent));
 
     /// <summary>The attenuation is not kept from falling below 0, the channel is clamped otherwise, and its level wraps round.</summary>
-    private static Action<Lab> Wraps(Func<double, double> clamp, Func<double, double> level) => lab =>
+    private static Action<Lab> Wraps(Func<double, double> clamp) => lab =>
     {
         lab.Dark.Is(attenuation => attenuation);
         lab.Clamp.Is(clamp);
-        lab.Byte.Is(channel => Wrapped(level(channel)));
+        lab.Byte.Is(channel => unchecked((byte)(int)(255 * channel + 0.5))); // 0 for no number
     };
-
-    /// <summary>The lowest eight bits of the whole part; 0 for no number.</summary>
-    private static byte Wrapped(double level) => unchecked((byte)(int)level);
 
     /// <summary>What sRGB (IEC 61966-2-1) stores for a linear channel.</summary>
     private static double SrgbOf(double c) => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055;

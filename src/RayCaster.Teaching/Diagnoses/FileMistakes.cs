@@ -55,7 +55,6 @@ internal static class FileMistakes
             "The picture is one line or one column off.",
             "Rows count from 0. Which is the highest?",
             "Line y shows row r = height − 1 − y.")
-            .Or("line y shows row height − 2 − y", lab => lab.Row.Becomes(row => y => row(y) - 1))
             .Or("column x shows column x + 1", lab => lab.Column.Becomes(column => x => column(x) + 1))
             .Or("column x shows column x − 1", lab => lab.Column.Becomes(column => x => column(x) - 1))
             .Or(from many in (int[])[1, -1]

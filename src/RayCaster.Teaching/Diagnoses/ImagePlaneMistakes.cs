@@ -21,11 +21,11 @@ internal static class ImagePlaneMistakes
             "tan(fovY / 2) reaches from the axis to the upper edge. How far is it from edge to edge?",
             "h = 2 tan(fovY / 2)."),
         new Mistake("no-tan", Affects.Camera, Slides.Camera, "the tangent is forgotten: h = 2 · fovY / 2",
-            lab => lab.Tan.Is(a => a),
+            lab => lab.PlaneHeight.Is(fovY => fovY * Math.PI / 180),
             "Everything is somewhat too large; the wider the view, the more.",
             "A right-angled triangle with an angle and the side 1 beside it: how long is the side opposite to it?",
             "h = 2 tan(fovY / 2).")
-            .Or("the arc tangent for the tangent", lab => lab.Tan.Is(Math.Atan)),
+            .Or("the arc tangent for the tangent", lab => lab.PlaneHeight.Is(fovY => 2 * Math.Atan(fovY * Math.PI / 360))),
         new("aspect-inv", Affects.Camera, Slides.Camera, "w = h · height / width",
             lab => lab.PlaneWidth.Is(h => h * lab.Camera.Height / lab.Camera.Width),
             "All is far too long along the picture's longer side, as if stretched.",

@@ -31,11 +31,8 @@ internal sealed partial class Lab
     /// <summary>(W, U) → V.</summary>
     public Step<Func<Vector3, Vector3, Vector3>> AxisV => field ??= new((w, u) => Cross.Do(w, u));
 
-    /// <summary>An angle → its tangent.</summary>
-    public Step<Func<double, double>> Tan => field ??= new(Math.Tan);
-
     /// <summary>fovY in degrees → h.</summary>
-    public Step<Func<double, double>> PlaneHeight => field ??= new(fovY => 2 * Tan.Do(fovY * Math.PI / 180 / 2));
+    public Step<Func<double, double>> PlaneHeight => field ??= new(fovY => 2 * Math.Tan(fovY * Math.PI / 180 / 2));
 
     /// <summary>h → w.</summary>
     public Step<Func<double, double>> PlaneWidth => field ??= new(h => h * Camera.Width / Camera.Height);

@@ -50,7 +50,6 @@ internal sealed class Expression
         });
         Reads = op == Operator.Name ? symbol!.Bit : Function < 0 ? 0 : Symbol.Of(functions[Function]).Bit;
         foreach (var operand in operands) Reads |= operand.Reads;
-        Size = 1 + operands.Sum(operand => operand.Size);
     }
 
     public Operator Operator { get; }
@@ -70,9 +69,6 @@ internal sealed class Expression
 
     /// <summary>The bits of all names and functions in it.</summary>
     public UInt128 Reads { get; }
-
-    /// <summary>How many nodes it has.</summary>
-    public int Size { get; }
 
     public static Expression Number(double value) => new(Operator.Number, Quantity.Number, [], number: value);
 
