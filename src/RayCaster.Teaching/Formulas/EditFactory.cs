@@ -121,16 +121,17 @@ internal sealed class EditFactory
     private void PutConditionsIn(int place, IEnumerable<Expression> scope)
     {
         var right = section.Formulas[place].Right;
-        foreach (var name in scope.Where(name => name.Quantity.Kind == ValueKind.Number && IsOwn(name)))
-        {
-            foreach (var op in (ReadOnlySpan<Operator>)[Operator.Greater, Operator.Less])
-            {
-                var test = Expression.Of(op, name, Expression.Number(0))!;
-                Add(section.With(place, Expression.Of(Operator.And, right, test)!), place, $"{right}", $"{right} and {test}", ConditionPutIn,
-                    EditOperators.CostOf(ConditionPutIn));
-            }
-        }
+        foreach (var test in SignsOf(scope.Where(IsOwn)))
+            Add(section.With(place, Expression.Of(Operator.And, right, test)!), place, $"{right}", $"{right} and {test}", ConditionPutIn,
+                EditOperators.CostOf(ConditionPutIn));
     }
+
+    /// <summary>That a number is positive, and that it is negative, for each of some names.</summary>
+    private static IEnumerable<Expression> SignsOf(IEnumerable<Expression> names) =>
+        from name in names
+        where name.Quantity.Kind == ValueKind.Number
+        from op in (Operator[])[Operator.Greater, Operator.Less]
+        select Expression.Of(op, name, Expression.Number(0));
 
     /// <summary>Which crossings a shape has.</summary>
     private void AddCrossings(Dictionary<Symbol, Expression> scope)
@@ -141,15 +142,9 @@ internal sealed class EditFactory
             Add(section.With(section.Formulas.RemoveAt(when)), when, $"{formulas[when].Right}", "no condition", ConditionLeftOut, 1);
         else if (near >= 0)
         {
-            foreach (var name in scope.Values.Where(name => name.Quantity.Kind == ValueKind.Number && section.Has(name.Symbol!)))
-            {
-                foreach (var op in (ReadOnlySpan<Operator>)[Operator.Greater, Operator.Less])
-                {
-                    var test = Expression.Of(op, name, Expression.Number(0))!;
-                    Add(section.With(section.Formulas.Add(new(Formula.When, test, []))), near, "no condition", $"{test}", ConditionPutIn,
-                        EditOperators.CostOf(ConditionPutIn));
-                }
-            }
+            foreach (var test in SignsOf(scope.Values.Where(name => section.Has(name.Symbol!))))
+                Add(section.With(section.Formulas.Add(new(Formula.When, test, []))), near, "no condition", $"{test}", ConditionPutIn,
+                    EditOperators.CostOf(ConditionPutIn));
         }
         if (far < 0) return;
         var (t0, t1) = (formulas[near].Right, formulas[far].Right);

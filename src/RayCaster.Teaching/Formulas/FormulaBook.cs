@@ -62,8 +62,7 @@ internal sealed class FormulaBook
     {
         SectionKind[] before = kind switch
         {
-            SectionKind.Vectors or SectionKind.Bytes => [],
-            SectionKind.Camera or SectionKind.File => [],
+            SectionKind.Vectors or SectionKind.Camera or SectionKind.File or SectionKind.Bytes => [],
             SectionKind.Pixel => [SectionKind.Camera, SectionKind.File],
             _ => [SectionKind.Camera, SectionKind.File, SectionKind.Pixel],
         };
