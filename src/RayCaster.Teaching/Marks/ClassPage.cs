@@ -49,10 +49,11 @@ internal static class ClassPage
     {
         var mistake = MistakeCatalog.Named(id);
         var program = mistake is null ? new WrongProgram(new([id]), [], false) : new WrongProgram(Unfinished.Nothing, [mistake], false);
-        var (scene, drawn) = rubric.Scenes.Where(scene => mistake is null ? scene.Needs(id) : scene.Shows(id))
-            .Select(scene => (Scene: scene, Drawn: program.Draw(scene.Scene).Render()))
-            .MaxBy(one => one.Scene.Right.Rgb.Zip(one.Drawn.Rgb).Average(channel => Math.Abs(channel.First - channel.Second)));
-        return scene is null ? "" : $"{Page.Image(drawn, $"{scene.Name} with {id}")} {Page.Image(scene.Right, $"{scene.Name}, right")}";
+        var clearest = rubric.Scenes.Where(scene => mistake is null ? scene.Needs(id) : scene.Shows(id))
+            .Select(scene => new { scene.Name, scene.Right, Wrong = program.Draw(scene.Scene).Render() })
+            .MaxBy(scene => scene.Right.Rgb.Zip(scene.Wrong.Rgb).Average(channel => Math.Abs(channel.First - channel.Second)));
+        return clearest is null ? ""
+            : $"{Page.Image(clearest.Wrong, $"{clearest.Name} with {id}")} {Page.Image(clearest.Right, $"{clearest.Name}, right")}";
     }
 
     private static string ToDiscuss(string id) =>
