@@ -33,26 +33,27 @@ internal static class ClassPage
         page.Element("h2", "Mistakes by frequency");
         page.Element("p", counts.Length == 0 ? "No mistakes were found."
             : $"To discuss next: {string.Join("; ", counts.Take(MaxToDiscuss).Select(count => ToDiscuss(count.Id)))}.");
-        page.Html($"<table><tr>{Page.Head("Students", true)}{Page.Head("Mistake")}{Page.Head("What is wrong")}{Page.Head("Slide")}</tr>");
+        page.Html($"<div class=\"wide\"><table><tr>{Page.Head("Students", true)}{Page.Head("Mistake")}{Page.Head("What is wrong")}"
+            + $"{Page.Head("Slide")}{Page.Head("What it draws, and the right picture")}</tr>");
         foreach (var (id, count) in counts)
         {
             var mistake = MistakeCatalog.Named(id);
             page.Html($"<tr><td class=\"n\">{count}</td><td>{Page.Escaped(id)}</td><td>{Page.Escaped(mistake?.Cause ?? MarkWords.NotDrawn(id))}</td>"
-                + $"<td>{Page.Escaped(mistake?.Slide ?? "")}</td></tr>");
+                + $"<td>{Page.Escaped(mistake?.Slide ?? "")}</td><td class=\"beside\">{Pictures(rubric, id)}</td></tr>");
         }
-        page.Html("</table>");
-        foreach (var (id, _) in counts.Take(MaxToDiscuss)) AddPictures(page, rubric, id);
+        page.Html("</table></div>");
     }
 
-    /// <summary>What a mistake makes of the first scene that shows it, beside the right picture.</summary>
-    private static void AddPictures(Page page, Rubric rubric, string id)
+    /// <summary>What a mistake makes of the scene that it changes most, beside the right picture; empty if no scene shows it.</summary>
+    private static string Pictures(Rubric rubric, string id)
     {
         var mistake = MistakeCatalog.Named(id);
-        if (rubric.Scenes.FirstOrDefault(scene => mistake is null ? scene.Needs(id) : scene.Shows(id)) is not { } scene) return;
         var program = mistake is null ? new WrongProgram(new([id]), [], false) : new WrongProgram(Unfinished.Nothing, [mistake], false);
-        page.Element("p", $"{id} in {scene.Name}, and the right picture:", "small");
-        page.Html($"<p class=\"beside\">{Page.Image(program.Draw(scene.Scene).Render(), $"{scene.Name} with {id}")} " +
-            $"{Page.Image(scene.Right, $"{scene.Name}, right")}</p>");
+        var clearest = rubric.Scenes.Where(scene => mistake is null ? scene.Needs(id) : scene.Shows(id))
+            .Select(scene => new { scene.Name, scene.Right, Wrong = program.Draw(scene.Scene).Render() })
+            .MaxBy(scene => scene.Right.Rgb.Zip(scene.Wrong.Rgb).Average(channel => Math.Abs(channel.First - channel.Second)));
+        return clearest is null ? ""
+            : $"{Page.Image(clearest.Wrong, $"{clearest.Name} with {id}")} {Page.Image(clearest.Right, $"{clearest.Name}, right")}";
     }
 
     private static string ToDiscuss(string id) =>

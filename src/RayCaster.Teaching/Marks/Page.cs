@@ -15,7 +15,7 @@ internal sealed class Page(string title)
         .wide td:last-child { min-width: 10rem; }
         td.long, p { overflow-wrap: anywhere; }
         tr.lost td { background: #fff1ee; } tr.undecided td { background: #fff8dd; }
-        .beside img { max-width: 48%; vertical-align: top; } tr, .beside, .slid { break-inside: avoid; }
+        .beside { min-width: 20rem; } .beside img { max-width: 48%; vertical-align: top; } tr, .beside, .slid { break-inside: avoid; }
         .small { color: #555; font-size: .9rem; } img { image-rendering: pixelated; }
         .slid { display: inline-block; } .pair { position: relative; line-height: 0; max-width: 100%; border: 1px solid #999; }
         .pair img { max-width: 100%; } .pair img + img { position: absolute; left: 0; top: 0; clip-path: inset(0 0 0 var(--at, 50%)); }

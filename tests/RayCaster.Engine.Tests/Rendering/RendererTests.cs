@@ -48,7 +48,7 @@ public class RendererTests
         Assert.True(empty <= 0.3 * count, $"{empty} of {count} scenes show less than two models: they test little");
     }
 
-    /// <summary>A sample; .ci/run and longer campaigns set RAYCASTER_SCENES (docs/performance.md).</summary>
+    /// <summary>A sample; .ci/run and longer campaigns set RAYCASTER_SCENES.</summary>
     private static int ScenesOfASeed =>
         int.TryParse(Environment.GetEnvironmentVariable("RAYCASTER_SCENES"), out var scenes) ? scenes / 4 : 10;
 

@@ -62,15 +62,17 @@ public class ClassCampaign
             .Concat(PlantedSlips.All.Select((slip, i) =>
                 (slip.What, itemOf[slip.Section], (Func<Scene, Picture>)(scene => new PlantedSlips(scene, i).Draw()))).Where((_, i) => i % 3 > 0))
             .ToArray();
-        var blamed = new List<string>();
+        var (blamed, unnoticed) = (new List<string>(), new List<string>());
         var undecided = 0;
         foreach (var ((what, guilty, _), marks) in planted.Zip(planted.AsParallel().AsOrdered().Select(one => Mark(two, one.Item3)).ToArray()))
         {
             undecided += marks.Items.Count(item => item.Undecided > 0);
+            if (marks.Points == 20) unnoticed.Add(what);
             foreach (var item in marks.Items.Where(item => item.Points + item.Undecided < item.Of))
                 if (!guilty.Split(' ').Contains(item.Name.Split(' ')[0])) blamed.Add($"{what}: {item.Name}, by {string.Join(' ', item.Because)}");
         }
         Assert.True(100 * blamed.Count <= 10 * planted.Length, string.Join('\n', blamed));
+        Assert.Empty(unnoticed);
         Assert.True(undecided < 3 * planted.Length, $"{undecided} items are undecided");
     }
 
