@@ -27,7 +27,10 @@ internal static class TeacherTable
             var isNumber = double.TryParse(written, NumberStyles.Float, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number);
             if (!isNumber && written != "")
                 throw new ProblemException($"{path}: the {PointsColumn} of {PrintableText.Of(student)} must be a number, but is \"{written}\"");
-            if (isNumber || words != "") decisions[student] = new(isNumber ? number : null, words);
+            if (!isNumber && words == "") continue;
+            var decision = new TeacherDecision(isNumber ? number : null, words);
+            if (!decisions.TryAdd(student, decision) && decisions[student] != decision)
+                throw new ProblemException($"{path} has two rows of {PrintableText.Of(student)} that say different things: delete one of them");
         }
         return decisions;
     }

@@ -230,6 +230,7 @@ public sealed class ClassMarksTests : IDisposable
     [Theory]
     [InlineData("student,teacher's points,comment\nanna,many,", "the teacher's points of anna must be a number, but is \"many\"")]
     [InlineData("student,teacher's points,comment\nanna,,\"oops\nboris,3,", "a cell begins with a quote (\") and does not end with one")]
+    [InlineData("student,teacher's points,comment\nanna,3,\nanna,4,", "has two rows of anna that say different things: delete one of them")]
     [InlineData("name;points\nanna;3", "has no column \"student\", \"teacher's points\" or \"comment\"")]
     public void ATableThatCannotBeReadIsRefusedBeforeTheWork(string table, string problem)
     {
