@@ -51,7 +51,8 @@ internal static class ClassPage
         var program = mistake is null ? new WrongProgram(new([id]), [], false) : new WrongProgram(Unfinished.Nothing, [mistake], false);
         var clearest = rubric.Scenes.Where(scene => mistake is null ? scene.Needs(id) : scene.Shows(id))
             .Select(scene => new { scene.Name, scene.Right, Wrong = program.Draw(scene.Scene).Render() })
-            .MaxBy(scene => scene.Right.Rgb.Zip(scene.Wrong.Rgb).Average(channel => Math.Abs(channel.First - channel.Second)));
+            .MaxBy(scene => (scene.Wrong.Width, scene.Wrong.Height) != (scene.Right.Width, scene.Right.Height) ? byte.MaxValue
+                : new PictureDifference(scene.Wrong, scene.Right).MeanAbsoluteError);
         return clearest is null ? ""
             : $"{Page.Image(clearest.Wrong, $"{clearest.Name} with {id}")} {Page.Image(clearest.Right, $"{clearest.Name}, right")}";
     }
