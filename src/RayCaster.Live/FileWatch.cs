@@ -3,15 +3,19 @@ using System.Diagnostics;
 namespace RayCaster.Live;
 
 /// <summary>Notices that one of some files has changed: compares their times and lengths, which works on every file system.</summary>
+/// <remarks>Two saves of the same length may have the same time: that of FAT counts in steps of two seconds. So a file also counts as changed once,
+/// when its time is <see cref="TimeStep"/> old.</remarks>
 internal sealed class FileWatch(CancellationToken end)
 {
     private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(30);
 
-    private Dictionary<string, (DateTime, long)> stamps = [];
+    private static readonly TimeSpan TimeStep = TimeSpan.FromSeconds(2);
+
+    private Dictionary<string, (DateTime Time, long Length, bool IsOld)> stamps = [];
 
     /// <summary>Chooses the files to watch from now on. Of a link, the file that it leads to is watched.</summary>
     public void Watch(IEnumerable<string> files) =>
-        stamps = files.Distinct().ToDictionary(file => file, file => stamps.TryGetValue(file, out var known) ? known : StampOf(file));
+        stamps = files.Distinct().ToDictionary(file => file, file => stamps.TryGetValue(file, out var known) ? known : AgedStampOf(file));
 
     /// <summary>Waits until a file has changed, or until the time is over; false in that case.</summary>
     public async Task<bool> WaitAsync(TimeSpan? time = null)
@@ -46,10 +50,16 @@ internal sealed class FileWatch(CancellationToken end)
     /// <summary>Whether a file holds nothing. A pipe has no length either: to read it might take for ever.</summary>
     public static bool IsEmpty(string file) => StampOf(file).Length == 0;
 
+    private static (DateTime, long, bool) AgedStampOf(string file)
+    {
+        var (time, length) = StampOf(file);
+        return (time, length, DateTime.UtcNow - time > TimeStep);
+    }
+
     private bool HasChanged()
     {
         var before = stamps;
-        stamps = before.Keys.ToDictionary(file => file, StampOf);
+        stamps = before.Keys.ToDictionary(file => file, AgedStampOf);
         return before.Any(file => stamps[file.Key] != file.Value);
     }
 }

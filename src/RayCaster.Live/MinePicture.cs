@@ -16,11 +16,15 @@ internal sealed class MinePicture(string? path, CancellationToken end)
     {
         if (path is null) return;
         var watch = new FileWatch(end);
+        ((DateTime, long) Stamp, Picture? Picture, string? Problem) known = default;
         watch.Watch([Path.GetFullPath(path)]);
         do
         {
             var (picture, problem) = Read(path);
             while (picture is null && await watch.WaitAsync(GracePeriod)) (picture, problem) = Read(path);
+            var stamp = FileWatch.StampOf(path);
+            if ((known.Stamp, known.Problem) == (stamp, problem) && IsSame(known.Picture, picture)) continue; // a second notice of the same picture
+            known = (stamp, picture, problem);
             Put(path, picture, problem);
         }
         while (await watch.WaitAsync());
@@ -58,6 +62,9 @@ internal sealed class MinePicture(string? path, CancellationToken end)
             return comparison with { Problem = $"the page compares at most {View.MaxPixels:N0} pixels; use \"raycaster compare\"" };
         return comparison with { Result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(scene), scene), end) };
     }
+
+    private static bool IsSame(Picture? a, Picture? b) =>
+        (a?.Width, a?.Height) == (b?.Width, b?.Height) && (a is null || a.Rgb.AsSpan().SequenceEqual(b!.Rgb));
 
     private static (Picture? Picture, string? Problem) Read(string path)
     {

@@ -42,6 +42,30 @@ public class FollowingTests
         }
     }
 
+    /// <summary>As on a file system whose times are so coarse that two saves have the same.</summary>
+    [Fact]
+    public async Task ASaveOfTheSameTimeAndLengthIsANewPicture()
+    {
+        await using var page = await LivePage.ShownAsync();
+        DateTime time;
+        do // again if this machine is so slow that the two saves are far from each other
+        {
+            time = DateTime.UtcNow;
+            Save(7);
+            (await page.FrameAsync()).IsThatOf(page.Scene);
+            Save(8);
+        }
+        while (DateTime.UtcNow - time > TimeSpan.FromSeconds(1));
+        (await page.FrameAsync()).IsThatOf(page.Scene);
+
+        void Save(int x)
+        {
+            File.WriteAllText(page.Folder["new"], Moved(x));
+            File.SetLastWriteTimeUtc(page.Folder["new"], time);
+            File.Move(page.Folder["new"], page.Scene, overwrite: true);
+        }
+    }
+
     [Fact]
     public async Task ABrokenSceneKeepsTheLastGoodPictureAndTellsAllErrorsWithTheirPlaces()
     {

@@ -1,4 +1,5 @@
 using System.Net.WebSockets;
+using System.Runtime.InteropServices;
 using System.Text;
 using System.Text.Json;
 
@@ -15,6 +16,7 @@ internal sealed class LivePage : IAsyncDisposable
         }
         """;
 
+    private readonly List<string> received = []; // what came, for the message of a test that waits in vain
     private ClientWebSocket? socket;
 
     private LivePage(TemporaryFolder folder, LiveServer server) => (Folder, Server) = (folder, server);
@@ -94,14 +96,31 @@ internal sealed class LivePage : IAsyncDisposable
         var part = new byte[1 << 16];
         while (true)
         {
-            var result = await socket!.ReceiveAsync(part, Soon());
+            var result = await ReceiveAsync(part);
             whole.Write(part, 0, result.Count);
             if (!result.EndOfMessage) continue;
             if (result.MessageType == WebSocketMessageType.Close) throw new InvalidOperationException("the server has closed the connection");
             var bytes = whole.ToArray();
+            received.Add(result.MessageType == WebSocketMessageType.Text ? Encoding.UTF8.GetString(bytes)
+                : $"a frame: {string.Join(' ', MemoryMarshal.Cast<byte, int>(bytes)[..6].ToArray())}");
             if (result.MessageType == WebSocketMessageType.Binary && bytes[0] == (int)Layer.Picture)
                 await AskAsync($$"""{"shown":{{BitConverter.ToInt32(bytes, 8)}}}""");
             return (result.MessageType == WebSocketMessageType.Text, bytes);
+        }
+    }
+
+    private async Task<WebSocketReceiveResult> ReceiveAsync(byte[] part)
+    {
+        try
+        {
+            return await socket!.ReceiveAsync(part, Soon());
+        }
+        catch (OperationCanceledException)
+        {
+            var (state, file) = (Server.Scene.State, FileWatch.StampOf(Scene));
+            throw new TimeoutException($"Nothing came for a minute. The server's scene has version {state.Version}, the file {file.Length} bytes of " +
+                $"{file.Time:T}; the pool has {ThreadPool.ThreadCount} threads and {ThreadPool.PendingWorkItemCount} waiting. The last messages:\n" +
+                string.Join('\n', received.TakeLast(8).Select(message => message[..Math.Min(300, message.Length)])));
         }
     }
 
