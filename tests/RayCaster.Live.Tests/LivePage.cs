@@ -109,19 +109,16 @@ internal sealed class LivePage : IAsyncDisposable
         }
     }
 
+    /// <remarks>Waits twelve times, since the time of a virtual machine jumps when it is resumed.</remarks>
     private async Task<WebSocketReceiveResult> ReceiveAsync(byte[] part)
     {
-        try
-        {
-            return await socket!.ReceiveAsync(part, Soon());
-        }
-        catch (OperationCanceledException)
-        {
-            var (state, file) = (Server.Scene.State, FileWatch.StampOf(Scene));
-            throw new TimeoutException($"Nothing came for a minute. The server's scene has version {state.Version}, the file {file.Length} bytes of " +
-                $"{file.Time:T}; the pool has {ThreadPool.ThreadCount} threads and {ThreadPool.PendingWorkItemCount} waiting. The last messages:\n" +
-                string.Join('\n', received.TakeLast(8).Select(message => message[..Math.Min(300, message.Length)])));
-        }
+        var receiving = socket!.ReceiveAsync(part, CancellationToken.None);
+        for (var i = 0; i < 12 && !receiving.IsCompleted; i++) await Task.WhenAny(receiving, Task.Delay(TimeSpan.FromSeconds(5)));
+        if (receiving.IsCompleted) return await receiving;
+        var (state, file) = (Server.Scene.State, FileWatch.StampOf(Scene));
+        throw new TimeoutException($"Nothing came for a minute. The server's scene has version {state.Version}, the file {file.Length} bytes of " +
+            $"{file.Time:T}; the pool has {ThreadPool.ThreadCount} threads and {ThreadPool.PendingWorkItemCount} waiting. The last messages:\n" +
+            string.Join('\n', received.TakeLast(8).Select(message => message[..Math.Min(300, message.Length)])));
     }
 
     private static CancellationToken Soon() => new CancellationTokenSource(TimeSpan.FromSeconds(60)).Token;
