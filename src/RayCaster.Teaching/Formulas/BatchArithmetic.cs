@@ -1,7 +1,9 @@
+using System.Numerics;
+
 namespace RayCaster.Teaching;
 
 /// <summary>Evaluates expressions in many pixels at once. Truth is 1 or 0.</summary>
-/// <param name="pixels">How many pixels a batch has that is not the same in all of them.</param>
+/// <param name="pixels">How many pixels a batch has that is not the same in all of them: a multiple of <see cref="Vector{T}.Count"/>.</param>
 /// <remarks>Not for several threads: arrays that <see cref="Forget"/> gives back are used again.</remarks>
 internal sealed class BatchArithmetic(int pixels)
 {
@@ -25,7 +27,7 @@ internal sealed class BatchArithmetic(int pixels)
     {
         switch (e.Operator)
         {
-            case Operator.Number: return Batch.Of(e.Value);
+            case Operator.Number: return e.Constant;
             case Operator.Name: return frame[e.Symbol!.Place];
             case Operator.X: return new(Evaluate(e.Operands[0], frame).X);
             case Operator.Y: return new(Evaluate(e.Operands[0], frame).Y!);
@@ -85,31 +87,39 @@ internal sealed class BatchArithmetic(int pixels)
     private double[] Zip(Operator op, double[] a, double[] b)
     {
         var r = New(Math.Max(a.Length, b.Length));
-        var (da, db) = (a.Length == 1 ? 0 : 1, b.Length == 1 ? 0 : 1);
+        var size = Vector<double>.Count;
+        var (i, j, k, da, db) = (0, 0, 0, a.Length == size ? 0 : size, b.Length == size ? 0 : size);
         switch (op)
         {
-            case Operator.Add: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] + b[db * i]; break;
-            case Operator.Subtract: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] - b[db * i]; break;
-            case Operator.Multiply: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] * b[db * i]; break;
-            case Operator.Divide: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] / b[db * i]; break;
-            case Operator.Less: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] < b[db * i] ? 1 : 0; break;
-            case Operator.Greater: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] > b[db * i] ? 1 : 0; break;
-            case Operator.AtMost: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] <= b[db * i] ? 1 : 0; break;
-            case Operator.AtLeast: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] >= b[db * i] ? 1 : 0; break;
-            case Operator.And: for (var i = 0; i < r.Length; i++) r[i] = a[da * i] * b[db * i]; break;
-            case Operator.Or: for (var i = 0; i < r.Length; i++) r[i] = Math.Max(a[da * i], b[db * i]); break;
-            case Operator.Min: for (var i = 0; i < r.Length; i++) r[i] = Min(a[da * i], b[db * i]); break;
-            case Operator.Max: for (var i = 0; i < r.Length; i++) r[i] = -Min(-a[da * i], -b[db * i]); break;
+            case Operator.Add: for (; i < r.Length; i += size, j += da, k += db) (At(a, j) + At(b, k)).CopyTo(r, i); break;
+            case Operator.Subtract: for (; i < r.Length; i += size, j += da, k += db) (At(a, j) - At(b, k)).CopyTo(r, i); break;
+            case Operator.Multiply or Operator.And: for (; i < r.Length; i += size, j += da, k += db) (At(a, j) * At(b, k)).CopyTo(r, i); break;
+            case Operator.Divide: for (; i < r.Length; i += size, j += da, k += db) (At(a, j) / At(b, k)).CopyTo(r, i); break;
+            case Operator.Less: for (; i < r.Length; i += size, j += da, k += db) Truth(Vector.LessThan(At(a, j), At(b, k))).CopyTo(r, i); break;
+            case Operator.Greater: for (; i < r.Length; i += size, j += da, k += db) Truth(Vector.GreaterThan(At(a, j), At(b, k))).CopyTo(r, i); break;
+            case Operator.AtMost: for (; i < r.Length; i += size, j += da, k += db) Truth(Vector.LessThanOrEqual(At(a, j), At(b, k))).CopyTo(r, i); break;
+            case Operator.AtLeast: for (; i < r.Length; i += size, j += da, k += db) Truth(Vector.GreaterThanOrEqual(At(a, j), At(b, k))).CopyTo(r, i); break;
+            case Operator.Or: for (; i < r.Length; i += size, j += da, k += db) Vector.Max(At(a, j), At(b, k)).CopyTo(r, i); break;
+            case Operator.Min: for (; i < r.Length; i += size, j += da, k += db) Min(At(a, j), At(b, k)).CopyTo(r, i); break;
+            case Operator.Max: for (; i < r.Length; i += size, j += da, k += db) (-Min(-At(a, j), -At(b, k))).CopyTo(r, i); break;
             default: throw new ArgumentOutOfRangeException(nameof(op), op, null);
         }
         return r;
+
+        static Vector<double> At(double[] a, int i) => new(a, i);
     }
+
+    private static Vector<double> Truth(Vector<long> mask) => Vector.ConditionalSelect(mask, Vector<double>.One, Vector<double>.Zero);
 
     /// <summary>
     /// The least. A ray in a face of a box gets 0 / 0 for that face and ±∞ for the other; the face belongs to the box, so the ray is in this slab
     /// from −∞ on. Other numbers that are none are ignored.
     /// </summary>
-    private static double Min(double a, double b) => a < b ? a : b <= a ? b
-        : double.IsInfinity(a) || double.IsInfinity(b) ? double.NegativeInfinity
-        : double.IsNaN(a) ? b : a;
+    private static Vector<double> Min(Vector<double> a, Vector<double> b)
+    {
+        var least = Vector.ConditionalSelect(Vector.LessThan(a, b), a, b);
+        var number = Vector.ConditionalSelect(Vector.IsNaN(a), b, a);
+        var ofNone = Vector.ConditionalSelect(Vector.IsInfinity(a) | Vector.IsInfinity(b), new(double.NegativeInfinity), number);
+        return Vector.ConditionalSelect(Vector.IsNaN(a) | Vector.IsNaN(b), ofNone, least);
+    }
 }

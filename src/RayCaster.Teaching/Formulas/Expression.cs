@@ -41,6 +41,7 @@ internal sealed class Expression
     private Expression(Operator op, Quantity quantity, ImmutableArray<Expression> operands, Symbol? symbol = null, double number = 0)
     {
         (Operator, Quantity, Operands, Symbol, Value) = (op, quantity, operands, symbol, number);
+        if (op == Operator.Number) Constant = Batch.Of(number);
         Function = Array.IndexOf(functions, (op, quantity.Kind) switch
         {
             (Operator.Call, _) => symbol!.Text,
@@ -66,6 +67,9 @@ internal sealed class Expression
 
     /// <summary>The number that is written.</summary>
     public double Value { get; }
+
+    /// <summary>The same in all pixels.</summary>
+    public Batch Constant { get; }
 
     /// <summary>The bits of all names and functions in it.</summary>
     public UInt128 Reads { get; }

@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace RayCaster.Teaching;
 
 /// <summary>Draws pixels of a scene by formulas. Of a program that differs from the first one by an edit, it computes only what the edit reaches.
@@ -9,18 +11,21 @@ internal sealed class FormulaEvaluator
     public const int MaxTriangles = 100;
 
     private readonly Scene scene;
-    private readonly int count;
+    private readonly int shown, count; // pixels: those that are drawn, and with the last one again and again as many as the arithmetic needs
     private readonly BatchArithmetic arithmetic;
     private readonly Batch[] givens;
     private readonly Part[] parts;
     private readonly Dictionary<(int Part, FormulaSection Section), Batch[]> rightFrames = [];
+    private readonly Batch[] ofShape = new Batch[Symbol.Max], ofRule = new Batch[Symbol.Max]; // frames for intermediate results
     private readonly State right;
 
     /// <param name="pixels">Columns from the left and lines from the top.</param>
     /// <param name="program">The program that others are edits of.</param>
     public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program)
     {
-        (this.scene, count, arithmetic) = (scene, pixels.Count, new(pixels.Count) { Keeps = true });
+        (this.scene, shown) = (scene, pixels.Count);
+        if (shown % Vector<double>.Count is > 0 and var over) pixels = [.. pixels, .. Enumerable.Repeat(pixels[^1], Vector<double>.Count - over)];
+        (count, arithmetic) = (pixels.Count, new(pixels.Count) { Keeps = true });
         givens = GivensOf(scene.Camera);
         givens[Symbol.Of("x").Place] = new([.. pixels.Select(pixel => (double)pixel.X)]);
         givens[Symbol.Of("y").Place] = new([.. pixels.Select(pixel => (double)pixel.Y)]);
@@ -125,7 +130,7 @@ internal sealed class FormulaEvaluator
     {
         var before = basis is null ? null : StyleOf(section, basis.Program);
         var old = before is null ? null : RightFrame(part, before, basis!.Frame);
-        var frame = FrameOf(part, camera);
+        var frame = FrameOf(part, camera, ofShape);
         foreach (var (symbol, _) in parts[part].Numbers) changed &= ~symbol.Bit;
         Define(section, frame, before, old, ref changed);
 
@@ -152,16 +157,16 @@ internal sealed class FormulaEvaluator
         if (rightFrames.TryGetValue((part, section), out var frame)) return frame;
         var (keeps, functions) = (arithmetic.Keeps, arithmetic.Functions);
         (arithmetic.Keeps, arithmetic.Functions) = (true, right.Program[SectionKind.Vectors]);
-        frame = FrameOf(part, camera);
+        frame = FrameOf(part, camera, new Batch[Symbol.Max]);
         UInt128 changed = 0;
         Define(section, frame, null, null, ref changed);
         (arithmetic.Keeps, arithmetic.Functions) = (keeps, functions);
         return rightFrames[(part, section)] = frame;
     }
 
-    private Batch[] FrameOf(int part, Batch[] camera)
+    private Batch[] FrameOf(int part, Batch[] camera, Batch[] frame)
     {
-        var frame = (Batch[])camera.Clone();
+        camera.CopyTo(frame, 0);
         foreach (var (symbol, value) in parts[part].Numbers) frame[symbol.Place] = value;
         return frame;
     }
@@ -169,7 +174,8 @@ internal sealed class FormulaEvaluator
     /// <summary>A crossing's t as the rule has it, and whether it counts.</summary>
     private (Batch T, Batch Counts) Counted(Batch crossing, FormulaSection rule, Batch[] camera)
     {
-        var frame = (Batch[])camera.Clone();
+        var frame = ofRule;
+        camera.CopyTo(frame, 0);
         frame[Symbol.Of("t").Place] = crossing;
         UInt128 changed = 0;
         Define(rule, frame, null, null, ref changed);
@@ -215,19 +221,20 @@ internal sealed class FormulaEvaluator
 
     private byte[] BytesOf(FormulaProgram program, Batch[] camera, int[] nearest, double[] t)
     {
-        var frame = (Batch[])camera.Clone();
-        var (own, shown) = (arithmetic.NewVector(count), arithmetic.NewVector(count));
+        var frame = ofRule;
+        camera.CopyTo(frame, 0);
+        var (own, seen) = (arithmetic.NewVector(count), arithmetic.NewVector(count));
         for (var i = 0; i < count; i++) own.Set(i, ColorOf(nearest[i]));
         (frame[Symbol.Of("t").Place], frame[Symbol.Of("K").Place]) = (new(t), own);
         UInt128 changed = 0;
         Define(program[SectionKind.Light], frame, null, null, ref changed);
         var lit = frame[Symbol.Of("colour").Place];
-        for (var i = 0; i < count; i++) shown.Set(i, nearest[i] < 0 ? own.At(i) : lit.At(i)); // the background does not fade
-        frame[Symbol.Of("colour").Place] = shown;
+        for (var i = 0; i < count; i++) seen.Set(i, nearest[i] < 0 ? own.At(i) : lit.At(i)); // the background does not fade
+        frame[Symbol.Of("colour").Place] = seen;
         Define(program[SectionKind.Bytes], frame, null, null, ref changed);
         var rgb = frame[Symbol.Of("rgb").Place];
-        var bytes = new byte[3 * count];
-        for (var i = 0; i < count; i++)
+        var bytes = new byte[3 * shown];
+        for (var i = 0; i < shown; i++)
             if (rgb.At(i) is var shade) (bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]) = ((byte)shade.X, (byte)shade.Y, (byte)shade.Z);
         return bytes;
 
