@@ -95,10 +95,10 @@ internal sealed class BatchArithmetic(int pixels)
             case Operator.Subtract: for (; i < r.Length; i += size, j += da, k += db) (At(a, j) - At(b, k)).CopyTo(r, i); break;
             case Operator.Multiply or Operator.And: for (; i < r.Length; i += size, j += da, k += db) (At(a, j) * At(b, k)).CopyTo(r, i); break;
             case Operator.Divide: for (; i < r.Length; i += size, j += da, k += db) (At(a, j) / At(b, k)).CopyTo(r, i); break;
-            case Operator.Less: for (; i < r.Length; i += size, j += da, k += db) Truth(Vector.LessThan(At(a, j), At(b, k))).CopyTo(r, i); break;
-            case Operator.Greater: for (; i < r.Length; i += size, j += da, k += db) Truth(Vector.GreaterThan(At(a, j), At(b, k))).CopyTo(r, i); break;
-            case Operator.AtMost: for (; i < r.Length; i += size, j += da, k += db) Truth(Vector.LessThanOrEqual(At(a, j), At(b, k))).CopyTo(r, i); break;
-            case Operator.AtLeast: for (; i < r.Length; i += size, j += da, k += db) Truth(Vector.GreaterThanOrEqual(At(a, j), At(b, k))).CopyTo(r, i); break;
+            case Operator.Less: for (; i < r.Length; i += size, j += da, k += db) Less(At(a, j), At(b, k)).CopyTo(r, i); break;
+            case Operator.Greater: for (; i < r.Length; i += size, j += da, k += db) Less(At(b, k), At(a, j)).CopyTo(r, i); break;
+            case Operator.AtMost: for (; i < r.Length; i += size, j += da, k += db) AtMost(At(a, j), At(b, k)).CopyTo(r, i); break;
+            case Operator.AtLeast: for (; i < r.Length; i += size, j += da, k += db) AtMost(At(b, k), At(a, j)).CopyTo(r, i); break;
             case Operator.Or: for (; i < r.Length; i += size, j += da, k += db) Vector.Max(At(a, j), At(b, k)).CopyTo(r, i); break;
             case Operator.Min: for (; i < r.Length; i += size, j += da, k += db) Min(At(a, j), At(b, k)).CopyTo(r, i); break;
             case Operator.Max: for (; i < r.Length; i += size, j += da, k += db) (-Min(-At(a, j), -At(b, k))).CopyTo(r, i); break;
@@ -108,6 +108,10 @@ internal sealed class BatchArithmetic(int pixels)
 
         static Vector<double> At(double[] a, int i) => new(a, i);
     }
+
+    private static Vector<double> Less(Vector<double> a, Vector<double> b) => Truth(Vector.LessThan(a, b));
+
+    private static Vector<double> AtMost(Vector<double> a, Vector<double> b) => Truth(Vector.LessThanOrEqual(a, b));
 
     private static Vector<double> Truth(Vector<long> mask) => Vector.ConditionalSelect(mask, Vector<double>.One, Vector<double>.Zero);
 
