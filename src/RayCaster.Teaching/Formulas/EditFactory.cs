@@ -275,6 +275,11 @@ internal sealed class EditFactory
                 break;
             case Operator.Call when e.Symbol!.Text == "cross":
                 yield return (Swapped, Expression.Call("cross", parts[1], parts[0]), "", -0.1);
+                yield return (OtherOperation, Expression.Of(Operator.Add, parts), "+", 0);
+                yield return (OtherOperation, Expression.Of(Operator.Subtract, parts), "−", 0);
+                break;
+            case Operator.Call when e.Symbol!.Text == "dot" && section.Kind != SectionKind.Vectors: // nothing there may call what calls it
+                foreach (var part in parts) yield return (OtherOperation, Expression.Call("length", part), $"|{part}|", 0.2);
                 break;
             case Operator.Call when e.Symbol!.Text == "length":
                 yield return (Root, Expression.Call("dot", parts[0], parts[0]), "dot", -0.2);
@@ -282,7 +287,37 @@ internal sealed class EditFactory
         }
         if (e.Operator is not (Operator.X or Operator.Y or Operator.Z))
             foreach (var (part, path) in PartsOf(e, "")) yield return (LeftOut, part, path, PerLevel * (path.Length - 1));
+        foreach (var (written, detail) in Bracketed(e)) yield return (Brackets, written, detail, 0);
         foreach (var around in Around(e)) yield return around;
+    }
+
+    /// <summary>Without a pair of brackets, and with one more.</summary>
+    private static IEnumerable<(Expression?, string)> Bracketed(Expression e)
+    {
+        if (e.Operands is not [var a, var b]) yield break;
+        switch (e.Operator)
+        {
+            case Operator.Multiply or Operator.Divide when IsSum(a): // (x + y) / b as x + y / b
+                yield return (Of(a.Operator, a.Operands[0], Of(e.Operator, a.Operands[1], b)), "(a)");
+                break;
+            case Operator.Multiply when IsSum(b): // a (x + y) as a x + y
+                yield return (Of(b.Operator, Of(Operator.Multiply, a, b.Operands[0]), b.Operands[1]), "(b)");
+                break;
+            case Operator.Divide when b.Operator == Operator.Multiply: // a / (x y) as a / x y
+                yield return (Of(Operator.Multiply, Of(Operator.Divide, a, b.Operands[0]), b.Operands[1]), "(b)");
+                break;
+            case Operator.Subtract when IsSum(b): // a − (x + y) as a − x + y
+                yield return (Of(b.Operator, Of(Operator.Subtract, a, b.Operands[0]), b.Operands[1]), "(b)");
+                break;
+        }
+        if (IsSum(e) && b.Operator is Operator.Multiply or Operator.Divide) // a + x / y as (a + x) / y
+            yield return (Of(b.Operator, Of(e.Operator, a, b.Operands[0]), b.Operands[1]), "b");
+        if (IsSum(e) && a.Operator == Operator.Multiply) // x y + b as x (y + b)
+            yield return (Of(Operator.Multiply, a.Operands[0], Of(e.Operator, a.Operands[1], b)), "a");
+
+        static bool IsSum(Expression e) => e.Operator is Operator.Add or Operator.Subtract;
+
+        static Expression? Of(Operator op, Expression? one, Expression? two) => one is null || two is null ? null : Expression.Of(op, one, two);
     }
 
     /// <summary>What is put around an expression.</summary>
@@ -308,7 +343,7 @@ internal sealed class EditFactory
                 }
                 break;
             default:
-                if (section.Kind != SectionKind.Vectors) // nothing there may call what calls it
+                if (section.Kind != SectionKind.Vectors)
                     yield return (Normalized, Expression.Call("normalize", e), "", section.Kind >= SectionKind.Light ? 1 : 0);
                 Expression[] axes = [Expression.Of(Operator.X, e)!, Expression.Of(Operator.Y, e)!, Expression.Of(Operator.Z, e)!];
                 for (var i = 0; i < 3; i++)
