@@ -25,10 +25,11 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
     /// <summary>How much a cost counts beside an unexplained share while edits are sorted, and when the best group is chosen.</summary>
     private const double SmallCost = 0.001, GroupCost = 1 / 150.0;
 
-    /// <summary>If the best edit leaves more, the styles of other steps are tried with the nearest ones of the camera.</summary>
-    private const double TriesStyles = 0.03;
-
+    /// <summary>How many of the nearest edits of the camera are tried in other styles of the shapes if no edit explains the picture.</summary>
     private const int EditsInStyles = 24, MaxGroups = 4, MaxOthers = 8;
+
+    /// <summary>The share that an edit may leave and still explain the picture.</summary>
+    private readonly double mayLeave = Math.Min(MayLeave, Math.Max(MayLeavePixels, MayLeaveOfPicture * evidence.PixelCount) / evidence.WrongCount);
 
     private readonly Scene scene = way.PartOf(evidence.Scene);
     private readonly FormulaProgram right = way.PartOf(FormulaProgram.For(evidence.Scene.Camera, otherSample));
@@ -47,8 +48,7 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
     public (IReadOnlyList<EditGroup> Explaining, IReadOnlyList<EditGroup> Others) Find()
     {
         if (scene.Models.Count > MaxModels || !evidence.HasRightSize) return ([], []);
-        var most = Math.Min(MayLeave * evidence.WrongCount, Math.Max(MayLeavePixels, MayLeaveOfPicture * evidence.PixelCount));
-        var all = Run().ToLookup(group => group.Unexplained * evidence.WrongCount <= most);
+        var all = Run().ToLookup(group => group.Unexplained <= mayLeave);
         return ([.. all[true].Take(MaxGroups)], [.. all[false].Where(group => group.Unexplained < 1).Take(MaxOthers)]);
     }
 
@@ -59,24 +59,30 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
         var more = new EditSample(evidence, scene, right, MorePixels);
         var nearest = Nearest(few, AllEdits());
         var closer = Measured(more, nearest);
-        if (closer is [( > TriesStyles, _), ..])
+        if (closer is [var best, ..] && best.Unexplained > mayLeave)
         {
             var ofRays = closer.Select(edit => edit.Edit).Where(ShowsInShapes).Take(EditsInStyles);
             closer = Sorted([.. closer, .. ofRays.Select(edit => InStyles(more, edit)).OfType<(double, FormulaEdit)>()]);
         }
         var all = new EditSample(evidence, scene, right, AllPixels);
-        var groups = new List<(double Unexplained, byte[] Drawn, List<FormulaEdit> Edits)>();
+        var groups = new List<(byte[] Drawn, List<(double Unexplained, FormulaEdit Edit)> Edits)>();
         foreach (var (_, edit) in closer.TakeWhile((edit, i) =>
             i < LastEdits || (i < MaxLastEdits && edit.Unexplained < closer[0].Unexplained + AlmostAsGood)))
         {
             budget?.ThrowIfSpent();
             var drawn = all.Draw(edit);
-            var same = groups.Find(group => EditSample.AreAlike(group.Drawn, drawn));
-            if (same.Edits is not null) same.Edits.Add(edit);
-            else groups.Add((all.Unexplained(drawn), drawn, [edit]));
+            var same = groups.Find(group => EditSample.AreAlike(group.Drawn, drawn)).Edits;
+            if (same is null) groups.Add((drawn, same = []));
+            same.Add((all.Unexplained(drawn), edit));
         }
-        return groups.Select(group => new EditGroup(group.Unexplained, [.. group.Edits.OrderBy(edit => edit.Cost)]))
-            .OrderBy(group => group.Unexplained + GroupCost * group.Cost);
+        return groups.Select(group => GroupOf(group.Edits)).OrderBy(group => group.Unexplained + GroupCost * group.Cost);
+    }
+
+    /// <summary>Edits that draw nearly the same: those of them that explain the picture, or all if none does.</summary>
+    private EditGroup GroupOf(List<(double Unexplained, FormulaEdit Edit)> edits)
+    {
+        var least = edits.Min(edit => edit.Unexplained);
+        return new(least, [.. from edit in edits where edit.Unexplained <= mayLeave || least > mayLeave orderby edit.Edit.Cost select edit.Edit]);
     }
 
     /// <summary>The edits of each step that the scene shows, in each style.</summary>

@@ -24,6 +24,7 @@ internal sealed class EditFactory
 
     private readonly FormulaSection section;
     private readonly List<FormulaEdit> edits = [];
+    private UInt128 read; // the names in the formula whose edits are made
 
     private EditFactory(FormulaSection section) => this.section = section;
 
@@ -40,6 +41,7 @@ internal sealed class EditFactory
         for (var place = 0; place < section.Formulas.Length; place++)
         {
             var (name, right, parameters) = section.Formulas[place];
+            read = right.Reads;
             Expression[] names = parameters.IsEmpty ? [.. scope.Values] : [.. parameters.Select(Expression.Parameter)];
             slips[place] = [.. SlipsIn(right, names, "")];
             foreach (var slip in slips[place]) Add(section.With(place, slip.Whole), place, slip, 0);
@@ -224,7 +226,7 @@ internal sealed class EditFactory
                 yield break;
             case Operator.Name:
                 foreach (var name in names.Where(name => name.Symbol != e.Symbol && name.Quantity.Kind == e.Quantity.Kind && !IsConstant(name)))
-                    if (name.Quantity == e.Quantity || (IsOwn(name) && IsOwn(e)))
+                    if (name.Quantity == e.Quantity || (IsOwn(name) && IsOwn(e)) || (name.Symbol!.Bit & read) != 0)
                         yield return (OtherName, name, name.Symbol!.Text, IsOwn(name) ? 0 : ForeignName);
                 break;
             case Operator.Add:
