@@ -57,6 +57,9 @@ internal sealed class FormulaBook
     private static Quantity UnitOf(string word) => Quantity.Words.TryGetValue(word, out var unit) ? unit
         : throw new FormatException($"unknown unit '{word}'; there are {string.Join(", ", Quantity.Words.Keys)}");
 
+    /// <summary>What a step computes for later steps; its other names are its own.</summary>
+    private static readonly string[] results = ["W", "U", "V", "h", "w", "c", "r", "d"];
+
     /// <summary>The names that a section can read besides what it is given: what earlier steps have computed.</summary>
     private Dictionary<string, Expression> ScopeOf(SectionKind kind)
     {
@@ -64,12 +67,15 @@ internal sealed class FormulaBook
         {
             SectionKind.Vectors or SectionKind.Camera or SectionKind.File or SectionKind.Bytes => [],
             SectionKind.Pixel => [SectionKind.Camera, SectionKind.File],
-            _ => [SectionKind.Camera, SectionKind.File, SectionKind.Pixel],
+            _ => [SectionKind.Camera, SectionKind.Pixel],
         };
         var scope = new Dictionary<string, Expression>();
         if (kind is not (SectionKind.Vectors or SectionKind.Bytes))
-            foreach (var (name, expression) in kind is SectionKind.Camera ? OfScene : OfScene.Concat(OfPixel)) scope[name] = expression;
-        foreach (var formula in before.SelectMany(step => sections[step][0].Formulas))
+        {
+            var isOfPixel = kind is SectionKind.File or SectionKind.Pixel;
+            foreach (var (name, expression) in isOfPixel ? OfScene.Concat(OfPixel) : OfScene) scope[name] = expression;
+        }
+        foreach (var formula in before.SelectMany(step => sections[step][0].Formulas).Where(formula => results.Contains(formula.Name.Text)))
             scope[formula.Name.Text] = Expression.Name(formula.Name, formula.Right.Quantity);
         if (givens.TryGetValue(kind, out var own))
             foreach (var (name, expression) in own) scope[name] = expression;

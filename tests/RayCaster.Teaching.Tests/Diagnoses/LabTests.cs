@@ -50,6 +50,20 @@ public class LabTests
         Assert.Equal(new FormulaEvaluator(scene, pixels, slides).Draw(edit.In(slides)), drawn);
     }
 
+    /// <summary>A name that a lab does not know would be no value at all.</summary>
+    [Fact]
+    public void AnEditReadsOnlyWhatALabKnows()
+    {
+        var scene = SceneFolder.Small("mistakes/generic");
+        var slides = FormulaProgram.For(scene.Camera);
+        var sections = Enum.GetValues<SectionKind>().SelectMany(FormulaBook.Slides.StylesOf);
+        Parallel.ForEach(sections.SelectMany(EditFactory.EditsOf), edit =>
+        {
+            var lab = new Lab(scene, Mistake.Unnamed(lab => lab.Follow(edit.In(slides))));
+            Assert.Null(Record.Exception(() => lab[scene.Camera.Width / 2, scene.Camera.Height / 2]));
+        });
+    }
+
     [Fact]
     public void SinglePixelsAreThoseOfTheWholePictureOnAnyThread()
     {
