@@ -7,11 +7,9 @@ namespace RayCaster.Live;
 /// when its time is <see cref="TimeStep"/> old.</remarks>
 internal sealed class FileWatch(CancellationToken end)
 {
-    private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(30);
+    private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(30), TimeStep = TimeSpan.FromSeconds(2);
 
-    private static readonly TimeSpan TimeStep = TimeSpan.FromSeconds(2);
-
-    private Dictionary<string, (DateTime Time, long Length, bool IsOld)> stamps = [];
+    private Dictionary<string, (DateTime, long, bool IsOld)> stamps = [];
 
     /// <summary>Chooses the files to watch from now on. Of a link, the file that it leads to is watched.</summary>
     public void Watch(IEnumerable<string> files) =>

@@ -26,7 +26,9 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
     private const double SmallCost = 0.001, GroupCost = 1 / 150.0;
 
     /// <summary>How many of the nearest edits of the camera are tried in other styles of the shapes if no edit explains the picture.</summary>
-    private const int EditsInStyles = 24, MaxGroups = 4, MaxOthers = 8;
+    private const int EditsInStyles = 24;
+
+    private const int MaxGroups = 4, MaxOthers = 8;
 
     /// <summary>The share that an edit may leave and still explain the picture.</summary>
     private readonly double mayLeave = Math.Min(MayLeave, Math.Max(MayLeavePixels, MayLeaveOfPicture * evidence.PixelCount) / evidence.WrongCount);

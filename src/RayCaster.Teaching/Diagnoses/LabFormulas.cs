@@ -12,13 +12,11 @@ internal sealed partial class Lab
         y = Symbol.Of("y"), direction = Symbol.Of("d"), parameter = Symbol.Of("t"), own = Symbol.Of("K"), colour = Symbol.Of("colour"),
         bytes = Symbol.Of("rgb");
 
-    [ThreadStatic] private static Batch[]? scratch; // the frame of a step; a new one for each would take longer than the step
-
     /// <summary>Has those steps done by a program's formulas in which it differs from the slides'.</summary>
     public void Follow(FormulaProgram program)
     {
         var right = FormulaProgram.For(Camera);
-        var arithmetic = new BatchArithmetic(1) { Functions = program[Vectors], Keeps = true };
+        var arithmetic = new BatchArithmetic(0) { Functions = program[Vectors] };
         var camera = new Lazy<Batch[]>(() =>
         {
             var frame = FormulaEvaluator.GivensOf(Camera);
@@ -81,8 +79,7 @@ internal sealed partial class Lab
 
         Batch[] Of(SectionKind kind, params ReadOnlySpan<(Symbol Name, Batch Value)> numbers)
         {
-            var frame = scratch ??= new Batch[Symbol.Max];
-            rays.Value.CopyTo(frame, 0);
+            var frame = (Batch[])rays.Value.Clone();
             foreach (var (name, value) in numbers) frame[name.Place] = value;
             return Computed(frame, kind);
         }

@@ -3,7 +3,8 @@ using System.Numerics;
 namespace RayCaster.Teaching;
 
 /// <summary>Evaluates expressions in many pixels at once. Truth is 1 or 0.</summary>
-/// <param name="pixels">How many pixels a batch has that is not the same in all of them: a multiple of <see cref="Vector{T}.Count"/>.</param>
+/// <param name="pixels">How many pixels a batch has that is not the same in all of them: a multiple of <see cref="Vector{T}.Count"/>;
+/// 0 if there is no such batch.</param>
 /// <remarks>Not for several threads: arrays that <see cref="Forget"/> gives back are used again.</remarks>
 internal sealed class BatchArithmetic(int pixels)
 {
@@ -87,7 +88,7 @@ internal sealed class BatchArithmetic(int pixels)
     private double[] Zip(Operator op, double[] a, double[] b)
     {
         var r = New(Math.Max(a.Length, b.Length));
-        var size = Vector<double>.Count;
+        var size = Vector<double>.Count; // the length of what is the same in all pixels: it is read again and again
         var (i, j, k, da, db) = (0, 0, 0, a.Length == size ? 0 : size, b.Length == size ? 0 : size);
         switch (op)
         {

@@ -164,18 +164,23 @@ internal sealed class FormulaEvaluator
         return rightFrames[(part, section)] = frame;
     }
 
-    private Batch[] FrameOf(int part, Batch[] camera, Batch[] frame)
+    private Batch[] FrameOf(int part, Batch[] camera, Batch[] into)
     {
-        camera.CopyTo(frame, 0);
+        var frame = Copied(camera, into);
         foreach (var (symbol, value) in parts[part].Numbers) frame[symbol.Place] = value;
         return frame;
+    }
+
+    private static Batch[] Copied(Batch[] frame, Batch[] into)
+    {
+        frame.CopyTo(into, 0);
+        return into;
     }
 
     /// <summary>A crossing's t as the rule has it, and whether it counts.</summary>
     private (Batch T, Batch Counts) Counted(Batch crossing, FormulaSection rule, Batch[] camera)
     {
-        var frame = ofRule;
-        camera.CopyTo(frame, 0);
+        var frame = Copied(camera, ofRule);
         frame[Symbol.Of("t").Place] = crossing;
         UInt128 changed = 0;
         Define(rule, frame, null, null, ref changed);
@@ -221,8 +226,7 @@ internal sealed class FormulaEvaluator
 
     private byte[] BytesOf(FormulaProgram program, Batch[] camera, int[] nearest, double[] t)
     {
-        var frame = ofRule;
-        camera.CopyTo(frame, 0);
+        var frame = Copied(camera, ofRule);
         var (own, seen) = (arithmetic.NewVector(count), arithmetic.NewVector(count));
         for (var i = 0; i < count; i++) own.Set(i, ColorOf(nearest[i]));
         (frame[Symbol.Of("t").Place], frame[Symbol.Of("K").Place]) = (new(t), own);

@@ -57,10 +57,13 @@ public class LabTests
         var scene = SceneFolder.Small("mistakes/generic");
         var slides = FormulaProgram.For(scene.Camera);
         var sections = Enum.GetValues<SectionKind>().SelectMany(FormulaBook.Slides.StylesOf);
+        // One pixel of each model: a ray that passes a triangle by does not try its formulas.
+        var shown = new Renderer(scene).CastHits().Model;
+        int[] places = [.. Enumerable.Range(0, shown.Length).DistinctBy(place => shown[place])];
         Parallel.ForEach(sections.SelectMany(EditFactory.EditsOf), edit =>
         {
             var lab = new Lab(scene, Mistake.Unnamed(lab => lab.Follow(edit.In(slides))));
-            Assert.Null(Record.Exception(() => lab[scene.Camera.Width / 2, scene.Camera.Height / 2]));
+            foreach (var place in places) Assert.Null(Record.Exception(() => lab[place]));
         });
     }
 
