@@ -167,7 +167,7 @@ public class FollowingTests
             await page.AskAsync($$"""{"explain":[{{column}},{{line}}]}""");
             var text = (await page.MessageAsync("explanation")).GetProperty("sections")[0].GetProperty("text").GetString();
             var (r, g, b) = frame[column, line];
-            Assert.EndsWith($"bytes {r} {g} {b}\n", text);
+            Assert.Contains($", bytes {r} {g} {b}\n", text);
         }
     }
 

@@ -85,7 +85,6 @@ public class HandTests(Chromium chromium)
             await page.FocusAsync("#stage");
             await page.PressAsync("Enter");
             await page.ShowsAsync("#pixel-head");
-            await page.ClickOnAsync("#model-0-behind");
             Assert.Equal("", await page.EvaluateFunctionAsync<string>("""
                 () => {
                     const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
