@@ -35,7 +35,7 @@ public static class MeshFile
         try
         {
             if (Directory.Exists(path)) throw new ProblemException($"{path}: is a folder, not a mesh file");
-            var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+            var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
             if (file.CanSeek && file.Length > 0) return file;
             using (file) return Copy(file, path); // a pipe, or a file like those in /proc, which seem to be empty
         }

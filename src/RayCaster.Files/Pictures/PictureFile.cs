@@ -86,7 +86,7 @@ public static class PictureFile
     {
         try
         {
-            return File.OpenRead(path);
+            return new(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {

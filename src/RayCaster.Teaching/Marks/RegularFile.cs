@@ -22,7 +22,7 @@ internal static class RegularFile
     /// <summary>The first bytes of a file, which may grow meanwhile.</summary>
     private static byte[] ReadAtMost(string path, long length)
     {
-        using var stream = File.OpenRead(path);
+        using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
         var bytes = new byte[length];
         return bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
     }

@@ -17,10 +17,7 @@ public sealed class InterruptionCampaign : CommandTests
             ("TERM", 143, "compare PIPE room.png"),
             ("HUP", 129, "diagnose ROOM PIPE"),
             ("INT", 130, "explain ROOM 1 1 --reference PIPE"),
-            ("TERM", 143, "sheet PIPE -o sheet.png"),
-            ("INT", 130, "animate PIPE -o film.png"),
             ("HUP", 129, "stitch PIPE -o whole.png"),
-            ("INT", 130, "orbit ROOM --frames 3 --keys PIPE"),
             ("TERM", 143, "ROOM --resume -o PIPE"),
             ("INT", 130, "check PIPE"),
         ];
@@ -60,8 +57,6 @@ public sealed class InterruptionCampaign : CommandTests
     }
 
     [Theory]
-    [InlineData("animate frames -o film.png -q")]
-    [InlineData("sheet frames -o film.png -q")]
     [InlineData("stitch parts -o film.png -q")]
     [InlineData("compare frames/room-0000.png frames/room-0001.png -o film.png")]
     public void AKillLeavesAWholePicture(string arguments)

@@ -11,7 +11,6 @@ public sealed class SystemCallTests : CommandTests
     [InlineData("orbit SCENES/room.json --frames 2 -s 60x40", "room-0000.png", "room-0001.png")]
     [InlineData("compare a.png a.png -o new.png", "new.png")]
     [InlineData("stitch a.png -o new.png", "new.png")]
-    [InlineData("animate a.png a.png -o new.png", "new.png")]
     [InlineData("vary SCENES/first.json --seed 1 -o new.json", "new.json")]
     [InlineData("diagnose SCENES/room.json a.png")]
     [InlineData("explain SCENES/room.json 3 3")]
