@@ -90,10 +90,10 @@ public sealed class MarkTests : CommandTests
             "named after the student\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [SkippableFact]
+    [Fact]
     public void AProgramThatDoesNotBuildIsToldOnceWithItsErrors()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         WriteRubric("""  "build": ["sh", "{dir}/build.sh"], "run": ["draw", "{scene}", "{out}"], """);
         var folder = raycaster.PathOf("class/anna");
         var error = $"{folder}/Sphere.cs(3,5): error CS1002: ; expected [{folder}/Lab.csproj]";
@@ -113,10 +113,10 @@ public sealed class MarkTests : CommandTests
         Assert.Contains("<td>ball</td><td class=\"n\">0 of 3</td><td></td>", File.ReadAllText(raycaster.PathOf("marks/anna/feedback.html")));
     }
 
-    [SkippableFact]
+    [Fact]
     public void HostileProgramsAreRows()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], "outputLimit": 1, """);
         void Write(string student, string script) => raycaster.Write(Folder(student) + "draw.sh", script);
         Write("crashes", "kill -SEGV $$");
@@ -161,10 +161,10 @@ public sealed class MarkTests : CommandTests
         Assert.Contains("balls: no picture balls.png; there is b a l l s.png,", Table()[1].Replace("\"", ""));
     }
 
-    [SkippableFact]
+    [Fact]
     public void AProgramThatHangsIsOutOfTime()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], "timeLimit": 1, """);
         raycaster.Write(Folder("hangs") + "draw.sh", "sleep 100");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
@@ -181,20 +181,20 @@ public sealed class MarkTests : CommandTests
         Assert.EndsWith("has a name of 250 bytes, the limit is 200: rename it\n", raycaster.Error);
     }
 
-    [SkippableFact]
+    [Fact]
     public void AMissingFolderForTemporaryFilesIsTold()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
         raycaster.Write(Folder("anna") + "draw.sh", "exit 1").RunInShell("TMPDIR=/no/such raycaster mark rubric.json class -o marks -q");
         Assert.Equal((2, "raycaster: there is no folder for temporary files, /no/such/: make it, or let TMPDIR name another one\n"),
             (raycaster.ExitCode, raycaster.Error));
     }
 
-    [SkippableFact]
+    [Fact]
     public void AProgramThatDeletesTheClassAndItsMarksIsARow()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
         raycaster.Write(Folder("vandal") + "draw.sh",
             $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}' '{raycaster.PathOf("rubric.json")}' 2>/dev/null");
@@ -217,10 +217,10 @@ public sealed class MarkTests : CommandTests
         Assert.Equal($"anna,0,5,5,,,0?,0?,\"ball: not marked: {problem}\",,,0 of 1", Table()[1]);
     }
 
-    [SkippableFact]
+    [Fact]
     public void ASubmissionsNameForgesNoRow()
     {
-        Skip.If(OperatingSystem.IsWindows(), "has no such names");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "has no such names");
         WriteRubric("");
         Folder("anna\nboris,5");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
@@ -275,10 +275,10 @@ public sealed class MarkTests : CommandTests
         Assert.EndsWith("0 of 1", Table()[1]);
     }
 
-    [SkippableFact]
+    [Fact]
     public void AnInterruptedRunSaysHowToContinue()
     {
-        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no kill command there");
         WriteRubric("\"run\": [\"sh\", \"{dir}/draw.sh\", \"{scene}\", \"{out}\"],");
         raycaster.Write(Folder("anna") + "draw.sh", "exit 1");
         raycaster.Write(Folder("boris") + "draw.sh", "sleep 100");

@@ -52,9 +52,6 @@ internal sealed class PngReader
                     dataBytes += chunks.Left;
                     chunks.Skip();
                     continue;
-                case "acTL":
-                    IsAnimation = true;
-                    break;
                 case "tEXt" when chunks.Left <= MaxText && PartText is null:
                     PartText = Encoding.Latin1.GetString(chunks.ReadUpTo(MaxText)).Split('\0') is [PngChunk.PartKeyword, var text] ? text : null;
                     break;
@@ -87,9 +84,6 @@ internal sealed class PngReader
 
     public PngHeader Header { get; }
 
-    /// <summary>Whether the file is an animation (APNG), of which only the first picture is read.</summary>
-    public bool IsAnimation { get; }
-
     /// <summary>The text under <see cref="PngChunk.PartKeyword"/>; null if there is none.</summary>
     public string? PartText { get; }
 
@@ -119,18 +113,12 @@ internal sealed class PngReader
         ReadLines(_ => line, _ => take(line));
     }
 
-    /// <summary>The compressed pixels, a zlib stream. Reading it checks the chunks' checksums.</summary>
-    public Stream OpenCompressed()
-    {
-        chunks.Return(firstData);
-        return new PngData(chunks);
-    }
-
     /// <param name="lineAt">The memory for the colours of a line.</param>
     /// <param name="isRead">Called after each line of a pass.</param>
     private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead)
     {
-        using var data = new ZLibStream(OpenCompressed(), CompressionMode.Decompress);
+        chunks.Return(firstData);
+        using var data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
         var (lines, passes) = (new PngLines(data, Header), Header.Passes);
         foreach (var pass in passes)
         {

@@ -163,23 +163,6 @@ public class BrokenPictureTests
         Assert.Equal([1, 2, 3], PictureFile.Read(new MemoryStream(file)).Rgb);
     }
 
-    /// <summary>Otherwise the animation would contain damaged data, and no program could show it.</summary>
-    [Fact]
-    public void AnAnimationRefusesWrongPngs()
-    {
-        using var folder = new TemporaryFolder();
-        var good = folder.Write("good.png", Png(Header(1, 1, 8, 2), Data(0, 1, 2, 3), Chunk("IEND")));
-        var cut = folder.Write("cut.png", Png(Header(1, 1, 8, 2), Chunk("IDAT", Compress(0, 1, 2, 3)[..^2]), Chunk("IEND")));
-        using var animation = new MemoryStream();
-        Assert.Equal($"cannot read {cut}: its compressed data do not end with their checksum",
-            Assert.Throws<ProblemException>(() => AnimationFile.Write(animation, [good, cut], 25)).Message);
-        animation.SetLength(0);
-        AnimationFile.Write(animation, [good, good], 25);
-        var film = folder.Write("film.png", animation.ToArray());
-        Assert.Equal($"cannot read {film}: it is an animation, not a single picture",
-            Assert.Throws<ProblemException>(() => AnimationFile.Write(new MemoryStream(), [film], 25)).Message);
-    }
-
     [Fact]
     public void APipeIsReadToItsEnd()
     {

@@ -77,14 +77,14 @@ public sealed class WrittenFilesTests : IDisposable
         Refused(folder["room.png"], $"cannot write {folder["room.png"]}: it is a folder; name a file in it");
     }
 
-    [SkippableTheory]
+    [Theory]
     [InlineData("real/precious", "real/precious")]
     [InlineData("real/precious", "real/new")] // the link leads nowhere: what it names is made
     [InlineData("link/../precious", "precious")]
     [InlineData("second", "real/precious")]
     public void ALinkIsFollowed(string leadsTo, string written)
     {
-        Skip.If(OperatingSystem.IsWindows(), "needs special rights there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "needs special rights there");
         Directory.CreateDirectory(folder["real"]);
         if (!written.EndsWith("new", StringComparison.Ordinal)) folder.Write(written, "old"u8);
         else leadsTo = written;
@@ -103,10 +103,10 @@ public sealed class WrittenFilesTests : IDisposable
     }
 
     /// <summary>".." in a link counts from the folder in which the link is, not from the path by which it was reached.</summary>
-    [SkippableFact]
+    [Fact]
     public void ALinkInALinkedFolderCountsFromItsOwnFolder()
     {
-        Skip.If(OperatingSystem.IsWindows(), "needs special rights there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "needs special rights there");
         Directory.CreateDirectory(folder["real/deep"]);
         Directory.CreateSymbolicLink(folder["short"], "real/deep");
         File.CreateSymbolicLink(folder["real/deep/room.png"], "../precious");
@@ -114,19 +114,19 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Equal("new", File.ReadAllText(folder["real/precious"]));
     }
 
-    [SkippableFact]
+    [Fact]
     public void ACircleOfLinksIsRefused()
     {
-        Skip.If(OperatingSystem.IsWindows(), "needs special rights there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "needs special rights there");
         File.CreateSymbolicLink(folder["room.png"], "other");
         File.CreateSymbolicLink(folder["other"], "room.png");
         Refused(folder["room.png"], $"cannot write {folder["room.png"]}: symbolic links lead in a circle", ["other", "room.png"]);
     }
 
-    [SkippableFact]
+    [Fact]
     public void APipeGetsTheBytesAndStays()
     {
-        Skip.If(OperatingSystem.IsWindows(), "no mkfifo there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no mkfifo there");
         Shell("mkfifo pipe.png");
         var reader = Task.Run(() => File.ReadAllText(folder["pipe.png"]));
         Write("pipe.png");
@@ -137,10 +137,10 @@ public sealed class WrittenFilesTests : IDisposable
     }
 
     /// <summary>The reader of a pipe gets a whole picture or nothing.</summary>
-    [SkippableFact]
+    [Fact]
     public void APipeGetsNothingOfAFileThatIsGivenUp()
     {
-        Skip.If(OperatingSystem.IsWindows(), "no mkfifo there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no mkfifo there");
         Shell("mkfifo pipe.png");
         Assert.Throws<TimeoutException>(() => WrittenFiles.Write(folder["pipe.png"], file =>
         {
@@ -149,10 +149,10 @@ public sealed class WrittenFilesTests : IDisposable
         })); // without a reader this would wait for ever, if the pipe were opened
     }
 
-    [SkippableFact]
+    [Fact]
     public void ADeviceIsNotReplaced()
     {
-        Skip.IfNot(OperatingSystem.IsLinux(), "other systems have other numbers of devices");
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "other systems have other numbers of devices");
         Shell("ln -s /dev/null link; mknod null c 1 3 2>/dev/null; test ! -e null || (: >null) 2>/dev/null || rm null");
         foreach (var device in (string[])["link", "null"])
         {
@@ -165,23 +165,23 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
     }
 
-    [SkippableTheory]
+    [Theory]
     [InlineData("/dev/full", "the disk is full")]
     [InlineData("/dev/fd/9999", "nothing is open by this number")]
     public void ADeviceThatFailsIsNamed(string device, string reason)
     {
-        Skip.IfNot(File.Exists("/dev/full"), "has no such device");
+        Assert.SkipUnless(File.Exists("/dev/full"), "has no such device");
         var refused = Assert.Throws<ProblemException>(() => WrittenFiles.Write(device, file => file.Write("new"u8)));
         Assert.Equal($"cannot write {device}: {reason}", refused.Message);
     }
 
     /// <summary>What a process has open gets the bytes where it is: in the middle of a file, too.</summary>
-    [SkippableTheory]
+    [Theory]
     [InlineData("/proc/self/fd/{0}")]
     [InlineData("/dev/fd/{0}")]
     public void WhatIsOpenGetsTheBytes(string name)
     {
-        Skip.IfNot(Directory.Exists("/proc/self/fd"), "has no such folder");
+        Assert.SkipUnless(Directory.Exists("/proc/self/fd"), "has no such folder");
         using (var open = new FileStream(folder["room.png"], FileMode.Create, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0))
         {
             open.Write("before "u8);
@@ -208,10 +208,10 @@ public sealed class WrittenFilesTests : IDisposable
                 Assert.Throws<ProblemException>(() => Write(name)).Message);
     }
 
-    [SkippableFact]
+    [Fact]
     public void AFileThatIsOpenElsewhereIsNotReplaced()
     {
-        Skip.IfNot(OperatingSystem.IsWindows(), "open files can be replaced");
+        Assert.SkipUnless(OperatingSystem.IsWindows(), "open files can be replaced");
         using (new FileStream(folder.Write("room.png", "old"u8), FileMode.Open, FileAccess.Read, FileShare.Read))
             Refused(folder["room.png"], $"cannot write {folder["room.png"]}: another program has it open; close it there");
     }
@@ -236,7 +236,7 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Equal("new", File.ReadAllText(folder["room.png"]));
     }
 
-    [SkippableFact]
+    [Fact]
     [UnsupportedOSPlatform("windows")] // rights are others there
     public void TheOldFilesRightsStay()
     {

@@ -86,10 +86,10 @@ public sealed class ClassMarksTests : IDisposable
         Assert.Contains("<p>Your teacher has decided: 4.5 of 5 points.</p>\n<p>Schön; fast</p>", page);
     }
 
-    [SkippableFact]
+    [Fact]
     public void AnArchiveOfFoldersAndArchivesIsUnpackedAndMarked()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
         Write("anna", RightProgram).Write("boris", RightProgram).Write("carla", RightProgram);
         Zip("class/boris"); // an archive beside the folders, and one in a folder
         Zip("class/carla");
@@ -151,10 +151,10 @@ public sealed class ClassMarksTests : IDisposable
         Assert.True(File.Exists(folder["class/anna/lab1/main.c"]));
     }
 
-    [SkippableFact]
+    [Fact]
     public void MarksThatCannotBeWrittenAreRefusedBeforeAnyProgramRuns()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
         Write("anna", $"touch '{folder["trace"]}'");
         var rubric = RubricReader.Read(folder["rubric.json"], out _)!;
         var problem = Assert.Throws<ProblemException>(() => ClassMarks.Mark(
@@ -217,10 +217,10 @@ public sealed class ClassMarksTests : IDisposable
         Assert.False(Path.Exists(folder["evil"]) || Path.Exists("/tmp/evil"));
     }
 
-    [SkippableFact]
+    [Fact]
     public void ATableThatIsALinkIsNotFollowed()
     {
-        Skip.If(OperatingSystem.IsWindows(), "has no such file");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "has no such file");
         Write("anna", RightProgram);
         Directory.CreateDirectory(folder["marks"]);
         File.CreateSymbolicLink(folder["marks/marks.csv"], "/dev/zero");
@@ -239,12 +239,12 @@ public sealed class ClassMarksTests : IDisposable
         Assert.False(File.Exists(folder["class/anna/draw.sh.ran"]));
     }
 
-    [SkippableTheory]
+    [Theory]
     [InlineData("draw.sh")]
     [InlineData("bin/draw.sh")] // folders of built files were left out
     public void AChangedProgramIsMarkedAnewThoughItsLengthAndTimeAreTheSame(string file)
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         var script = folder[$"class/anna/{file}"];
         var (wrong, time) = ("exit 1".PadRight(RightProgram.Length), new DateTime(2020, 1, 1));
         Write("anna", wrong, file);
@@ -257,12 +257,12 @@ public sealed class ClassMarksTests : IDisposable
         Assert.Equal("anna 5", PointsOf(Mark(resume: true)));
     }
 
-    [SkippableTheory]
+    [Theory]
     [InlineData("ln -s ../bob/out out", "out")]
     [InlineData("mkdir out; ln -s ../../bob/out/ball.png out/ball.png", "out/ball.png")]
     public void ThePictureOfAnotherThatALinkLeadsToIsNotTaken(string links, string link)
     {
-        Skip.If(OperatingSystem.IsWindows(), "no links without rights there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no links without rights there");
         WriteRubric(""" "pictures": "out/{name}.png", """);
         File.Copy(folder["shown/right.png"], WriteFile("class/bob/out/ball.png", ""), true);
         WriteFile("class/anna/notes", "");
@@ -272,22 +272,22 @@ public sealed class ClassMarksTests : IDisposable
         Assert.Equal($"ball: {link} is a link: the picture must be in the submission's folder", Assert.Single(marks[0].LookYourself));
     }
 
-    [SkippableFact]
+    [Fact]
     public void AProgramFindsNeitherThePictureBesideTheSceneNorItsFiles()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the programs are scripts of a POSIX shell");
         File.Copy(folder["shown/right.png"], folder["lab/ball.png"]);
         Write("beside", "cp \"${1%.json}.png\" \"$2\"").Write("above", "cp \"$(dirname \"$1\")/../lab/ball.png\" \"$2\"");
         Assert.Equal("above 0, beside 0", PointsOf(Mark(Containment.None)));
-        Skip.If(!Containment.Here.IsApart, "not allowed here");
+        Assert.SkipWhen(!Containment.Here.IsApart, "not allowed here");
         Write("absolute", $"cp '{folder["lab/ball.png"]}' \"$2\"");
         Assert.Equal("above 0, absolute 0, beside 0", PointsOf(Mark()));
     }
 
-    [SkippableFact] // the scene is another one, and so is its picture
+    [Fact] // the scene is another one, and so is its picture
     public void AProgramThatCopiesTheKnownPictureGetsNoPoints()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         Write("copies", RightProgram);
         Assert.Equal("copies 5", PointsOf(Mark()));
         WriteRubric(Draw + "\"vary\": true,");
@@ -296,26 +296,26 @@ public sealed class ClassMarksTests : IDisposable
         Assert.EndsWith("it is a copy", Assert.Single(marks[0].LookYourself));
     }
 
-    [SkippableFact]
+    [Fact]
     public void ARubricThatIsReplacedMeanwhileIsNoticed()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         Write("anna", $"echo '{{}}' >'{folder["rubric.json"]}'; {RightProgram}");
         Assert.Equal("anna 5", PointsOf(Mark(Containment.None)));
         Assert.Contains("was changed meanwhile: the marks are by what was read at the start", Assert.Single(notices));
     }
 
-    [SkippableFact]
+    [Fact]
     public void ASubmissionThatAnotherProgramHasChangedIsTold()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         Write("vandal", $"rm -rf '{folder["class"]}'").Write("victim", RightProgram);
         var marks = Mark(Containment.None);
         Assert.Equal("vandal 0, victim 0", PointsOf(marks));
         Assert.Contains("its files were changed after the run began", marks[1].LookYourself[0]);
     }
 
-    [SkippableTheory]
+    [Theory]
     [InlineData("mkfifo", "marks.csv")]
     [InlineData("mkfifo", ".kept/anna.json")]
     [InlineData("mkfifo", "anna/feedback.html")]
@@ -323,7 +323,7 @@ public sealed class ClassMarksTests : IDisposable
     [InlineData("ln -s /dev/zero", "class.html")]
     public void APipeOrALinkAmongTheMarksIsReplaced(string command, string file)
     {
-        Skip.If(OperatingSystem.IsWindows(), "has neither");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "has neither");
         Write("anna", RightProgram).Mark();
         File.Delete(folder["marks/" + file]);
         using (var shell = System.Diagnostics.Process.Start("sh", ["-c", $"{command} '{folder["marks/" + file]}'"])) shell.WaitForExit();
@@ -331,10 +331,10 @@ public sealed class ClassMarksTests : IDisposable
         Assert.True(new FileInfo(folder["marks/" + file]) is { Length: > 0, LinkTarget: null });
     }
 
-    [SkippableFact]
+    [Fact]
     public void AProgramThatCallsTheLibrarysRendererIsFlaggedAndNotPunished()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         Write("calls", RightProgram).Write("own", RightProgram).Write("damaged", RightProgram);
         File.Copy(typeof(ClassMarksTests).Assembly.Location, WriteFile("class/calls/bin/Lab.dll", ""), true); // calls all sorts of things
         File.Copy(typeof(SceneReader).Assembly.Location, WriteFile("class/own/bin/RayCaster.Files.dll", ""), true); // is handed out
@@ -347,10 +347,10 @@ public sealed class ClassMarksTests : IDisposable
         Assert.Empty(marks[1].LookYourself.Concat(marks[2].LookYourself));
     }
 
-    [SkippableFact]
+    [Fact]
     public void TheSameSourceWithOtherNamesIsListedAndNotScored()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         var source = string.Concat(Enumerable.Range(1, 30).Select(i => $"double f{i}(double x) {{ return x * {i} + \"#\"; }} // {i}\n"));
         Write("anna", RightProgram).Write("anna", source, "main.c");
         Write("boris", RightProgram);
@@ -363,20 +363,20 @@ public sealed class ClassMarksTests : IDisposable
         Assert.Empty(marks[2].LookYourself);
     }
 
-    [SkippableFact]
+    [Fact]
     public void WhoeverRunsBesideAForkBombIsRunAgainAlone()
     {
-        Skip.If(!OperatingSystem.IsLinux(), "elsewhere the number of processes is not known");
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "elsewhere the number of processes is not known");
         WriteRubric(Draw + "\"processLimit\": 20,");
         Write("bomb", "b() { if [ $1 -gt 0 ]; then b $(($1-1)) & b $(($1-1)) & fi; sleep 20; }; touch \"$0.began\"; b 6");
         Write("neighbour", $"if [ -e \"$0.ran\" ]; then {RightProgram}; else touch \"$0.ran\"; sleep 3; exit 1; fi");
         Assert.Equal("bomb 0, neighbour 5", PointsOf(Mark(threads: 2)));
     }
 
-    [SkippableFact]
+    [Fact]
     public void AProgramThatNestsFoldersWithoutEndIsARow()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         Write("anna", "cd \"$TMPDIR\"; " +
             "p=$(printf 'd/%.0s' $(seq 420)); mkdir -p a/$p; for i in 2 3 4 5; do mkdir -p b/$p && mv a b/$p && mv b a || exit 1; done");
         Assert.Equal("ball: it wrote no picture", Assert.Single(Mark()[0].LookYourself));

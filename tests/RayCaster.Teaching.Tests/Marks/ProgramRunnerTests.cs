@@ -42,10 +42,10 @@ public sealed class ProgramRunnerTests : IDisposable
         Assert.Equal(isRefused, Containment.Refusal(isRoot, isContainer)?.Contains("run mark as another user, or in a container") == true);
 
     /// <remarks>A program that prints its environment and crashes shows it on the student's page.</remarks>
-    [SkippableFact]
+    [Fact]
     public void OfTheEnvironmentOnlyWhatProgramsNeedAndTheRubricNamesIsLeft()
     {
-        Skip.If(OperatingSystem.IsWindows(), "has other variables");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "has other variables");
         Environment.SetEnvironmentVariable("RAYCASTER_TEST_TOKEN", "secret");
         Environment.SetEnvironmentVariable("RAYCASTER_TEST_NAMED", "course");
         var generous = limits with { Time = TimeSpan.FromMinutes(1), Environment = ["RAYCASTER_TEST_NAMED"] };
@@ -55,19 +55,19 @@ public sealed class ProgramRunnerTests : IDisposable
         Assert.Contains("RAYCASTER_TEST_NAMED", names);
     }
 
-    [SkippableFact] // the shell, unshare and timeout were counted
+    [Fact] // the shell, unshare and timeout were counted
     public void OnlyTheStudentsProcessesAreCounted()
     {
-        Skip.If(!OperatingSystem.IsLinux(), "elsewhere the number is not known");
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "elsewhere the number is not known");
         var few = limits with { Time = TimeSpan.FromMinutes(1), Processes = 3 };
         Assert.Equal(ProgramEnd.Exited, Run(true, "sleep 0.7 & sleep 0.7; exit 0", few).End);
         Assert.Equal(ProgramEnd.TooManyProcesses, Run(true, "for i in 1 2 3 4; do sleep 20 & done; sleep 20", few).End);
     }
 
-    [SkippableFact]
+    [Fact]
     public void WhereFilesCanBeHiddenAProgramSeesItsOwnAndThoseThatItMayRead()
     {
-        Skip.If(!Containment.Here.IsApart, "not allowed here");
+        Assert.SkipWhen(!Containment.Here.IsApart, "not allowed here");
         using var others = new TemporaryFolder();
         var (secret, shared) = (others.Write("secret", "of another"), others.Write("shared file", "for all"));
         folder.Write("mine", "my own");
@@ -82,10 +82,10 @@ public sealed class ProgramRunnerTests : IDisposable
         Assert.Contains("No such file", run.Printed);
     }
 
-    [SkippableFact]
+    [Fact]
     public void FoldersInOneAnotherAreDeletedHoweverDeepTheyAre()
     {
-        Skip.If(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "the program is a script of a POSIX shell");
         using var work = new WorkFolder();
         const string nested = // 2,105 in one another
             "p=$(printf 'd/%.0s' $(seq 420)); mkdir -p a/$p; for i in 2 3 4 5; do mkdir -p b/$p && mv a b/$p && mv b a || exit 1; done";
@@ -137,11 +137,11 @@ public sealed class ProgramRunnerTests : IDisposable
                 limits with { Time = TimeSpan.FromMinutes(2) }).End);
 
     /// <remarks>It multiplies to 256 processes at most, which end by themselves, lest a test that fails take the machine with it.</remarks>
-    [SkippableTheory]
+    [Theory]
     [MemberData(nameof(Contained))]
     public void AProgramThatMultipliesIsEnded(bool isContained)
     {
-        Skip.If(!OperatingSystem.IsLinux(), "elsewhere the number is not known");
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "elsewhere the number is not known");
         var run = Run(isContained,
             "b() { if [ $1 -gt 0 ]; then b $(($1-1)) & b $(($1-1)) & fi; sleep 20; }; b 7",
             limits with { Time = TimeSpan.FromMinutes(1) });

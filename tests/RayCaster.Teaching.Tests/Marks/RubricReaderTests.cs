@@ -24,10 +24,10 @@ public sealed class RubricReaderTests : IDisposable
         Assert.Equal((10, 20.0, 8), (rubric!.Items.Count, rubric.Points, rubric.Scenes.Count));
     }
 
-    [SkippableFact]
+    [Fact]
     public void AProgramThatIsNotInstalledIsAWarning()
     {
-        Skip.If(OperatingSystem.IsWindows(), "names have endings there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "names have endings there");
         Assert.NotNull(Read("""
             { "scenes": ["room.json"], "run": ["pyhton3", "{dir}/draw.py", "{scene}", "{out}"], "items": [{ "name": "a", "points": 1 }] }
             """, out var report));

@@ -87,12 +87,6 @@ public class VerdictTests
         Assert.Equal(Likeness.Wrong, new PictureComparison(SomePictures.Still(64, 96), still).Likeness);
 
     [Theory]
-    [InlineData("src/RayCaster has been changed.")]
-    [InlineData(null)]
-    public void AWarningIsInTheJsonOnlyIfThereIsOne(string? warning) => Assert.Equal(
-        warning is not null, ComparisonJson.Of(new(still, still), "mine.png", "right.png", warning).Contains($"\"warning\": \"{warning}\""));
-
-    [Theory]
     [InlineData(Likeness.Identical, true)]
     [InlineData(Likeness.WithinRounding, true)]
     [InlineData(Likeness.OutlinesOnly, true)]

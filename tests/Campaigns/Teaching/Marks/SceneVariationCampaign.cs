@@ -1,5 +1,5 @@
 using System.Text;
-using static RayCaster.Teaching.Tests.Marks.SceneVariationTests;
+using static RayCaster.Teaching.Tests.Scenes.SceneVariationTests;
 
 namespace RayCaster.Teaching.Tests.Marks;
 
