@@ -1,3 +1,5 @@
+using System.Text.RegularExpressions;
+
 namespace RayCaster.Marks;
 
 /// <summary>A student's work: a folder of pictures and test results that is named after the student.</summary>
@@ -28,11 +30,11 @@ internal sealed record Submission(string Folder)
         if (!all.Any(submission => submission.HasPicture(rubric))) RefuseWrongFolder(folder, whole, all, rubric);
         if (all.FirstOrDefault(submission => !submission.Student.All(PrintableText.IsPrintable)) is { } odd)
             throw new ProblemException($"the submission '{PrintableText.Of(odd.Student)}' has an invisible character in its name: rename it");
-        var alike = all.GroupBy(submission => submission.Student.Normalize().ToLowerInvariant()).FirstOrDefault(same => same.Count() > 1);
-        if (alike?.Select(submission => submission.Student).ToArray() is [var one, var other, ..])
-            throw new ProblemException($"the submissions '{one}' and '{other}' differ only " +
-                (one.Equals(other, StringComparison.OrdinalIgnoreCase) ? "by case" : "in how accents are encoded") +
-                ": on some systems their pages would be the same file, so rename one");
+        foreach (var (submission, like) in all.Select(submission => (submission, submission.NamesLikeIt())))
+            if (all.FirstOrDefault(other => other != submission && like.IsMatch(other.Student)) is { } other)
+                throw new ProblemException($"the submissions '{submission.Student}' and '{other.Student}' differ only " +
+                    (submission.Student.Length == other.Student.Length ? "by case" : "in how accents are encoded") +
+                    ": on some systems their pages would be the same file, so rename one");
         return all;
     }
 
@@ -75,6 +77,11 @@ internal sealed record Submission(string Folder)
 
     private IEnumerable<Submission> Below() => Directory.EnumerateDirectories(Folder)
         .Where(path => !Path.GetFileName(path).StartsWith('.')).Select(path => new Submission(path));
+
+    /// <summary>The names that some systems take for this one: they differ only by case, or where this one has a letter and an accent, they have a
+    /// letter beyond ASCII. (Without ICU the runtime does not normalise texts.)</summary>
+    private Regex NamesLikeIt() => new($"^{Regex.Replace(Regex.Escape(Student), @"\P{M}\p{M}+", @"[^\0-\x7F]")}$",
+        RegexOptions.IgnoreCase | RegexOptions.CultureInvariant);
 
     /// <summary>No submission has a picture. Perhaps another folder was meant.</summary>
     private static void RefuseWrongFolder(string folder, Submission whole, Submission[] all, Rubric rubric)
