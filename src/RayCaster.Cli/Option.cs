@@ -23,7 +23,6 @@ internal sealed class Option
     public static readonly Option For = new("--for");
     public static readonly Option Require = new("--require");
     public static readonly Option Mistake = new("--mistake");
-    public static readonly Option Ids = new("--ids");
     public static readonly Option Seed = new("--seed");
     public static readonly Option Mine = new("--mine");
     public static readonly Option Port = new("--port");

@@ -62,9 +62,9 @@ public sealed class CommandLineTests : CommandTests
     [Fact]
     public void AMistakeOnACommandsLineShowsItsUsage()
     {
-        raycaster.Run("mark", "rubric.json", "--resum");
+        raycaster.Run("mark", "rubric.json", "--quite");
         Assert.Equal((2, """
-            raycaster: unknown option '--resum'; did you mean '--resume'?
+            raycaster: unknown option '--quite'; did you mean '--quiet'?
             Usage:
               raycaster mark <rubric> <submissions> -o <folder> [options]
               raycaster mark <rubric>
