@@ -37,7 +37,7 @@ internal static class CarriedTool
     private static void CopyBuilt(string project, string folder, CancellationToken cancellation)
     {
         var built = Directory.CreateTempSubdirectory().FullName;
-        using var build = Process.Start("dotnet", ["build", project, "-v", "quiet", "-tl:off", "-o", built, "-p:UseAppHost=false"]);
+        using var build = Process.Start("dotnet", ["build", project, "-v", "quiet", "-tl:off", "-clp:ErrorsOnly;NoSummary", "-o", built, "-p:UseAppHost=false"]);
         try
         {
             build.WaitForExitAsync(cancellation).GetAwaiter().GetResult();
