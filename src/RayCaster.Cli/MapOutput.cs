@@ -13,7 +13,6 @@ internal static class MapOutput
         if (!numbers.EndsWith(".pfm", StringComparison.OrdinalIgnoreCase))
             throw ProblemException.Usage(
                 $"a map's numbers go to a file that ends in .pfm, but '{numbers}' is given; its picture gets the same name with .png");
-        var colors = TerminalScreen.Colors(line);
         // A name of its own, so "-o room.pfm" does not replace the picture room.png.
         var ending = $".{kind.Name()}";
         var picture = numbers[..^4] + (numbers[..^4].EndsWith(ending, StringComparison.Ordinal) ? "" : ending) + ".png";
@@ -22,14 +21,7 @@ internal static class MapOutput
         var map = MapMaker.Make(scene, kind, line.ThreadCount());
 
         PictureOutput.Write(numbers, cancellation, file => PfmFile.Write(file, map));
-        var drawn = MapPicture.Draw(map, kind);
-        PictureOutput.Write(picture, drawn, PictureFormat.Png, cancellation);
-        if (line.Has(Option.Preview))
-        {
-            var preview = TerminalScreen.Preview(drawn.Width, drawn.Height);
-            preview.Take(drawn.Rgb);
-            TerminalScreen.Show(preview, colors);
-        }
+        PictureOutput.Write(picture, MapPicture.Draw(map, kind), PictureFormat.Png, cancellation);
         line.Tell($"{numbers}, {picture}: {map.Width} x {map.Height} pixels{Range(map, kind)}");
         if (line.Has(Option.Ledger) && !line.Has(Option.Quiet)) StandardStreams.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;

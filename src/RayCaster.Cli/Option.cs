@@ -13,13 +13,9 @@ internal sealed class Option
     public static readonly Option Resume = new("--resume", takesValue: false);
     public static readonly Option Missing = new("--missing", takesValue: false);
     public static readonly Option Frames = new("--frames");
-    public static readonly Option Keys = new("--keys");
     public static readonly Option Only = new("--only");
-    public static readonly Option Fps = new("--fps");
-    public static readonly Option Columns = new("--columns");
     public static readonly Option Threads = new("--threads", "-t");
     public static readonly Option Map = new("--map");
-    public static readonly Option Color = new("--color");
     public static readonly Option Scene = new("--scene");
     public static readonly Option Reference = new("--reference");
     public static readonly Option Hint = new("--hint");
@@ -27,13 +23,11 @@ internal sealed class Option
     public static readonly Option For = new("--for");
     public static readonly Option Require = new("--require");
     public static readonly Option Mistake = new("--mistake");
-    public static readonly Option Ids = new("--ids");
     public static readonly Option Seed = new("--seed");
     public static readonly Option Mine = new("--mine");
     public static readonly Option Port = new("--port");
     public static readonly Option Ledger = new("--ledger", takesValue: false);
     public static readonly Option Plain = new("--plain", takesValue: false);
-    public static readonly Option Preview = new("--preview", takesValue: false);
     public static readonly Option Measures = new("--measures", takesValue: false);
     public static readonly Option Everything = new("--all", takesValue: false);
     public static readonly Option Json = new("--json", takesValue: false);

@@ -10,7 +10,7 @@ internal static class PictureOutput
     /// <param name="ofStandardOutput">The format of standard output without --format.</param>
     public static PictureFormat FormatOf(CommandLine line, string output, PictureFormat ofStandardOutput = PictureFormat.Ppm)
     {
-        if (output == SceneInput.Standard && TerminalScreen.TakesOutput)
+        if (output == SceneInput.Standard && !Console.IsOutputRedirected)
             throw new ProblemException(
                 "a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
         return line.Format() ?? (output == SceneInput.Standard ? ofStandardOutput

@@ -7,6 +7,8 @@ namespace RayCaster.Cli;
 /// <param name="what">What is counted for each pixel: rays, or something else if no rays are cast.</param>
 internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock, string what = "rays") : IDisposable
 {
+    private const int UsualColumns = 80, MinColumns = 20;
+
     private static readonly TimeSpan InitialDelay = TimeSpan.FromSeconds(0.5);
     private static readonly TimeSpan UpdateInterval = TimeSpan.FromSeconds(0.1);
 
@@ -26,7 +28,20 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         line.Has(Option.Quiet) || line.Has(Option.NoProgress) || !IsSeen ? null : OnTerminal(width, height, what);
 
     private static ProgressLine OnTerminal(int width, int height, string what) =>
-        new(Console.Error, width, height, TerminalScreen.Columns(), TimeProvider.System, what);
+        new(Console.Error, width, height, Columns(), TimeProvider.System, what);
+
+    /// <summary>The terminal's columns; 80 if it does not say.</summary>
+    private static int Columns()
+    {
+        try
+        {
+            return Console.WindowWidth is >= MinColumns and var columns ? columns : UsualColumns;
+        }
+        catch (IOException)
+        {
+            return UsualColumns;
+        }
+    }
 
     /// <summary>Counts finished lines of the picture. Any thread may call it.</summary>
     public void LinesDone(int lines) => Show(Interlocked.Add(ref linesDone, lines), height);

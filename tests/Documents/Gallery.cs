@@ -98,8 +98,26 @@ internal static class Gallery
     private static Picture Thumb(Picture tile)
     {
         var scale = Math.Max((double)tile.Width / ThumbWidth, (double)tile.Height / ThumbHeight);
-        var thumb = new SmallPicture(tile.Width, tile.Height, (int)(tile.Width / scale), (int)(tile.Height / scale));
-        thumb.Take(tile.Rgb);
-        return thumb.Picture;
+        var (width, height) = ((int)(tile.Width / scale), (int)(tile.Height / scale));
+        return Picture.Of(width, height, (x, y) => Mean(tile,
+            x * tile.Width / width, (x + 1) * tile.Width / width, y * tile.Height / height, (y + 1) * tile.Height / height));
+    }
+
+    /// <summary>The mean colour of some columns and lines, of one at least.</summary>
+    private static (byte, byte, byte) Mean(Picture picture, int left, int right, int top, int bottom)
+    {
+        (right, bottom) = (Math.Max(left + 1, right), Math.Max(top + 1, bottom));
+        var (count, r, g, b) = ((right - left) * (bottom - top), 0, 0, 0);
+        for (var y = top; y < bottom; y++)
+            for (var x = left; x < right; x++)
+            {
+                var color = picture[x, y];
+                r += color.R;
+                g += color.G;
+                b += color.B;
+            }
+        return (Rounded(r), Rounded(g), Rounded(b));
+
+        byte Rounded(int sum) => (byte)((sum + count / 2) / count);
     }
 }

@@ -62,9 +62,9 @@ public sealed class CommandLineTests : CommandTests
     [Fact]
     public void AMistakeOnACommandsLineShowsItsUsage()
     {
-        raycaster.Run("mark", "rubric.json", "--resum");
+        raycaster.Run("mark", "rubric.json", "--quite");
         Assert.Equal((2, """
-            raycaster: unknown option '--resum'; did you mean '--resume'?
+            raycaster: unknown option '--quite'; did you mean '--quiet'?
             Usage:
               raycaster mark <rubric> <submissions> -o <folder> [options]
               raycaster mark <rubric>
@@ -109,9 +109,7 @@ public sealed class CommandLineTests : CommandTests
     [InlineData("ROOM -o a.gif", "no picture format for 'a.gif': .gif is not known; use .png or .ppm")]
     [InlineData("ROOM -o no/a.png", "cannot write no/a.png: its folder does not exist")]
     [InlineData("ROOM -o ./ --format png", "cannot write ./: it is a folder; name a file in it")]
-    [InlineData("ROOM --preview -o -", "--preview and -o - both write to standard output")]
-    [InlineData("ROOM --color yes", "'yes' is not a value of --color: choose auto, always or never")]
-    [InlineData("ROOM --map z", "'z' is not a map: choose t, depth, model, normal or uv")]
+    [InlineData("ROOM --map z", "'z' is not a map: choose t, depth or model")]
     [InlineData("ROOM --map t -o a.png", "a map's numbers go to a file that ends in .pfm, but 'a.png' is given")]
     [InlineData("ROOM --map t --format ppm", "a map is a PFM and a PNG")]
     [InlineData("ROOM --mistake row", "'row' is not a mistake; did you mean 'rows'?")]
@@ -136,11 +134,6 @@ public sealed class CommandLineTests : CommandTests
     [InlineData("orbit a.json", "orbit needs a number of frames, as in --frames 48\n")]
     [InlineData("orbit a.json --frames 0", "'0' is not a number of frames: it is a whole number from 1 to 1,000,000\n")]
     [InlineData("orbit a.json --frames 8 --only 5..9", "the frames 5..9 do not all exist: a film of 8 frames has 0..7\n")]
-    [InlineData("animate .", "animate needs a name for the picture, as in -o animate.png\n")]
-    [InlineData("animate . -o a.ppm", "animate writes a PNG, to a file: choose a name with .png\n")]
-    [InlineData("animate . -o a.png", "no picture is given: name PNG files, a pattern, or a folder with some\n")]
-    [InlineData("animate . -o a.png --fps 2000", "'2000' is not a number of frames per second: it is a whole number from 1 to 1,000\n")]
-    [InlineData("sheet b.png -o a.png --columns x", "'x' is not a number of columns: it is a whole number from 1 to 1,000,000\n")]
     [InlineData("diagnose scene.json", "diagnose takes <scene> <mine>, but 'scene.json' is given")]
     [InlineData("diagnose a.json b.png --hint all", "'all' is not a level of hints: choose symptom, question or answer")]
     [InlineData("diagnose ROOM nothing.png", "picture file not found: nothing.png")]
@@ -153,11 +146,4 @@ public sealed class CommandLineTests : CommandTests
 
     [Fact]
     public void AMissingRubricIsNoAnswer() => Assert.Equal(2, raycaster.Run("mark", "nosuch.json").ExitCode);
-
-    [Fact]
-    public void OnePictureIsOne()
-    {
-        raycaster.Run(Path.Combine(RayCasterProcess.Scenes, "room.json"), "-s", "8x8", "-o", "a.png", "-q");
-        Assert.StartsWith("sheet.png: 1 picture, ", raycaster.Run("sheet", "a.png", "-o", "sheet.png").Error);
-    }
 }

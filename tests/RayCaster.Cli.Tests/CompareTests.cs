@@ -1,5 +1,3 @@
-using System.Text.Json;
-
 namespace RayCaster.Cli.Tests;
 
 /// <summary>The console app's command compare, with real pictures of the project's scenes.</summary>
@@ -68,22 +66,6 @@ public sealed class CompareTests : CommandTests
     {
         raycaster.Run("compare", Mine(), Mine(name: "right.png"), "--measures");
         Assert.EndsWith("\nMeasures, in levels of 255: maximum 0, MAE 0, RMSE 0\n", raycaster.OutputText);
-    }
-
-    [Fact]
-    public void JsonHoldsTheAnswerByName()
-    {
-        raycaster.Run("compare", Mine(Some.Flip), Mine(name: "right.png"), "--scene", Room, "--json");
-        Assert.Equal(1, raycaster.ExitCode);
-        var answer = JsonDocument.Parse(raycaster.Output).RootElement;
-        Assert.Equal("wrong", answer.GetProperty("verdict").GetString());
-        Assert.False(answer.GetProperty("same").GetBoolean());
-        Assert.Equal("TopBottom", answer.GetProperty("recognised").GetProperty("turn").GetString());
-        Assert.True(answer.GetProperty("scene").GetProperty("referenceIsItsPicture").GetBoolean());
-        Assert.Equal(9, answer.GetProperty("scene").GetProperty("models").GetArrayLength());
-        var first = answer.GetProperty("wrongMiddle");
-        Assert.Equal(319, first.GetProperty("line").GetInt32() + first.GetProperty("row").GetInt32());
-        Assert.InRange(answer.GetProperty("measures").GetProperty("rmse").GetDouble(), 1, 255);
     }
 
     [Fact]

@@ -17,8 +17,8 @@ public sealed class MapTests : CommandTests
     [Fact]
     public void OutputNamesBothFiles()
     {
-        raycaster.Run(Room, "--map=normal", "-s", "30x20", "-o", "n.pfm", "-q");
+        raycaster.Run(Room, "--map=depth", "-s", "30x20", "-o", "n.pfm", "-q");
         Assert.Equal("", raycaster.Error);
-        Assert.Equal(["n.normal.png", "n.pfm"], raycaster.Files);
+        Assert.Equal(["n.depth.png", "n.pfm"], raycaster.Files);
     }
 }

@@ -22,7 +22,6 @@ internal sealed class CheckCommand : Command
                                exit code is 1.
               --all            Tries every mistake, however long it takes. Otherwise those are left
                                out that 10 s of processor time do not suffice for.
-              --json           The answer as JSON, also the errors of scenes.
           -q, --quiet          Errors and warnings only.
           -t, --threads <n>    How many threads draw. [default: one per core]
 
@@ -37,25 +36,22 @@ internal sealed class CheckCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         if (line.Operands.Count == 0) throw ProblemException.Usage("check takes <scene>..., but nothing is given");
-        var (threads, json, quiet) = (line.ThreadCount(), line.Has(Option.Json), line.Has(Option.Quiet));
+        var (threads, quiet) = (line.ThreadCount(), line.Has(Option.Quiet));
         var required = line.Names(Option.Require, ',', MistakeOutput.Ids, "a mistake");
         var shapes = line.Names(Option.For, ',', SceneReader.ModelTypes, "a kind of shape");
-        var (scenes, errors) = (new List<Scene>(), new List<Problem>());
+        var scenes = new List<Scene>();
         var exitCode = ExitCode.Done;
         foreach (var path in line.Operands)
         {
             cancellation.ThrowIfCancellationRequested();
             var reading = SceneInput.Read(path, line, judges: true);
-            if (json) StandardStreams.WriteError(reading.Report());
-            else StandardStreams.WriteOutput(reading.Report());
-            errors.AddRange(reading.Problems.Where(problem => problem.IsError));
+            StandardStreams.WriteOutput(reading.Report());
             if (reading.Scene is { } scene) scenes.Add(scene);
             else exitCode = Math.Max(exitCode, reading.IsUnread ? ExitCode.CouldNot : ExitCode.No);
         }
-        if (exitCode != ExitCode.Done && json) StandardStreams.WriteOutput(FitnessReport.Json(errors));
-        if (exitCode != ExitCode.Done || (quiet && !json && required.Length == 0)) return exitCode;
+        if (exitCode != ExitCode.Done || (quiet && required.Length == 0)) return exitCode;
 
-        if (!json && !quiet)
+        if (!quiet)
             StandardStreams.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors.");
         if (!scenes.TrueForAll(SceneFitness.CanJudge))
             throw new ProblemException($"a scene has more than {SceneFitness.MaxModels:N0} models: too many to try mistakes on");
@@ -63,8 +59,7 @@ internal sealed class CheckCommand : Command
             [.. MistakeCatalog.All.Where(mistake => shapes.Length == 0 || mistake.Touches(shapes))], line.Budget());
         var absent = required.Where(id => fitness.Asked.All(mistake => mistake.Id != id)
             || fitness.Hidden.Concat(fitness.NotTried).Any(mistake => mistake.Id == id)).ToArray();
-        if (json) StandardStreams.WriteOutput(FitnessReport.Json(fitness, absent, line.Warning));
-        else if (!quiet) StandardStreams.WriteOutput(FitnessReport.Text(fitness));
+        if (!quiet) StandardStreams.WriteOutput(FitnessReport.Text(fitness));
         if (absent.Length == 0) return ExitCode.Done;
         StandardStreams.WriteError($"required, but not shown: {string.Join(", ", absent)}");
         return ExitCode.No;

@@ -12,8 +12,6 @@ internal abstract class Command
         ["explain"] = new ExplainCommand(),
         ["stitch"] = new StitchCommand(),
         ["orbit"] = new OrbitCommand(),
-        ["animate"] = new AnimateCommand(),
-        ["sheet"] = new SheetCommand(),
         ["handout"] = new HandOutCommand(),
         ["mark"] = new MarkCommand(),
         ["vary"] = new VaryCommand(),

@@ -21,7 +21,6 @@ internal sealed class CompareCommand : Command
           -o, --output <file>    Writes mine, the reference and a heat map of the difference
                                  beside each other, .png or .ppm. Without it nothing is written.
               --measures         Adds maximum, MAE and RMSE.
-              --json             Writes the answer as JSON to standard output.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
 
         Two pictures are the same if they are identical, or if at most 1 % of the pixels
@@ -49,9 +48,7 @@ internal sealed class CompareCommand : Command
 
         var comparison = new PictureComparison(mine, reference, scene, threads);
         if (output is not null) PictureOutput.Write(output, SideBySide.Draw(comparison), format, cancellation);
-        StandardStreams.WriteOutput(line.Has(Option.Json)
-            ? ComparisonJson.Of(comparison, mineFile, referenceFile, line.Warning)
-            : Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
+        StandardStreams.WriteOutput(Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
         return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
     }
 

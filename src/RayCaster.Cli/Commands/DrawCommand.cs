@@ -25,8 +25,6 @@ internal sealed class DrawCommand : Command
         For large pictures and many:
           stitch <part>...                 Joins parts into one picture, or lists missing lines.
           orbit <scene>                    Draws the frames of a moving camera.
-          animate <frame>...               Joins frames into an animated PNG.
-          sheet <picture>...               Draws small copies of many pictures on one sheet.
 
           help [command]                   Shows this help, or a command's.
 
@@ -47,17 +45,14 @@ internal sealed class DrawCommand : Command
               --resume           Does nothing if a complete picture or part of the same scene
                                  exists already.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
-              --map <kind>       Writes numbers instead of the picture: t, depth, model, normal
-                                 or uv. The files are <scene>.<kind>.pfm and a picture, .png.
+              --map <kind>       Writes numbers instead of the picture: t, depth or model.
+                                 The files are <scene>.<kind>.pfm and a picture, .png.
               --mistake <ids>    Draws the picture of a program with a mistake, or with several,
                                  for example rows+bgr. docs/mistakes.md lists the mistakes.
               --ledger           Prints which models show, and why the others do not. Also
                                  printed if the picture is empty or has one colour.
               --plain            Draws by the definition, ScalarRenderer, ray by ray: for the
                                  debugger and for Console.WriteLine in a formula.
-              --preview          Also shows the picture in the terminal (standard output).
-              --color <when>     Colours of the preview: auto, always or never. [default: auto,
-                                 which uses NO_COLOR, FORCE_COLOR, COLORTERM and TERM]
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
               --version          Shows the version.
@@ -90,9 +85,6 @@ internal sealed class DrawCommand : Command
             throw ProblemException.Usage("--rows and --resume write a PNG, which records what it shows; choose another name or format");
         if (output == SceneInput.Standard && line.Has(Option.Resume))
             throw ProblemException.Usage("--resume needs a file: it cannot check what was written to standard output");
-        var colors = TerminalScreen.Colors(line);
-        if (line.Has(Option.Preview) && output == SceneInput.Standard)
-            throw ProblemException.Usage("--preview and -o - both write to standard output: write the picture to a file");
 
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
 
@@ -106,11 +98,10 @@ internal sealed class DrawCommand : Command
             return ExitCode.Done;
         }
 
-        var (odd, preview) = (default(OddPicture), default(TerminalPreview));
+        var odd = default(OddPicture);
         scene = SpatialOrder.Of(scene);
         var renderer = new CheckedRenderer(scene, threads, line.Has(Option.Plain));
         PictureOutput.Draw(output, format, renderer, lines, part, line, cancellation, Watch);
-        if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
         StandardStreams.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)));
         var isOdd = odd!.IsOdd && lines.Count == scene.Camera.Height; // a part may have one colour without a mistake
@@ -122,12 +113,7 @@ internal sealed class DrawCommand : Command
         Action<ReadOnlySpan<byte>> Watch()
         {
             odd = new(scene.Background);
-            preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
-            return drawn =>
-            {
-                odd.Take(drawn);
-                preview?.Take(drawn);
-            };
+            return odd.Take;
         }
     }
 

@@ -21,7 +21,6 @@ internal sealed class ExplainCommand : Command
               --reference <file>   Another picture of the scene, for example your program's: adds its
                                    colour at this pixel and, if that is wrong, which model would
                                    give it.
-              --json               Writes JSON with all digits; docs/explain.md lists its fields.
           -q, --quiet              Prints errors only, no warnings of the scene.
 
         Example:
@@ -41,7 +40,7 @@ internal sealed class ExplainCommand : Command
         var explanation = new PixelExplanation(scene,
             Coordinate("column", operands[1], camera.Width, "left to right"), Coordinate("line", operands[2], camera.Height, "top to bottom"));
         var reference = line[Option.Reference] is { } path ? ReferenceExplanation.Of(explanation, ReadReference(path, camera)) : null;
-        StandardStreams.WriteOutput(line.Has(Option.Json) ? ExplanationJson.Of(explanation, reference) : ExplanationText.Of(explanation, reference));
+        StandardStreams.WriteOutput(ExplanationText.Of(explanation, reference));
         return reference is { Agrees: false } ? ExitCode.No : ExitCode.Done;
     }
 

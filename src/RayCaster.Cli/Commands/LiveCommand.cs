@@ -59,7 +59,7 @@ internal sealed class LiveCommand : Command
     }
 
     /// <summary>The project in the clone that this program was built in; null outside of one.</summary>
-    private static string? ProjectAbove(string folder)
+    internal static string? ProjectAbove(string folder)
     {
         for (var parent = new DirectoryInfo(folder); parent is not null; parent = parent.Parent)
             if (Path.Combine(parent.FullName, "src", "RayCaster.Live") is var project && File.Exists(Path.Combine(project, "RayCaster.Live.csproj")))

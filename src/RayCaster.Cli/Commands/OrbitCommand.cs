@@ -6,18 +6,16 @@ internal sealed class OrbitCommand : Command
 
     public override string Help => """
         Description:
-          Draws the frames of a camera that goes once around its target, or along a path from
-          a file: room-0000.png, room-0001.png ...
+          Draws the frames of a camera that goes once around its target: room-0000.png,
+          room-0001.png ...
 
         Usage:
           raycaster orbit <scene> --frames <n> [options]
 
         Options:
-              --frames <n>       How many frames. Without --keys frame 0 is the scene's own
-                                 picture, and the camera turns counterclockwise, seen from above
-                                 (from where "up" points to).
-              --keys <file>      The camera's path (JSON, docs/frames.md). The first frame is at
-                                 the first key, the last frame at the last key.
+              --frames <n>       How many frames. Frame 0 is the scene's own picture, and the
+                                 camera turns counterclockwise, seen from above (from where
+                                 "up" points to).
               --only <frames>    Draws only these frames, for example 0..11 (both included) or 3/8
                                  (the third of eight parts), for many machines.
           -o, --output <folder>  An existing folder for the frames. [default: the current one]
@@ -30,7 +28,6 @@ internal sealed class OrbitCommand : Command
 
         Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
           raycaster orbit scenes/room.json --frames 48 -o frames
-          raycaster animate frames -o room.png --fps 24
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -43,15 +40,6 @@ internal sealed class OrbitCommand : Command
 
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
         scene = SpatialOrder.Of(scene);
-        CameraPath? way = null;
-        if (line[Option.Keys] is { } keys)
-        {
-            InputFiles.Note([keys]);
-            way = CameraPathReader.Read(keys, scene.Camera, out var report);
-            StandardStreams.WriteError(report);
-            if (way is null) return ExitCode.CouldNot;
-        }
-
         var folder = line[Option.Output] ?? "";
         var name = DrawCommand.NameOf(path);
         var (start, drawn) = (Stopwatch.GetTimestamp(), 0);
@@ -59,7 +47,7 @@ internal sealed class OrbitCommand : Command
         for (var frame = only.First; frame <= only.Last; frame++)
         {
             cancellation.ThrowIfCancellationRequested();
-            var camera = way?.Frame(scene.Camera, frame, frames) ?? CameraMotion.Orbit(scene.Camera, frame, frames);
+            var camera = CameraMotion.Orbit(scene.Camera, frame, frames);
             if (camera.ValidationError is { } flaw) throw new ProblemException($"frame {frame} cannot be drawn: {flaw}");
             var view = scene with { Camera = camera };
             var whole = LineRange.Whole(camera.Height);
