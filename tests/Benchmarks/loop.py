@@ -9,7 +9,7 @@ Works in a copy of the project's files, changes nothing here, and prints the tab
 import argparse, os, pathlib, re, shutil, subprocess, sys, tempfile, time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SPHERE = "src/RayCaster/Models/Sphere.cs"
+SPHERE = "src/RayCaster/Shapes/Sphere.cs"
 ENVIRONMENT = dict(os.environ, DOTNET_NOLOGO="1", DOTNET_CLI_TELEMETRY_OPTOUT="1")
 ENVIRONMENT.pop("Strict", None)
 

@@ -49,31 +49,31 @@ mv small.png right-small.png
 mv large.png right-large.png
 
 course=src/RayCaster
-edit "upside down"               $course/Rendering/ScalarRenderer.cs 's/scene.Camera.Height - 1 - (top + y)/top + y/'
-edit "the last hit wins"         $course/Models/Ray.cs               's/ || IsNearer<Scalar>(t, HitParameter).Value == 0//'
-edit "the farthest hit wins"     $course/Models/Ray.cs               's/=> t < nearest;/=> t > nearest;/'
-edit "half the light"            $course/Rendering/Scene.cs \
+edit "upside down"               $course/Scene/ScalarRenderer.cs 's/scene.Camera.Height - 1 - (top + y)/top + y/'
+edit "the last hit wins"         $course/Rays/Ray.cs               's/ || IsNearer<Scalar>(t, HitParameter).Value == 0//'
+edit "the farthest hit wins"     $course/Rays/Ray.cs               's/=> t < nearest;/=> t > nearest;/'
+edit "half the light"            $course/Scene/Scene.cs \
     's/: Attenuation<Scalar>(t) \* model.Color/: 0.5 * Attenuation<Scalar>(t) * model.Color/'
-edit "attenuation"               $course/Rendering/Scene.cs          's|1 - t / Camera.FadeDistance|1 - t / (2 * Camera.FadeDistance)|'
-edit "red and blue swapped"      $course/Models/Color.cs             's/(ToByte(R), ToByte(G), ToByte(B))/(ToByte(B), ToByte(G), ToByte(R))/'
-edit "colour times number"       $course/Models/Color.cs             's/attenuation \* color.G/color.G/'
-edit "truncated, not rounded"    $course/Models/Color.cs             's/ \* 255 + 0.5/ * 255/'
-edit "the picture's indexer"     $course/Rendering/Picture.cs \
+edit "attenuation"               $course/Scene/Scene.cs          's|1 - t / Camera.FadeDistance|1 - t / (2 * Camera.FadeDistance)|'
+edit "red and blue swapped"      $course/Vectors/Color.cs             's/(ToByte(R), ToByte(G), ToByte(B))/(ToByte(B), ToByte(G), ToByte(R))/'
+edit "colour times number"       $course/Vectors/Color.cs             's/attenuation \* color.G/color.G/'
+edit "truncated, not rounded"    $course/Vectors/Color.cs             's/ \* 255 + 0.5/ * 255/'
+edit "the picture's indexer"     $course/Scene/Picture.cs \
     's/(Rgb\[i\], Rgb\[i + 1\], Rgb\[i + 2\]) = value/(Rgb[i + 2], Rgb[i + 1], Rgb[i]) = value/'
-edit "h without the 2"           $course/Camera/Camera.cs            's/PlaneHeight = 2 \* Math.Tan/PlaneHeight = Math.Tan/'
-edit "the ray of a pixel"        $course/Camera/Camera.cs            's/Direction<Scalar>(column, row);/Direction<Scalar>(column, row + 1);/'
-edit "the clip range"            $course/Models/ClipRange.cs         's/z >= zNear;/z <= zNear;/'
-edit "dot product"               $course/Mathematics/Vector3OfN.cs   's/a.X \* b.X + a.Y \* b.Y/a.X * b.X - a.Y * b.Y/'
-edit "cross product"             $course/Mathematics/Vector3.cs      's/a.Z \* b.X - a.X \* b.Z/a.X * b.Z - a.Z * b.X/'
-edit "plane"                     $course/Models/Plane.cs             's/(Point - ray.Origin) \* Normal/(ray.Origin - Point) * Normal/'
-edit "sphere"                    $course/Models/Sphere.cs            's/Radius \* Radius - D \* D/Radius - D * D/'
-edit "box"                       $course/Models/Aabb.cs              's/var hit = tMin <= tMax/var hit = tMin >= tMax/'
-edit "circle"                    $course/Models/Circle.cs            's/Radius \* Radius/Radius/'
-edit "triangle"                  $course/Models/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
-edit "the models' first hit"     $course/Models/Model.cs \
+edit "h without the 2"           $course/Scene/Camera.cs            's/PlaneHeight = 2 \* Math.Tan/PlaneHeight = Math.Tan/'
+edit "the ray of a pixel"        $course/Scene/Camera.cs            's/Direction<Scalar>(column, row);/Direction<Scalar>(column, row + 1);/'
+edit "the clip range"            $course/Rays/ClipRange.cs         's/z >= zNear;/z <= zNear;/'
+edit "dot product"               $course/Vectors/Vector3OfN.cs   's/a.X \* b.X + a.Y \* b.Y/a.X * b.X - a.Y * b.Y/'
+edit "cross product"             $course/Vectors/Vector3.cs      's/a.Z \* b.X - a.X \* b.Z/a.X * b.Z - a.Z * b.X/'
+edit "plane"                     $course/Shapes/Plane.cs             's/(Point - ray.Origin) \* Normal/(ray.Origin - Point) * Normal/'
+edit "sphere"                    $course/Shapes/Sphere.cs            's/Radius \* Radius - D \* D/Radius - D * D/'
+edit "box"                       $course/Shapes/Aabb.cs              's/var hit = tMin <= tMax/var hit = tMin >= tMax/'
+edit "circle"                    $course/Shapes/Circle.cs            's/Radius \* Radius/Radius/'
+edit "triangle"                  $course/Shapes/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
+edit "the models' first hit"     $course/Rays/Model.cs \
     's/ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT)/0.5 * ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT)/'
-edit "the scene's reader"        src/RayCaster.Files/SceneFiles/SceneReader.cs 's/"width"/"wide"/'
-edit "the picture's writer"      src/RayCaster.Files/PictureFiles/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
+edit "the scene's reader"        src/RayCaster.Files/Scenes/SceneReader.cs 's/"width"/"wide"/'
+edit "the picture's writer"      src/RayCaster.Files/Pictures/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
 
 cp -r src/RayCaster.Engine/Numbers kept
 sed -i 's/a.Lanes + b.Lanes/a.Lanes - b.Lanes/' src/RayCaster.Engine/Numbers/*Packet.cs
@@ -86,7 +86,7 @@ cmp -s large.png right-large.png && result=0 || result=1
 verdict "and is right" $result "it differs"
 cp kept/* src/RayCaster.Engine/Numbers
 
-sed -i 's/Radius \* Radius - D \* D/Radius - D * D/' $course/Models/Sphere.cs
+sed -i 's/Radius \* Radius - D \* D/Radius - D * D/' $course/Shapes/Sphere.cs
 draw
 for command in "diagnose scenes/room.json right-small.png" "compare small.png right-small.png --scene scenes/room.json" "check scenes/room.json"; do
     # shellcheck disable=SC2086 # the words of a command
@@ -95,12 +95,12 @@ for command in "diagnose scenes/room.json right-small.png" "compare small.png ri
     verdict "${command%% *} --json says that src/RayCaster was changed" $result "$(head -3 said.json)"
 done
 
-sed -i 's/return new(tca - thc/if (Radius < 9) throw new Exception("boom"); &/' $course/Models/Sphere.cs
+sed -i 's/return new(tca - thc/if (Radius < 9) throw new Exception("boom"); &/' $course/Shapes/Sphere.cs
 draw
 # "in Model" where the runtime has inlined the formula
 grep -qE 'Exception in (Sphere|Model): boom' small.txt && grep -qE 'Exception in (Sphere|Model): boom' large.txt && result=0 || result=1
 verdict "a formula's exception is shown" $result "$(cat small.txt large.txt)"
-sed -i 's/if (Radius < 9) throw[^;]*;/return new(N.Sqrt(-1));/' $course/Models/Sphere.cs
+sed -i 's/if (Radius < 9) throw[^;]*;/return new(N.Sqrt(-1));/' $course/Shapes/Sphere.cs
 draw --ledger
 grep -q "ball does not show: it is missed by every ray" small.txt && result=0 || result=1
 verdict "the ledger says that every ray misses" $result "$(cat small.txt)"

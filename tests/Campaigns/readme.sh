@@ -20,7 +20,7 @@ follow() { # runs a command of README
     expected=0
     case $1 in
         *" -- scenes/first.json") edit scenes/first.json '"radius"' '"raduis"'; expected=2 ;;
-        *"-o small-ball.png") edit src/RayCaster/Models/Sphere.cs 'Radius \* Radius' 'Radius' ;;
+        *"-o small-ball.png") edit src/RayCaster/Shapes/Sphere.cs 'Radius \* Radius' 'Radius' ;;
         *"--filter SphereTests" | *" diagnose "* | *" compare "*) expected=1 ;;
     esac
     echo "== $1"

@@ -137,8 +137,6 @@ public class AttackTests
     [InlineData("""{"turn":[]}""")]
     [InlineData("""{"camera":{"position":[0,0,0]}}""")]
     [InlineData("""{"open":"/etc/passwd"}""")]
-    [InlineData("""{"look":["sideways",1]}""")]
-    [InlineData("""{"look":["99",0]}""")]
     [InlineData("""{"hint":"99"}""")]
     [InlineData("""{"map":"x"}""")]
     [InlineData("""{"diagnose":1}""")]
