@@ -1,6 +1,6 @@
 namespace RayCaster.Cli.Tests;
 
-public sealed class LedgerTests : CommandTests
+public sealed class ModelsTests : CommandTests
 {
     private const string LooksAway = """
         { "camera": { "position": [-9, 0, 0], "target": [-12, 0, 0], "width": 30, "height": 20 },
@@ -18,17 +18,17 @@ public sealed class LedgerTests : CommandTests
     [Fact]
     public void QuietIsQuiet()
     {
-        raycaster.Write("away.json", LooksAway).Run("away.json", "-q", "--ledger");
+        raycaster.Write("away.json", LooksAway).Run("away.json", "-q");
         Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.Error));
     }
 
     [Fact]
-    public void AUsualPictureHasALedgerOnRequest()
+    public void AUsualPictureIsOneLineAndModelsSaysThatAllShow()
     {
         raycaster.Run(Room, "-s", "30x20");
         Assert.Single(raycaster.Error.TrimEnd().Split('\n'));
-        raycaster.Run(Room, "-s", "30x20", "--ledger", "-o", "-");
-        Assert.EndsWith("Nothing odd: every model shows.\n", raycaster.Error);
-        Assert.Equal("P6\n30 20\n255\n".Length + 30 * 20 * 3, raycaster.Output.Length);
+        raycaster.Run("models", Room, "-s", "30x20");
+        Assert.EndsWith("Nothing odd: every model shows.\n", raycaster.OutputText);
+        Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.Error));
     }
 }

@@ -6,14 +6,13 @@ internal static class PictureOutput
     /// <summary>Its name in messages.</summary>
     public static string NameOf(string output) => output == SceneInput.Standard ? "standard output" : output;
 
-    /// <summary>The format of --format, or that of the file's extension.</summary>
-    /// <param name="ofStandardOutput">The format of standard output without --format.</param>
-    public static PictureFormat FormatOf(CommandLine line, string output, PictureFormat ofStandardOutput = PictureFormat.Ppm)
+    /// <summary>The format of --format, or that of the file's extension; PPM for standard output.</summary>
+    public static PictureFormat FormatOf(string output, PictureFormat? format)
     {
         if (output == SceneInput.Standard && !Console.IsOutputRedirected)
             throw new ProblemException(
                 "a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
-        return line.Format() ?? (output == SceneInput.Standard ? ofStandardOutput
+        return format ?? (output == SceneInput.Standard ? PictureFormat.Ppm
             : Directory.Exists(output) ? throw new ProblemException($"cannot write {output}: it is a folder; name a file in it")
             : PictureFormats.ByExtension(output));
     }
@@ -35,10 +34,11 @@ internal static class PictureOutput
 
     /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
-    /// <param name="watch">Gives what also gets the lines, in order; called again if the picture is drawn again.</param>
-    public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
-        CommandLine line, CancellationToken cancellation, Func<Action<ReadOnlySpan<byte>>>? watch = null)
+    /// <returns>Whether the lines look like a mistake, since they show nothing or one colour.</returns>
+    public static bool Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
+        CommandLine line, CancellationToken cancellation)
     {
+        var odd = default(OddPicture);
         try
         {
             Write(output, cancellation, WriteOnce);
@@ -48,10 +48,12 @@ internal static class PictureOutput
             if (output == SceneInput.Standard) throw new ProblemException("standard output has a wrong picture: write to a file, or add --plain");
             Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
         }
+        return odd!.IsOdd;
 
         void WriteOnce(Stream stream)
         {
-            var (width, height, watcher) = (renderer.Scene.Camera.Width, lines.Count, watch?.Invoke());
+            var (width, height) = (renderer.Scene.Camera.Width, lines.Count);
+            odd = new(renderer.Scene.Background);
             using var progress = ProgressLine.For(line, width, height);
             using var writer = PictureWriter.Create(format, stream, width, height, part?.ToString());
             renderer.Draw(lines, Take, done => progress?.LinesDone(done), cancellation);
@@ -59,10 +61,19 @@ internal static class PictureOutput
 
             void Take(ReadOnlySpan<byte> drawn)
             {
-                watcher?.Invoke(drawn);
+                odd.Take(drawn);
                 writer.WriteRows(drawn);
             }
         }
+    }
+
+    /// <summary>What was drawn, in a line.</summary>
+    public static string Summary(string output, Scene scene, LineRange lines, TimeSpan elapsed)
+    {
+        var (width, height) = (scene.Camera.Width, scene.Camera.Height);
+        return $"{NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
+            $"{Digits.Count(scene.Models.Count, "model")}, {elapsed.TotalSeconds:0.00} s, " +
+            ProgressLine.Rate((double)width * lines.Count, "rays", elapsed);
     }
 
     /// <summary>Whether the picture exists already and need not be drawn. If a file exists but has other content, prints why it is drawn
@@ -73,4 +84,7 @@ internal static class PictureOutput
         if (reason is not null && !quiet) StandardStreams.WriteError($"{output} is drawn again: {reason}");
         return false;
     }
+
+    /// <summary>A number of 0 to count − 1 for a file's name: all have one length, so the files sort in order.</summary>
+    public static string Padded(int number, int count) => number.ToString($"D{Math.Max(4, $"{count - 1}".Length)}");
 }

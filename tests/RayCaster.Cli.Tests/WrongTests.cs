@@ -3,12 +3,12 @@ using System.Text.Json;
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Wrong pictures on purpose, and what a scene must show.</summary>
-public sealed class MistakeOptionTests : CommandTests
+public sealed class WrongTests : CommandTests
 {
     [Fact]
     public void AWrongPictureIsDrawnAndDiagnosed()
     {
-        raycaster.Run(Room, "--mistake", "rows+bgr", "-s", "60x60");
+        raycaster.Run("wrong", Room, "rows+bgr", "-s", "60x60");
         Assert.Equal((0, true), (raycaster.ExitCode, raycaster.Files.Contains("room.rows+bgr.png")));
         Assert.StartsWith("room.rows+bgr.png: wrong on purpose: row r written as line r", raycaster.Error);
         raycaster.Run("diagnose", Room, "room.rows+bgr.png", "--json", "--all"); // however slow the machine is
@@ -25,6 +25,17 @@ public sealed class MistakeOptionTests : CommandTests
         Assert.Equal(2, raycaster.ExitCode);
         using var json = JsonDocument.Parse(raycaster.Output);
         Assert.Equal("could not tell", json.RootElement.GetProperty("finding").GetString());
+    }
+
+    /// <summary>The shells of Windows expand no patterns.</summary>
+    [Fact]
+    public void CheckReadsTheScenesOfAPattern()
+    {
+        raycaster.Write("week-1.json", "{").Write("week-2.json", "{").Write("other.json", "{").Run("check", "week-*.json");
+        Assert.Equal(1, raycaster.ExitCode);
+        Assert.Contains("week-1.json(1,", raycaster.OutputText);
+        Assert.Contains("week-2.json(1,", raycaster.OutputText);
+        Assert.DoesNotContain("other", raycaster.OutputText);
     }
 
     [Fact]
