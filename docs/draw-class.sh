@@ -15,6 +15,7 @@ set -euo pipefail
 build=${BUILD:-'cp -r /submission/. /handout/. . && rm -f src/Lab/*.cs && cp /submission/src/Lab/*.cs src/Lab && dotnet build -c Release'}
 run=${RUN:-'dotnet src/Lab/bin/Release/net10.0/Lab.dll "$scene" "$picture"'}
 tests=${TESTS-'dotnet test -c Release --no-build --logger "steps;junit=$results"'} # writes a JUnit file; TESTS= for none
+limit=${LIMIT:-60} # seconds for a picture; a build and the tests may take three times as long
 # In Python: BUILD='cp -r /submission/. .' RUN='python3 main.py "$scene" "$picture"' TESTS= docs/draw-class.sh …
 
 submissions=$(realpath "$1") scenes=$(realpath "$2") out=$(realpath -m "$3")
@@ -40,11 +41,11 @@ sandbox() { # seconds, "--bind" or "--ro-bind" of /work, a command. Nothing else
         sh -c "$3" </dev/null 2>>"$out/$name/log.txt" | head -c 64M
 }
 
-sandbox 180 --bind "($build) >&2" || echo "$name: the build failed" | tee -a "$out/$name/log.txt"
+sandbox $((3 * limit)) --bind "($build) >&2" || echo "$name: the build failed" | tee -a "$out/$name/log.txt"
 for scene in "$scenes"/*.json; do
     picture=$(basename "${scene%.json}").png
-    sandbox 60 --ro-bind "scene='/scenes/${scene##*/}' picture='/tmp/$picture'; ($run) >&2; cat \"\$picture\"" >"$out/$name/$picture" ||
+    sandbox "$limit" --ro-bind "scene='/scenes/${scene##*/}' picture='/tmp/$picture'; ($run) >&2; cat \"\$picture\"" >"$out/$name/$picture" ||
         echo "$name: $picture was not drawn" | tee -a "$out/$name/log.txt"
     [ -s "$out/$name/$picture" ] || rm "$out/$name/$picture"
 done
-[ -z "$tests" ] || sandbox 180 --bind "results=/tmp/results.xml; ($tests) >&2; cat \"\$results\"" >"$out/$name/results.xml" || true
+[ -z "$tests" ] || sandbox $((3 * limit)) --bind "results=/tmp/results.xml; ($tests) >&2; cat \"\$results\"" >"$out/$name/results.xml" || true
