@@ -26,11 +26,4 @@ public class FormulaTestsTests
         [Fact]
         public void ThePictures() => Assert.Fail("this is what asks");
     }
-
-    [Fact]
-    public void TestsRunAsTheirFileHasThem()
-    {
-        // The name by which xunit finds the order in a hand-out. Without it the order is one of hash values.
-        Assert.Equal(typeof(FileOrder).FullName, FileOrder.Name);
-    }
 }

@@ -5,7 +5,6 @@ namespace Lab.Tests;
 /// <summary>
 /// Tests of a step. One that does not end stops the run. Processor time counts, because on a busy machine any test may take a minute.
 /// </summary>
-[TestCaseOrderer(FileOrder.Name, FileOrder.Assembly)]
 public abstract class StepTests : IDisposable
 {
     /// <summary>The slowest test needs a small part of it.</summary>
