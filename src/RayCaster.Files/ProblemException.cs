@@ -16,6 +16,9 @@ public sealed class ProblemException(string message, Exception? cause = null) : 
     /// <summary>Whether the message names the file.</summary>
     internal bool NamesFile { get; init; }
 
+    /// <summary>The line of a text at which the message belongs behind the file's name; 0 for none.</summary>
+    internal int Line { get; init; }
+
     /// <summary>A problem in the command line.</summary>
     public static ProblemException Usage(string message) => new(message) { IsUsage = true };
 

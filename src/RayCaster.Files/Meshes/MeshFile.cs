@@ -14,8 +14,7 @@ public static class MeshFile
         var reader = ReaderOf(path);
         using var stream = Open(path, names ?? new());
         var source = new MeshSource(path, stream);
-        source.Has(GitPointer.Start.Length);
-        return GitPointer.Is(source.Bytes) ? throw source.Error(GitPointer.Advice) : reader(source);
+        return source.Length > 0 ? reader(source) : throw source.Error("the file is empty");
     }
 
     internal static bool IsNamedLikeOne(string path) => Path.GetExtension(path).ToLowerInvariant() is ".obj" or ".ply" or ".stl";

@@ -1,7 +1,7 @@
 using Xunit.Abstractions;
 using Xunit.Sdk;
 
-[assembly: TestCaseOrderer($"{nameof(Lab)}.{nameof(Lab.Tests)}.{nameof(Lab.Tests.FileOrder)}", $"{nameof(Lab)}.{nameof(Lab.Tests)}")]
+[assembly: TestCaseOrderer("Lab.Tests.FileOrder", "Lab.Tests")]
 
 namespace Lab.Tests;
 
