@@ -17,7 +17,7 @@ public sealed class CameraPath(IReadOnlyList<CameraKey> keys, bool isSmooth)
     {
         var (first, last) = (keys[0].Time, keys[^1].Time);
         var key = At(frame == 0 ? first : frame == frames - 1 ? last : first + (last - first) * frame / (frames - 1));
-        return camera with { Position = key.Position, Target = key.Target, FovY = key.FovY };
+        return camera.With(position: key.Position, target: key.Target, fovY: key.FovY);
     }
 
     /// <summary>Where the camera is at a time from the first key's to the last one's.</summary>

@@ -30,7 +30,7 @@ public class Step04Camera : StepTests
             var (P, T, up) = (chance.Point(), chance.Point(), chance.Direction());
             if ((up % (T - P).Normalized).Length < 0.1) continue; // up may not lie along the view
             var (fovY, width, height) = (20 * chance.Length(8), (int)(100 * chance.Length()), (int)(100 * chance.Length()));
-            var right = new RayCaster.Camera(P, T) { Up = up, FovY = fovY, Width = width, Height = height };
+            var right = new RayCaster.Camera(P, T, up: up, fovY: fovY, width: width, height: height);
             var mine = new Camera(RayAssert.Mine(P), RayAssert.Mine(T), RayAssert.Mine(up), fovY, width, height);
             var which = FormattableString.Invariant(
                 $"for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}, up = {RayAssert.Text(up)}, fovY = {fovY:0.##}, {width} x {height} pixels");
