@@ -49,8 +49,8 @@ mv small.png right-small.png
 mv large.png right-large.png
 
 course=src/RayCaster
-edit "upside down"               $course/Scene/ScalarRenderer.cs 's/scene.Camera.Height - 1 - (top + y)/top + y/'
-edit "the last hit wins"         $course/Rays/Ray.cs               's/ || IsNearer<Scalar>(t, HitParameter).Value == 0//'
+edit "upside down"               $course/Scene/ScalarRenderer.cs 's/scene.Camera.Height - 1 - line/line/'
+edit "the last hit wins"         $course/Rays/Ray.cs               's/ && IsNearer<Scalar>(t, HitParameter).Holds//'
 edit "the farthest hit wins"     $course/Rays/Ray.cs               's/=> t < nearest;/=> t > nearest;/'
 edit "half the light"            $course/Scene/Scene.cs \
     's/: Attenuation<Scalar>(t) \* model.Color/: 0.5 * Attenuation<Scalar>(t) * model.Color/'
@@ -71,7 +71,7 @@ edit "box"                       $course/Shapes/Aabb.cs              's/var hit 
 edit "circle"                    $course/Shapes/Circle.cs            's/Radius \* Radius/Radius/'
 edit "triangle"                  $course/Shapes/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
 edit "the models' first hit"     $course/Rays/Model.cs \
-    's/ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT)/0.5 * ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT)/'
+    's/return crossings.Near;/return 0.5 * crossings.Near;/'
 edit "the scene's reader"        src/RayCaster.Files/Scenes/SceneReader.cs 's/"width"/"wide"/'
 edit "the picture's writer"      src/RayCaster.Files/Pictures/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
 

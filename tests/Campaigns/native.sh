@@ -31,4 +31,4 @@ echo "$drawn scenes, the same to the bit"
 [ "$drawn" -gt 0 ]
 
 cd "$OLDPWD"
-RAYCASTER_APP="$work/native/raycaster" dotnet test tests/RayCaster.Cli.Tests
+RAYCASTER_APP="$work/native/raycaster" dotnet test --project tests/RayCaster.Cli.Tests

@@ -37,10 +37,10 @@ public sealed class AttackTests : CommandTests
         }
     }
 
-    [SkippableFact]
+    [Fact]
     public void ANameInAFolderThatCouldForgeALineIsRefused()
     {
-        Skip.If(OperatingSystem.IsWindows(), "has no such names");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "has no such names");
         Directory.CreateDirectory(raycaster.PathOf("frames"));
         raycaster.Write("frames/a\nb.png", "x").Run("stitch", "frames", "-o", "x.png");
         Assert.Equal(
@@ -48,10 +48,10 @@ public sealed class AttackTests : CommandTests
             (raycaster.ExitCode, raycaster.Error));
     }
 
-    [SkippableFact]
+    [Fact]
     public void ANameThatIsNotUtf8IsRefused()
     {
-        Skip.If(!OperatingSystem.IsLinux(), "names are text elsewhere");
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "names are text elsewhere");
         raycaster.RunInShell("raycaster \"$(printf 'a\\377.json')\"");
         Assert.Equal((2, "raycaster: the name 'a\uFFFD.json' is not UTF-8: rename the file\n"), (raycaster.ExitCode, raycaster.Error));
     }
@@ -75,37 +75,37 @@ public sealed class AttackTests : CommandTests
         }
     }
 
-    [SkippableFact]
+    [Fact]
     public void APipeWhereAFileIsNeededIsRefused()
     {
-        Skip.If(OperatingSystem.IsWindows(), "no sh there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no sh there");
         raycaster.RunInShell($"raycaster -q '{Room}' -s 9x9 -o a.png; cat a.png | raycaster stitch /dev/stdin -o x.png");
         Assert.Equal((2, "raycaster: cannot read /dev/stdin: it is a pipe or a device; name a file\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [SkippableFact]
+    [Fact]
     [UnsupportedOSPlatform("windows")] // rights are others there
     public void AFolderThatMayNotBeListedIsNamed()
     {
-        Skip.If(Environment.IsPrivilegedProcess, "such a user may list every folder");
+        Assert.SkipWhen(Environment.IsPrivilegedProcess, "such a user may list every folder");
         Directory.CreateDirectory(raycaster.PathOf("locked"), UnixFileMode.UserWrite | UnixFileMode.UserExecute);
         raycaster.Run("stitch", "locked", "-o", "x.png");
         Assert.Equal((2, "raycaster: cannot list the folder locked: you may not read it\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [SkippableFact]
+    [Fact]
     public void ADeletedCurrentFolderIsReported()
     {
-        Skip.If(OperatingSystem.IsWindows(), "a current folder cannot be deleted there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "a current folder cannot be deleted there");
         raycaster.RunInShell("mkdir gone; cd gone; rmdir ../gone; raycaster nosuch.json");
         Assert.Equal((2, "raycaster: the current folder was deleted\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
     /// <summary>This holds for every command, and for every path that leads to the file.</summary>
-    [SkippableFact]
+    [Fact]
     public void WhatIsReadIsNotReplaced()
     {
-        Skip.If(OperatingSystem.IsWindows(), "links need rights there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "links need rights there");
         raycaster.Write("cube.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
         raycaster.Write(
             "t.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [ { "type": "mesh", "file": "cube.obj" } ] }""");

@@ -61,9 +61,9 @@ public sealed class CommandLineTests : CommandTests
     [Fact]
     public void AMistakeOnACommandsLineShowsItsUsage()
     {
-        raycaster.Run("mark", "rubric.json", "--resum");
+        raycaster.Run("mark", "rubric.json", "--quite");
         Assert.Equal((2, """
-            raycaster: unknown option '--resum'; did you mean '--resume'?
+            raycaster: unknown option '--quite'; did you mean '--quiet'?
             Usage:
               raycaster mark <rubric> [<submissions>] [options]
             Try 'raycaster help mark', or dotnet run --project src/RayCaster.Cli -- help mark.

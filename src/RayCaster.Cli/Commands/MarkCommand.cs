@@ -1,26 +1,29 @@
+using RayCaster.Marks;
+
 namespace RayCaster.Cli;
 
 internal sealed class MarkCommand() : Command("mark", "<rubric> [<submissions>]", "Marks a class by its pictures, with a page for each.")
 {
     private static readonly Option<string> output = Option.Text("-o, --output", "<folder>",
-        "The folder for the marks: marks.csv, moodle.csv, canvas.csv, class.html for the teacher, and feedback.html for each student.");
-    private static readonly Option<string> ids = Option.Text("--ids", "<file>", "Names rows and pages by ids: a CSV file of folders and ids.");
+        "The folder for the marks: marks.csv, class.html for the teacher, and feedback.html for each student. Points and comments that you have " +
+        "entered into its marks.csv are kept.");
+    private static readonly Option<int?> threads = Option.Count("-t, --threads",
+        "How many students are marked at a time. [default: one per core]", 1024);
 
     public override string Description =>
-        "Marks the submissions of a class by their pictures: runs each program on the scenes of a rubric, or reads the pictures in its folder, " +
-        "finds the mistakes, and gives points. Pictures that no known mistake explains are not scored; the teacher must look at them. " +
-        "The students' programs run with your rights: docs/teaching.md says which limits they have, and what only a container prevents.";
+        "Marks a class by pictures and test results: finds the mistakes, and gives points. What no known mistake explains is not scored; the " +
+        "teacher must look at it. It runs no program: docs/teaching.md says how the students' programs draw the pictures.";
 
     public override IReadOnlyList<(string, string)> Arguments =>
     [
-        ("<rubric>", "Scenes, how to run a program, and what costs points (JSON, docs/teaching.md). Without <submissions>, the rubric is " +
+        ("<rubric>", "Scenes, where the pictures are, and what costs points (JSON, docs/teaching.md). Without <submissions>, the rubric is " +
             "checked: which of its mistakes no scene can show."),
-        ("<submissions>", "A folder that contains a folder for each student, or a ZIP file of folders or ZIP files, which is unpacked beside it."),
+        ("<submissions>", "A folder that contains a folder of pictures for each student."),
     ];
 
-    public override IReadOnlyList<Option> Options => [output, ids, PartCommand.Resume, Option.Threads, Option.Quiet, Option.NoProgress];
+    public override IReadOnlyList<Option> Options => [output, threads, Option.Quiet, Option.NoProgress];
 
-    public override string[] Examples => ["mark docs/rubric.json", "mark docs/rubric.json submissions -o marks"];
+    public override string[] Examples => ["mark docs/rubric.json", "mark docs/rubric.json pictures -o marks"];
 
     public override string ExitCodes => "0 marked, whatever the marks are; 1 the rubric has errors; 2 failed.";
 
@@ -37,22 +40,14 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<submissions>]"
         }
 
         if (line.Get(output) is not { } folder) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
-        var runs = rubric.Source.Run.Count > 0;
-        if (runs) line.Tell(RubricReport.LimitsOf(rubric));
         using var progress = ProgressLine.For(line, 0, 0, "submissions");
         var start = Stopwatch.GetTimestamp();
-        var options = new ClassMarks.Options(
-            line.Get(Option.Threads) ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Get(PartCommand.Resume),
-            (done, all, next) => progress?.Show(done, all, next), StandardStreams.WriteError)
-        {
-            Ids = line.Get(ids),
-        };
-        var marks = ClassMarks.Mark(rubric, line.Operands[1], folder, options, cancellation);
+        var marks = new ClassMarks(rubric, folder, line.Get(threads) ?? Environment.ProcessorCount,
+            (done, all, next) => progress?.Show(done, all, next), StandardStreams.WriteError);
+        var (count, toLookAt) = marks.Mark(line.Operands[1], cancellation);
         progress?.Dispose();
-        var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);
-        line.Tell($"{folder}: {marks.Count} submission{(marks.Count == 1 ? "" : "s")} marked, {flagged} to look at yourself, {seconds:0.0} s");
-        if (marks.Count > 1 && marks.Select(student => student.CommonProblem).Distinct().ToArray() is [not null]) // for one reason
-            StandardStreams.WriteError($"No submission has a picture. Does {line.Operands[1]} contain a folder for each student?");
+        line.Tell($"{folder}: {count} submission{(count == 1 ? "" : "s")} marked, {toLookAt} to look at yourself, " +
+            $"{Stopwatch.GetElapsedTime(start).TotalSeconds:0.0} s");
         return ExitCode.Done;
     }
 }

@@ -50,7 +50,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
         {
             var (top, window) = (line, new Picture(scene.Camera.Width, Math.Min(atOnce, lines.Last + 1 - line)));
             cancellation.ThrowIfCancellationRequested();
-            ScalarRenderer.Render(scene, window, 0, top);
+            ScalarRenderer.Render(scene, window, 0, top, threads ?? -1);
             linesDone?.Invoke(window.Height);
             write(window.Rgb);
         }

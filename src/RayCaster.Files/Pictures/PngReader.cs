@@ -19,9 +19,10 @@ internal sealed class PngReader
     private readonly long firstData;
 
     /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
+    /// <param name="warn">Gets what is damaged, but not needed for the pixels.</param>
     /// <exception cref="ProblemException">The file is damaged, or the picture needs more than <paramref name="maxBytes"/> bytes, three
     /// for each pixel.</exception>
-    public PngReader(Stream file, long maxBytes)
+    public PngReader(Stream file, long maxBytes, Action<string>? warn = null)
     {
         chunks = new(file);
         PngHeader? header = null;
@@ -63,6 +64,11 @@ internal sealed class PngReader
                     break;
             }
             chunks.Check();
+            if (chunks.IsDamaged)
+            {
+                if (chunks.Type == "tEXt") PartText = null;
+                warn?.Invoke($"its chunk {chunks.Type} at byte {chunks.Place:N0} is damaged: the checksum is wrong; the pixels do not need it");
+            }
             if (chunks.Type == "IEND") break;
         }
 
@@ -81,9 +87,9 @@ internal sealed class PngReader
     /// <summary>The text under <see cref="PngChunk.PartKeyword"/>; null if there is none.</summary>
     public string? PartText { get; }
 
-    public static Picture Read(Stream file, long maxBytes)
+    public static Picture Read(Stream file, long maxBytes, Action<string> warn)
     {
-        var reader = new PngReader(file, maxBytes);
+        var reader = new PngReader(file, maxBytes, warn);
         var picture = new Picture(reader.Header.Width, reader.Header.Height);
         reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { });
         return picture;

@@ -115,6 +115,7 @@ public sealed record Camera
     /// <summary>The ray of a pixel.</summary>
     /// <param name="column">c, from the left, from 0.</param>
     /// <param name="row">r, from the bottom, from 0: line y of the picture is row Height − 1 − y.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Ray RayThrough(int column, int row)
     {
         var d = Direction<Scalar>(column, row);

@@ -7,10 +7,10 @@ namespace RayCaster.Cli.Tests;
 public sealed class InterruptionCampaign : CommandTests
 {
     /// <summary>All processes wait at the same time, so the test waits once.</summary>
-    [SkippableFact]
+    [Fact]
     public void ASignalEndsTheWaitForAPipe()
     {
-        Skip.If(!OperatingSystem.IsLinux(), "others may have no mkfifo");
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "others may have no mkfifo");
         (string Signal, int ExitCode, string Arguments)[] cases =
         [
             ("INT", 130, "compare room.png PIPE"),
@@ -33,14 +33,14 @@ public sealed class InterruptionCampaign : CommandTests
         Assert.Equal(["pipe.png", "room.png"], raycaster.Files);
     }
 
-    [SkippableTheory]
+    [Theory]
     [InlineData("compare large.pbm other.pbm --measures")]
     [InlineData("map ROOM t -s 10000x10000 -o room.pfm")]
     [InlineData("ROOM -s 30000x30000 -o room.ppm")]
     [InlineData("part ROOM 0..9999 -s 30000x30000 -o a.png")]
     public void ASignalEndsLongWork(string arguments)
     {
-        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no kill command there");
         var comparesFiles = arguments.StartsWith("compare", StringComparison.Ordinal);
         foreach (var (name, last) in comparesFiles ? ((string, byte)[])[("large.pbm", 0), ("other.pbm", 1)] : [])
         {
@@ -81,10 +81,10 @@ public sealed class InterruptionCampaign : CommandTests
     }
 
     /// <summary>A progress line that cannot be drawn does not end a run: the exit code is that of the signal of the closed terminal.</summary>
-    [SkippableFact]
+    [Fact]
     public void ATerminalThatIsClosedEndsTheRunAsItsSignalSays()
     {
-        Skip.If(!OperatingSystem.IsLinux(), "Linux only");
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "Linux only");
         raycaster.Write("terminal.py", """
             import os, pty, select, sys, time
             child, terminal = pty.fork()
@@ -99,7 +99,7 @@ public sealed class InterruptionCampaign : CommandTests
             print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
             """);
         raycaster.RunInShell($"command -v python3 >/dev/null || exit 77; python3 terminal.py '{RayCasterProcess.App}' '{Room}' -s 30000x30000");
-        Skip.If(raycaster.ExitCode == 77, "nothing that makes a terminal");
+        Assert.SkipWhen(raycaster.ExitCode == 77, "nothing that makes a terminal");
         Assert.Equal(("129\n", ""), (raycaster.OutputText, raycaster.Error));
         Assert.Equal(["terminal.py"], raycaster.Files);
     }
