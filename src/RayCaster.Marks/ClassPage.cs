@@ -38,17 +38,18 @@ internal static class ClassPage
     private static string Slide(string id, string before = "", string after = "") =>
         MistakeCatalog.Named(id) is { } mistake ? $"{before}{mistake.Slide}{after}" : "";
 
-    /// <summary>What a mistake makes of the scene that it changes most, beside the right picture; empty if no scene shows it.</summary>
+    /// <summary>What a mistake makes of the scene that it changes most, as small pictures show, beside the right picture.</summary>
     private static string Pictures(Rubric rubric, string id)
     {
-        var mistake = MistakeCatalog.Named(id);
-        var program = mistake is null ? new WrongProgram(new([id]), [], false) : new WrongProgram(Unfinished.Nothing, [mistake], false);
-        var clearest = rubric.Scenes.Where(scene => mistake is null ? scene.Needs(id) : scene.Shows(id))
-            .Select(scene => new { scene.Name, scene.Right, Wrong = program.Draw(scene.Scene).Render() })
-            .MaxBy(scene => (scene.Wrong.Width, scene.Wrong.Height) != (scene.Right.Width, scene.Right.Height) ? byte.MaxValue
-                : new PictureDifference(scene.Wrong, scene.Right).MeanAbsoluteError);
-        return clearest is null ? ""
-            : $"{Page.Image(clearest.Wrong, $"{clearest.Name} with {id}")} {Page.Image(clearest.Right, $"{clearest.Name}, right")}";
+        var program = MistakeCatalog.Named(id) is { } mistake ? new WrongProgram(Unfinished.Nothing, [mistake], false)
+            : new WrongProgram(new([id]), [], false);
+        var clearest = rubric.Scenes.MaxBy(scene => Change(scene.Scene.WithSize(scene.Right.Width / 4 + 1, scene.Right.Height / 4 + 1)))!;
+        return $"{Page.Image(program.Draw(clearest.Scene).Render(), $"{clearest.Name} with {id}")} " +
+            Page.Image(clearest.Right, $"{clearest.Name}, right");
+
+        double Change(Scene scene) => (Renderer.Render(scene), program.Draw(scene).Render()) is var (right, wrong)
+            && (wrong.Width, wrong.Height) != (right.Width, right.Height) ? byte.MaxValue
+            : new PictureDifference(wrong, right).MeanAbsoluteError;
     }
 
     private static string[] SamePictures(IReadOnlyList<StudentMarks> marks) =>

@@ -2,7 +2,7 @@ using RayCaster.Marks;
 
 namespace RayCaster.Cli;
 
-internal sealed class MarkCommand() : Command("mark", "<rubric> [<submissions>]", "Marks a class by its pictures, with a page for each.")
+internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "Marks a class by its pictures, with a page for each.")
 {
     private static readonly Option<string> output = Option.Text("-o, --output", "<folder>",
         "The folder for the marks: marks.csv, class.html for the teacher, and feedback.html for each student. Points and comments that you have " +
@@ -16,9 +16,9 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<submissions>]"
 
     public override IReadOnlyList<(string, string)> Arguments =>
     [
-        ("<rubric>", "Scenes, where the pictures are, and what costs points (JSON, docs/teaching.md). Without <submissions>, the rubric is " +
-            "checked: which of its mistakes no scene can show."),
-        ("<submissions>", "A folder that contains a folder of pictures for each student."),
+        ("<rubric>", "Scenes, where the pictures are, and what costs points (JSON, docs/teaching.md). Without <pictures>, the rubric is checked: " +
+            "which of its mistakes no scene can show."),
+        ("<pictures>", "A folder that contains a folder of pictures for each student."),
     ];
 
     public override IReadOnlyList<Option> Options => [output, threads, Option.Quiet, Option.NoProgress];
@@ -29,7 +29,7 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<submissions>]"
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
-        if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <submissions>");
+        if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <pictures>");
         var rubric = RubricReader.Read(line.Operands[0], out var report);
         StandardStreams.WriteError(report);
         if (rubric is null) return File.Exists(line.Operands[0]) ? ExitCode.No : ExitCode.CouldNot;
