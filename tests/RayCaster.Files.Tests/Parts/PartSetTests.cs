@@ -44,7 +44,7 @@ public sealed class PartSetTests : IDisposable
     {
         var set = new PartSet(
         [
-            Part("a", 0, 2), Part("b", 3, 4, facts => facts.With(height: 11)),
+            Part("a", 0, 2), Part("b", 3, 4, facts => facts with { Height = 11 }),
             Part("c", 5, 6, facts => facts with { Digest = "fedcba9876543210" }),
             Part("d", 7, 9, facts => facts with { Version = "2.0.0" }),
         ]);
