@@ -42,7 +42,7 @@ internal sealed class CompareCommand : Command
         var (mineFile, referenceFile, output, threads) = (files[0], files[1], line[Option.Output], line.ThreadCount());
         InputFiles.Note(files);
         var format = output is null ? PictureFormat.Png : PictureFormats.ByExtension(output);
-        var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
+        var (mine, reference) = (PictureFile.Read(mineFile, StandardStreams.WriteError), PictureFile.Read(referenceFile, StandardStreams.WriteError));
         var scene = line[Option.Scene] is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
         if (scene is null && line.Has(Option.Scene)) return ExitCode.CouldNot;
 
