@@ -54,16 +54,11 @@ internal sealed class DefinitionCheck
     /// <summary>The first pixel whose bytes differ from the definition's, once all lines are taken, as a message; null if all are equal.</summary>
     public string? Difference()
     {
-        var pixel = new Picture(1, 1);
         for (var i = 0; i < pixels.Count; i++)
         {
             var (column, line) = pixels[i];
-            ScalarRenderer.Render(scene, pixel, column, line);
-            var fast = drawn.AsSpan(3 * i, 3);
-            var right = pixel.Rgb;
-            if (!fast.SequenceEqual(right))
-                return $"column {column}, line {line}: the engine gives ({fast[0]}, {fast[1]}, {fast[2]}), " +
-                    $"ScalarRenderer ({right[0]}, {right[1]}, {right[2]})";
+            var (fast, right) = ((drawn[3 * i], drawn[3 * i + 1], drawn[3 * i + 2]), ScalarRenderer.Pixel(scene, column, line));
+            if (fast != right) return $"column {column}, line {line}: the engine gives {fast}, ScalarRenderer {right}";
         }
         return null;
     }

@@ -84,7 +84,7 @@ $("map-strength").addEventListener("input", event => { $("map").style.opacity = 
 
 on("legend", legend => {
   const isRamp = legend.colors.length > 0 && legend.map !== "model";
-  $("legend-words").textContent = `${isRamp ? "" : "Each model has the colour beside its name. "}Black: the ray hits nothing.`;
+  $("legend-words").textContent = `${legend.map === "model" ? "Each model has the colour beside its name. " : ""}Black: the ray hits nothing.`;
   show($("legend-words"), true);
   show($("legend"), isRamp);
   if (!isRamp) return;

@@ -15,7 +15,7 @@ public readonly struct ClipRange
     }
 
     /// <summary>Everything that is not behind the ray's origin.</summary>
-    public static ClipRange Everything => new(0, 0, double.PositiveInfinity);
+    public static ClipRange Everything { get; } = new(0, 0, double.PositiveInfinity);
 
     /// <summary>Whether a crossing counts; false where t is NaN.</summary>
     /// <param name="depthPerT">The z of one unit of t.</param>

@@ -41,8 +41,8 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     public override double? Intersect(Ray ray)
     {
         var crossings = Primitive.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction));
-        double t = ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT);
-        return double.IsNaN(t) ? null : t;
+        if (ray.Counts(crossings.Near)) return crossings.Near;
+        return ray.Counts(crossings.Far) ? crossings.Far : null; // where the near side of a body is clipped away, its far side shows
     }
 
     /// <inheritdoc/>

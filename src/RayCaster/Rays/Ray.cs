@@ -27,14 +27,14 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     public Vector3 At(double t) => Origin + t * Direction;
 
     /// <summary>Whether a crossing at t counts: not behind, beyond the bias, within the clip range. False for NaN.</summary>
-    public bool Counts(double t) => ClipRange.CountsMask<Scalar>(t, DepthPerT).Value != 0;
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Counts(double t) => ClipRange.CountsMask<Scalar>(t, DepthPerT).Holds;
 
     /// <summary>Intersects a model, and keeps its hit if that is nearer than all before. Of equal ones the first is kept.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Intersect(Model model)
     {
-        if (model.Intersect(this) is not { } t || IsNearer<Scalar>(t, HitParameter).Value == 0) return;
-        HitParameter = t;
-        HitModel = model;
+        if (model.Intersect(this) is { } t && IsNearer<Scalar>(t, HitParameter).Holds) (HitParameter, HitModel) = (t, model);
     }
 
     /// <summary>Whether a hit replaces the nearest one before it; false where t is NaN.</summary>

@@ -13,21 +13,24 @@ public static class ScalarRenderer
         return picture;
     }
 
-    /// <summary>Draws a window of the picture of a scene.</summary>
+    /// <summary>Draws a window of the picture of a scene, its lines on several threads.</summary>
     /// <param name="window">Receives the pixels. It may be smaller than the picture.</param>
     /// <param name="left">The picture's column at the window's left edge.</param>
     /// <param name="top">The picture's line, counted from the top, at the window's upper edge.</param>
-    public static void Render(Scene scene, Picture window, int left = 0, int top = 0)
-    {
-        for (var y = 0; y < window.Height; y++)
+    /// <param name="threads">The most threads; −1 for one per core.</param>
+    public static void Render(Scene scene, Picture window, int left = 0, int top = 0, int threads = -1) =>
+        Parallel.For(0, window.Height, new() { MaxDegreeOfParallelism = threads }, y =>
         {
-            var row = scene.Camera.Height - 1 - (top + y); // lines count from the top, rows from the bottom
-            for (var x = 0; x < window.Width; x++)
-            {
-                var ray = Cast(scene, left + x, row);
-                window[x, y] = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
-            }
-        }
+            for (var x = 0; x < window.Width; x++) window[x, y] = Pixel(scene, left + x, top + y);
+        });
+
+    /// <summary>The bytes of a pixel.</summary>
+    /// <param name="line">Counts from the top; rows count from the bottom.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public static (byte R, byte G, byte B) Pixel(Scene scene, int column, int line)
+    {
+        var ray = Cast(scene, column, scene.Camera.Height - 1 - line);
+        return scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
     }
 
     /// <summary>Casts the ray of a pixel through the scene; the result holds its nearest hit.</summary>
@@ -36,8 +39,8 @@ public static class ScalarRenderer
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static Ray Cast(Scene scene, int column, int row)
     {
-        var ray = scene.Camera.RayThrough(column, row);
-        foreach (var model in scene.Models) ray.Intersect(model);
+        var (ray, models) = (scene.Camera.RayThrough(column, row), scene.Models);
+        for (var i = 0; i < models.Count; i++) ray.Intersect(models[i]); // twice as fast as foreach over an interface
         return ray;
     }
 }

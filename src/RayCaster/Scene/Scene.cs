@@ -10,6 +10,7 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     /// <summary>The colour of a pixel (slide "Primitive Shading"): the farther the hit, the darker the model. The background is not
     /// attenuated.</summary>
     /// <param name="model">The model of the nearest hit; null for no hit.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Color Shade(double t, Model? model) => model is null ? Background : Attenuation<Scalar>(t) * model.Color;
 
     /// <summary>1 − t / (2 |T − P|), not below 0: from twice the target's distance on all is black.</summary>
@@ -20,5 +21,5 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     public long ShapeCount => Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
 
     /// <summary>The same scene in a picture of another size.</summary>
-    public Scene WithSize(int width, int height) => this with { Camera = Camera with { Width = width, Height = height } };
+    public Scene WithSize(int width, int height) => this with { Camera = Camera.With(width: width, height: height) };
 }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>Triangles that share their corners, as one model.</summary>
@@ -17,16 +19,17 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
         new(vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);
 
     /// <summary>The nearest of the hits of all triangles; of equal ones the first triangle's.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override double? Intersect(Ray ray)
     {
-        double? nearest = null;
+        var nearest = double.PositiveInfinity;
         var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
         for (var i = 0; i < TriangleCount; i++)
         {
-            double t = ray.ClipRange.First<Scalar>(this[i].Intersect(along), ray.DepthPerT);
-            if (t < (nearest ?? double.PositiveInfinity)) nearest = t;
+            double t = this[i].Intersect(along).Near;
+            if (t < nearest && ray.Counts(t)) nearest = t;
         }
-        return nearest;
+        return nearest < double.PositiveInfinity ? nearest : null;
     }
 
     /// <summary>A box around all corners, computed again at each call.</summary>

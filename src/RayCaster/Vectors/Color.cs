@@ -19,11 +19,13 @@ public readonly record struct Color(double R, double G, double B)
         new(attenuation * color.R, attenuation * color.G, attenuation * color.B);
 
     /// <summary>The three bytes of a pixel: the whole part of each channel's <see cref="Level"/>; no gamma. NaN gives 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (byte R, byte G, byte B) ToBytes() => (ToByte(R), ToByte(G), ToByte(B));
 
     /// <summary>A channel clamped to 0 … 1, times 255, plus ½: its whole part is the byte, rounded to nearest.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Level<N>(N channel) where N : struct, IReal<N> => N.Min(N.Max(channel, 0), 1) * 255 + 0.5;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static byte ToByte(double channel) => (byte)Level<Scalar>(channel);
 }

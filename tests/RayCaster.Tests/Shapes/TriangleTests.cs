@@ -4,7 +4,10 @@ public class TriangleTests
 {
     private static readonly Vector3 A = new(0, 0, 2), B = new(4, 0, 2), C = new(0, 4, 2);
 
-    public static TheoryData<Triangle> Windings => [new(A, B, C), new(B, C, A), new(C, A, B), new(A, C, B), new(C, B, A), new(B, A, C)];
+    public static TheoryData<Triangle> Windings =>
+    [
+        new Triangle(A, B, C), new Triangle(B, C, A), new Triangle(C, A, B), new Triangle(A, C, B), new Triangle(C, B, A), new Triangle(B, A, C),
+    ];
 
     [Theory]
     [MemberData(nameof(Windings))]
@@ -66,7 +69,7 @@ public class TriangleTests
     public void ATriangleSeenEdgeOnIsNotHitByRaysThatOnlyPassWithinItsPlane()
     {
         var triangle = new Triangle(new(0, 0, -2), new(-0.2, -0.2, -2.1), new(0.30000000000000004, 0.2, -1.9));
-        var camera = new Camera(new(-1, 2, -1), new(0, 2, -1)) { FovY = 90, Width = 23, Height = 16, Sample = PixelSample.Center };
+        var camera = new Camera(new(-1, 2, -1), new(0, 2, -1), fovY: 90, width: 23, height: 16, sample: PixelSample.Center);
         RayAssert.HitsAlong(triangle, camera.RayThrough(4, 11), null);
     }
 }
