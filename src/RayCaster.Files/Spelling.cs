@@ -7,12 +7,19 @@ public static class Spelling
     private static readonly (string Other, string Ours)[] Synonyms =
     [
         ("eye", "position"), ("from", "position"), ("origin", "position"), ("location", "position"), ("pos", "position"),
-        ("lookat", "target"), ("look_at", "target"), ("at", "target"), ("to", "target"), ("center", "target"), ("direction", "target"),
-        ("fov", "fovY"), ("fieldofview", "fovY"), ("angle", "fovY"), ("near", "zNear"), ("far", "zFar"), ("epsilon", "bias"),
+        ("lookfrom", "position"), ("look_from", "position"), ("viewpoint", "position"), ("camera_position", "position"), ("eyepos", "position"),
+        ("lookat", "target"), ("look_at", "target"), ("look", "target"), ("view", "target"), ("interest", "target"), ("focus", "target"), ("at", "target"), ("to", "target"), ("center", "target"), ("direction", "target"),
+        ("vup", "up"), ("upvector", "up"), ("up_vector", "up"), ("view_up", "up"), ("updir", "up"),
+        ("image_width", "width"), ("imagewidth", "width"), ("xres", "width"), ("xresolution", "width"), ("columns", "width"), ("w", "width"),
+        ("image_height", "height"), ("imageheight", "height"), ("yres", "height"), ("yresolution", "height"), ("rows", "height"), ("h", "height"),
+        ("fov", "fovY"), ("vfov", "fovY"), ("yfov", "fovY"), ("fov_y", "fovY"), ("field_of_view", "fovY"), ("vertical_fov", "fovY"), ("fieldofview", "fovY"), ("angle", "fovY"), ("near", "zNear"), ("far", "zFar"),
+        ("near_clip", "zNear"), ("far_clip", "zFar"), ("clip_near", "zNear"), ("clip_far", "zFar"), ("hither", "zNear"), ("yon", "zFar"), ("epsilon", "bias"),
         ("r", "radius"), ("c", "center"), ("position", "center"), ("centre", "center"), ("n", "normal"), ("p", "point"), ("q", "point"),
-        ("position", "point"), ("position", "translate"), ("rotation", "rotate"), ("translation", "translate"), ("size", "scale"),
+        ("position", "point"), ("position", "translate"), ("rotation", "rotate"), ("translation", "translate"),
+        ("albedo", "color"), ("diffuse", "color"), ("diffusecolor", "color"), ("kd", "color"), ("rgb", "color"), ("material", "color"),
+        ("lower", "min"), ("upper", "max"), ("pmin", "min"), ("pmax", "max"), ("p0", "a"), ("p1", "b"), ("p2", "c"), ("v0", "a"), ("v1", "b"), ("v2", "c"), ("size", "scale"),
         ("path", "file"), ("filename", "file"), ("kind", "type"), ("id", "name"),
-        ("objects", "models"), ("shapes", "models"), ("primitives", "models"), ("colour", "color"), ("backgroundcolor", "background"),
+        ("objects", "models"), ("shapes", "models"), ("primitives", "models"), ("world", "models"), ("geometry", "models"), ("colour", "color"), ("backgroundcolor", "background"), ("background_color", "background"), ("bg", "background"), ("sky", "background"),
         ("box", "aabb"), ("cube", "aabb"), ("cuboid", "aabb"), ("ball", "sphere"), ("disc", "circle"), ("disk", "circle"), ("tri", "triangle"),
         ("obj", "mesh"), ("middle", "center"),
     ];

@@ -1,3 +1,5 @@
+using Microsoft.Win32.SafeHandles;
+
 namespace RayCaster.Files;
 
 /// <summary>
@@ -27,22 +29,25 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>Writes a file. An old one stays until the new one is complete; a symbolic link is replaced, not followed.</summary>
+    /// <summary>Writes a file. An old one stays until the new one is complete. A symbolic link is followed. What is no file, such as a device or
+    /// a pipe, is not replaced: it gets the bytes when they are complete.</summary>
     /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
     /// <exception cref="ProblemException">The file cannot be written.</exception>
     public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default, Action? beforeReplacing = null)
     {
         var target = TargetOf(path);
-        var temporary = NameBeside(target);
+        var isFile = FilePlace.IsFileOrFree(target);
+        var temporary = NameBeside(isFile ? target : Path.Join(Path.GetTempPath(), Path.GetFileName(target)));
         try
         {
-            using var file = Create(path, target, temporary);
+            using var file = Create(path, isFile ? target : null, temporary);
             write(file);
             cancellation.ThrowIfCancellationRequested();
             // A network drive reports only now that the quota is used up, and then the old picture must still be there.
-            file.Flush(flushToDisk: true);
+            file.Flush(flushToDisk: isFile);
             beforeReplacing?.Invoke();
-            Finish(temporary, path, () => File.Move(temporary, target, overwrite: true));
+            if (!isFile) Copy(file, target);
+            Finish(temporary, path, isFile ? () => Replace(path, target, temporary) : () => File.Delete(temporary));
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
@@ -79,19 +84,34 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>The full path of a file that may be written.</summary>
+    /// <summary>The full path of a file that may be written, without links.</summary>
     private static string TargetOf(string path)
     {
         if (path.Length == 0 || path.Contains('\0')) throw new ProblemException($"'{path.Replace("\0", @"\x00")}' is no file name");
-        var target = Path.GetFullPath(path);
+        if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
+            throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
+        var target = Follow(path);
         var folder = Path.GetDirectoryName(target);
-        if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(target))
+        if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(path))
             throw Failure(path, "it is a folder; name a file in it");
-        if (folder == "/dev") throw Failure(path, "its folder is for devices, not for files"); // root would lose /dev/null
+        if (FilePlace.DescriptorOf(target) is not null && !File.Exists(target)) throw Failure(path, "nothing is open by this number");
+        if (folder == "/dev" && !File.Exists(target)) throw Failure(path, "its folder is for devices, not for files");
         if (!Directory.Exists(folder))
             throw Failure(path, $"its folder does not exist\n  make the folder {PrintableText.Of(folder)} first");
         if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly)) throw Failure(path, "the old file is read-only");
         return target;
+    }
+
+    private static string Follow(string path)
+    {
+        try
+        {
+            return FilePlace.Of(path);
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            throw Failure(path, ProblemException.Reason(e), e);
+        }
     }
 
     /// <summary>The name for a temporary file. A long name is shortened, because file systems take up to 255 bytes.</summary>
@@ -102,11 +122,19 @@ public static class WrittenFiles
     }
 
     /// <summary>Creates a temporary file with the old file's rights, so that only users who could read the old one can read it.</summary>
-    private static FileStream Create(string path, string target, string temporary)
+    /// <param name="target">The file that it will replace; null if only this user may read it.</param>
+    private static FileStream Create(string path, string? target, string temporary)
     {
-        var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write, Share = FileShare.Delete, BufferSize = 1 << 16 };
-        if (!OperatingSystem.IsWindows() && File.Exists(target))
-            options.UnixCreateMode = File.GetUnixFileMode(target) & (UnixFileMode)0b111_111_111 | UnixFileMode.UserWrite;
+        var options = new FileStreamOptions
+        {
+            Mode = FileMode.CreateNew,
+            Access = target is null ? FileAccess.ReadWrite : FileAccess.Write,
+            Share = FileShare.Delete,
+            BufferSize = 1 << 16,
+        };
+        if (!OperatingSystem.IsWindows() && (target is null || File.Exists(target)))
+            options.UnixCreateMode = UnixFileMode.UserWrite
+                | (target is null ? UnixFileMode.UserRead : File.GetUnixFileMode(target) & (UnixFileMode)0b111_111_111);
         try
         {
             return Begin(temporary, () => new FileStream(temporary, options));
@@ -136,6 +164,29 @@ public static class WrittenFiles
             move();
             unfinished.Remove(temporary);
             (Count, Last) = (Count + 1, path);
+        }
+    }
+
+    /// <summary>Copies a complete file to what is no file. This may wait, for the reader of a pipe.</summary>
+    private static void Copy(FileStream file, string target)
+    {
+        file.Position = 0;
+        using var output = FilePlace.DescriptorOf(target) is { } number
+            ? new FileStream(new SafeFileHandle(number, ownsHandle: false), FileAccess.Write, bufferSize: 0)
+            : new FileStream(target, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
+        file.CopyTo(output);
+        _ = output.SafeFileHandle; // moves the descriptor's own place to the end: other programs go on there
+    }
+
+    private static void Replace(string path, string target, string temporary)
+    {
+        try
+        {
+            File.Move(temporary, target, overwrite: true);
+        }
+        catch (UnauthorizedAccessException e) when (OperatingSystem.IsWindows()) // the folder is writable: the temporary file is in it
+        {
+            throw Failure(path, ProblemException.OpenElsewhere, e);
         }
     }
 

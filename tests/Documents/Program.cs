@@ -4,8 +4,8 @@ using RayCaster;
 using RayCaster.Documents;
 using RayCaster.Files.Tests.Meshes;
 using RayCaster.Files.Tests.Scenes;
+using RayCaster.Marks.Tests;
 using RayCaster.Teaching.Tests.Explanations;
-using RayCaster.Teaching.Tests.Marks;
 using RayCaster.Teaching.Tests.Mistakes;
 
 var written = 0;

@@ -1,48 +1,33 @@
+using RayCaster.Marks;
+
 namespace RayCaster.Cli;
 
-internal sealed class MarkCommand : Command
+internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "Marks a class by its pictures, with a page for each.")
 {
-    public override string Help => """
-        Description:
-          Marks the submissions of a class by their pictures: runs each program on the scenes of a
-          rubric, or reads the pictures in its folder, finds the mistakes, and gives points. Pictures
-          that no known mistake explains are not scored; the teacher must look at them.
+    private static readonly Option<string> output = Option.Text("-o, --output", "<folder>",
+        "The folder for the marks: marks.csv, class.html for the teacher, and feedback.html for each student. Points and comments that you have " +
+        "entered into its marks.csv are kept.");
 
-        Usage:
-          raycaster mark <rubric> <submissions> -o <folder> [options]
-          raycaster mark <rubric>
+    public override string Description =>
+        "Marks a class by pictures and test results: finds the mistakes, and gives points. What no known mistake explains is not scored; the " +
+        "teacher must look at it. It runs no program: docs/teaching.md says how the students' programs draw the pictures.";
 
-        Arguments:
-          <rubric>       Scenes, how to run a program, and what costs points (JSON,
-                         docs/teaching.md). Without <submissions>, the rubric is checked: which
-                         of its mistakes no scene can show.
-          <submissions>  A folder that contains a folder for each student, or a ZIP file of folders
-                         or ZIP files, which is unpacked beside it.
+    public override IReadOnlyList<(string, string)> Arguments =>
+    [
+        ("<rubric>", "Scenes, where the pictures are, and what costs points (JSON, docs/teaching.md). Without <pictures>, the rubric is checked: " +
+            "which of its mistakes no scene can show."),
+        ("<pictures>", "A folder that contains a folder of pictures for each student."),
+    ];
 
-        Options:
-          -o, --output <folder>  The folder for the marks: marks.csv, moodle.csv, canvas.csv,
-                                 class.html for the teacher, and feedback.html for each student.
-              --ids <file>       Names rows and pages by ids: a CSV file of folders and ids.
-              --resume           Keeps finished marks of submissions that have not changed.
-          -t, --threads <n>      How many submissions are marked at a time. [default: one per core;
-                                 two where programs run, since some wait for ever]
-          -q, --quiet            Prints errors only.
-              --no-progress      Never draws a progress line.
+    public override IReadOnlyList<Option> Options => [output, Option.Threads, Option.Quiet, Option.NoProgress];
 
-        The students' programs run with your rights. docs/teaching.md says which limits they have,
-        and what only a container prevents.
+    public override string[] Examples => ["mark docs/rubric.json", "mark docs/rubric.json pictures -o marks"];
 
-        Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
-          raycaster mark docs/rubric.json
-          raycaster mark docs/rubric.json submissions -o marks
-
-        Exit codes:
-          0 marked, whatever the marks are; 1 the rubric has errors; 2 failed.
-        """;
+    public override string ExitCodes => "0 marked, whatever the marks are; 1 the rubric has errors; 2 failed.";
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
-        if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <submissions>");
+        if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <pictures>");
         var rubric = RubricReader.Read(line.Operands[0], out var report);
         StandardStreams.WriteError(report);
         if (rubric is null) return File.Exists(line.Operands[0]) ? ExitCode.No : ExitCode.CouldNot;
@@ -52,23 +37,15 @@ internal sealed class MarkCommand : Command
             return ExitCode.Done;
         }
 
-        if (line[Option.Output] is not { } output) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
-        var runs = rubric.Source.Run.Count > 0;
-        if (runs) line.Tell(RubricReport.LimitsOf(rubric));
+        if (line.Get(output) is not { } folder) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
         using var progress = ProgressLine.For(line, 0, 0, "submissions");
         var start = Stopwatch.GetTimestamp();
-        var options = new ClassMarks.Options(
-            line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume),
-            (done, all, next) => progress?.Show(done, all, next), StandardStreams.WriteError)
-        {
-            Ids = line[Option.Ids],
-        };
-        var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
+        var marks = new ClassMarks(rubric, folder, line.Get(Option.Threads) ?? Environment.ProcessorCount,
+            (done, all, next) => progress?.Show(done, all, next), StandardStreams.WriteError);
+        var (count, toLookAt) = marks.Mark(line.Operands[1], cancellation);
         progress?.Dispose();
-        var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);
-        line.Tell($"{output}: {marks.Count} submission{(marks.Count == 1 ? "" : "s")} marked, {flagged} to look at yourself, {seconds:0.0} s");
-        if (marks.Count > 1 && marks.Select(student => student.CommonProblem).Distinct().ToArray() is [not null]) // for one reason
-            StandardStreams.WriteError($"No submission has a picture. Does {line.Operands[1]} contain a folder for each student?");
+        line.Tell($"{folder}: {count} submission{(count == 1 ? "" : "s")} marked, {toLookAt} to look at yourself, " +
+            $"{Stopwatch.GetElapsedTime(start).TotalSeconds:0.0} s");
         return ExitCode.Done;
     }
 }

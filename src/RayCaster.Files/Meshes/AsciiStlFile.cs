@@ -39,8 +39,9 @@ internal sealed class AsciiStlFile
             mesh.AddVertex(new(Number("the vertex's x"), Number("the vertex's y"), Number("the vertex's z")));
             mesh.AddCorner(mesh.VertexCount - 1);
         }
-        if (!Is(word, "endloop")) throw Expected("vertex' or 'endloop");
+        if (!Is(Joined(word), "endloop")) throw Expected("vertex' or 'endloop");
         if (mesh.CornerCount < 3) throw scanner.Error($"a facet needs at least three vertices, but this one has {mesh.CornerCount}");
+        mesh.EndFace(scanner.LineNumber);
         Expect("endfacet", NextKeyword());
     }
 
@@ -71,10 +72,24 @@ internal sealed class AsciiStlFile
     {
         while (scanner.NextInLine() is { IsEmpty: false } word)
         {
+            word = Joined(word);
             if (Is(word, "facet") || Is(word, "endfacet") || Is(word, "endsolid")) return word;
             skippedIn ??= scanner.LineNumber;
         }
-        return scanner.Next();
+        return Joined(scanner.Next());
+    }
+
+    /// <summary>Some programs write <c>end loop</c>, <c>end facet</c> and <c>end solid</c>.</summary>
+    private ReadOnlySpan<byte> Joined(ReadOnlySpan<byte> word)
+    {
+        if (!Is(word, "end")) return word;
+        var position = scanner.Position;
+        var second = scanner.NextInLine();
+        if (Is(second, "loop")) return "endloop"u8;
+        if (Is(second, "facet")) return "endfacet"u8;
+        if (Is(second, "solid")) return "endsolid"u8;
+        scanner.Return(position);
+        return word;
     }
 
     private void Expect(string keyword, ReadOnlySpan<byte> word)

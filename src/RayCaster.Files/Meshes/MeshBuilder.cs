@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+
 namespace RayCaster.Files;
 
 /// <summary>Collects the vertices and faces of a mesh file; splits polygons into fans.</summary>
@@ -5,7 +7,9 @@ internal sealed class MeshBuilder(MeshSource source)
 {
     private readonly List<Vector3> vertices = [];
     private readonly List<int> indices = [];
-    private int first, previous;
+    private readonly List<(int Index, int Count, long Place)> early = []; // polygons before their vertices
+    private int first, previous, greatest, folded;
+    private long foldedAt;
 
     public int VertexCount => vertices.Count;
 
@@ -13,7 +17,7 @@ internal sealed class MeshBuilder(MeshSource source)
 
     public void AddVertex(Vector3 vertex) => vertices.Add(vertex);
 
-    public void BeginFace() => CornerCount = 0;
+    public void BeginFace() => CornerCount = greatest = 0;
 
     /// <summary>Adds a corner to the face. Each corner from the third on makes a triangle with the first corner and the one before.</summary>
     public void AddCorner(int vertex)
@@ -21,7 +25,18 @@ internal sealed class MeshBuilder(MeshSource source)
         if (CornerCount == 0) first = vertex;
         if (CornerCount >= 2) AddTriangle(first, previous, vertex);
         previous = vertex;
+        greatest = Math.Max(greatest, vertex);
         CornerCount++;
+    }
+
+    /// <summary>Ends a face, and notes whether it is another shape than its fan.</summary>
+    /// <param name="place">The line or byte where it is.</param>
+    public void EndFace(long place)
+    {
+        if (CornerCount <= 3) return;
+        var count = 3 * (CornerCount - 2);
+        if (greatest < vertices.Count) Check(indices.Count - count, count, place);
+        else early.Add((indices.Count - count, count, place));
     }
 
     public void AddTriangle(int a, int b, int c)
@@ -34,7 +49,31 @@ internal sealed class MeshBuilder(MeshSource source)
     }
 
     /// <param name="warning">What was ignored in the file.</param>
-    public MeshData Finish(string? warning = null) => indices.Count > 0
-        ? new([.. vertices], [.. indices]) { Warning = warning }
-        : throw source.Error("the file has no face; a mesh needs at least one");
+    /// <param name="placeName">What <see cref="EndFace"/> was told: "in line" or "at byte".</param>
+    /// <param name="others">What the file has besides vertices and faces.</param>
+    public MeshData Finish(string? warning = null, string placeName = "in line", params (int Count, string Name)[] others)
+    {
+        if (indices.Count == 0)
+        {
+            string[] has = [.. others.Prepend((vertices.Count, "vertex")).Where(other => other.Item1 > 0).Select(other => Counted(other.Item1, other.Item2))];
+            throw source.Error($"the file has no face{(has.Length > 0 ? $", only {string.Join(" and ", has)}" : "")}; a mesh needs at least one");
+        }
+        foreach (var (index, count, place) in early) Check(index, count, place);
+        if (folded > 0)
+        {
+            warning = (warning is null ? "" : warning + "; ") + $"the face {placeName} {foldedAt} {Fan.Warning}"
+                + (folded > 1 ? $", as {Counted(folded - 1, "other face")}" : "");
+        }
+        return new([.. vertices], [.. indices]) { Warning = warning };
+    }
+
+    /// <summary>A number of things: <c>1 vertex</c>, <c>2 vertices</c>.</summary>
+    public static string Counted(long count, string what) =>
+        FormattableString.Invariant($"{count} {(count == 1 ? what : what == "vertex" ? "vertices" : what + "s")}");
+
+    private void Check(int index, int count, long place)
+    {
+        if (!Fan.IsFolded(CollectionsMarshal.AsSpan(indices).Slice(index, count), CollectionsMarshal.AsSpan(vertices))) return;
+        if (folded++ == 0) foldedAt = place;
+    }
 }

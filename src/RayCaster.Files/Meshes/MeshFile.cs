@@ -14,8 +14,7 @@ public static class MeshFile
         var reader = ReaderOf(path);
         using var stream = Open(path, names ?? new());
         var source = new MeshSource(path, stream);
-        source.Has(GitPointer.Start.Length);
-        return GitPointer.Is(source.Bytes) ? throw source.Error(GitPointer.Advice) : reader(source);
+        return source.Length > 0 ? reader(source) : throw source.Error("the file is empty");
     }
 
     internal static bool IsNamedLikeOne(string path) => Path.GetExtension(path).ToLowerInvariant() is ".obj" or ".ply" or ".stl";
@@ -35,7 +34,7 @@ public static class MeshFile
         try
         {
             if (Directory.Exists(path)) throw new ProblemException($"{path}: is a folder, not a mesh file");
-            var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+            var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
             if (file.CanSeek && file.Length > 0) return file;
             using (file) return Copy(file, path); // a pipe, or a file like those in /proc, which seem to be empty
         }

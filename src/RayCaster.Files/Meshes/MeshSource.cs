@@ -67,6 +67,15 @@ internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 <
         (first, end, loaded) = (0, 0, 0);
     }
 
+    /// <summary>Refuses a text in UTF-16, and a file of another kind.</summary>
+    /// <param name="own">What the name promises.</param>
+    public void ThrowUnless(string own)
+    {
+        Has(FileKind.Bytes);
+        if (FileKind.IsUtf16(Bytes)) throw ErrorAtLine(1, "the file is in UTF-16; save it as UTF-8");
+        if (FileKind.Of(Bytes) is { } kind && kind != own) throw Error($"it is {kind}, and not {own} as its name says");
+    }
+
     public ProblemException Error(string reason) => new($"{path}: {reason}");
 
     public ProblemException ErrorAtByte(long offset, string reason) => new($"{path}(byte {offset}): {reason}");

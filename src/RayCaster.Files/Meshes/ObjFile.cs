@@ -7,7 +7,12 @@ internal static class ObjFile
 {
     public static MeshData Read(MeshSource source)
     {
+        source.ThrowUnless("an OBJ mesh");
+        source.Has(64);
+        if (source.Bytes[..Math.Min(source.Bytes.Length, 64)] is var start && start.IndexOfAny("\0\r\n"u8) is >= 0 and var at && start[at] == 0)
+            throw source.Error("it is no text, and so no OBJ mesh; compiled files have the same extension");
         var (scanner, mesh) = (new TextScanner(source, isObj: true), new MeshBuilder(source));
+        var (lines, points) = (0, 0);
         var ahead = new List<(long Index, int Line)>(); // of faces before their vertices: each index that is greater than those before it
         string? warning = null;
         do
@@ -32,6 +37,15 @@ internal static class ObjFile
                     mesh.AddCorner((int)Math.Min(index < 0 ? mesh.VertexCount + index : index - 1, int.MaxValue));
                 }
                 if (mesh.CornerCount < 3) throw scanner.Error($"a face needs at least three corners, but this one has {mesh.CornerCount}");
+                mesh.EndFace(scanner.LineNumber);
+            }
+            else if (statement is [(byte)'l'])
+            {
+                lines++;
+            }
+            else if (statement is [(byte)'p'])
+            {
+                points++;
             }
             else if (warning is null && (statement.SequenceEqual("usemtl"u8) || statement.SequenceEqual("mtllib"u8)))
             {
@@ -43,13 +57,14 @@ internal static class ObjFile
         foreach (var (index, line) in ahead)
             if (index > mesh.VertexCount)
                 throw source.ErrorAtLine(line, $"face index {index} is beyond the file's {mesh.VertexCount} vertices");
-        return mesh.Finish(warning);
+        return mesh.Finish(warning, others: [(lines, "line"), (points, "point")]);
     }
 
-    /// <summary>Whether a program has written NaN or infinity: <c>nan</c>, <c>-nan(ind)</c>, <c>Infinity</c>.</summary>
+    /// <summary>Whether a program has written NaN or infinity: <c>nan</c>, <c>-nan(ind)</c>, <c>Infinity</c>, <c>1.#QNAN</c>.</summary>
     private static bool IsNotFinite(ReadOnlySpan<byte> word)
     {
         var letters = word.TrimStart("+-"u8);
+        if (letters.StartsWith("1.#"u8)) return true;
         return letters.Length >= 3 && (Ascii.EqualsIgnoreCase(letters[..3], "nan") || Ascii.EqualsIgnoreCase(letters[..3], "inf"));
     }
 

@@ -6,6 +6,7 @@ internal sealed class PlyFile(PlyHeader header, PlyValues values, MeshBuilder me
 {
     public static MeshData Read(MeshSource source)
     {
+        source.ThrowUnless("a PLY mesh");
         var (header, mesh) = (new PlyHeader(source), new MeshBuilder(source));
         PlyValues values = header.Format == "ascii" ? new AsciiPlyValues(source, header.Scanner)
             : new BinaryPlyValues(source, isBigEndian: header.Format == "binary_big_endian");
@@ -16,7 +17,7 @@ internal sealed class PlyFile(PlyHeader header, PlyValues values, MeshBuilder me
             for (var row = 0L; row < element.Count; row++) file.ReadRow(element);
         }
         values.CheckEnd();
-        return mesh.Finish();
+        return mesh.Finish(placeName: header.Format == "ascii" ? "in line" : "at byte");
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
@@ -46,6 +47,7 @@ internal sealed class PlyFile(PlyHeader header, PlyValues values, MeshBuilder me
         if (count < 3) throw values.Error($"a face needs at least three corners, but this one has {count}");
         mesh.BeginFace();
         for (; count > 0; count--) mesh.AddCorner(ToCorner(values.Next(type)));
+        mesh.EndFace(values.Place);
     }
 
     /// <summary>Strips, one after another: each corner from the third on makes a triangle with the two before, every other one turned. −1 ends a

@@ -17,6 +17,9 @@ internal abstract class PlyValues(MeshSource source)
     /// <summary>After the last row there may be nothing but blanks: anything else was meant to be part of the mesh.</summary>
     public abstract void CheckEnd();
 
+    /// <summary>The line or byte at which the row begins.</summary>
+    public long Place { get; protected set; }
+
     /// <summary>A mistake in the last number.</summary>
     public abstract ProblemException Error(string reason);
 
@@ -25,7 +28,7 @@ internal abstract class PlyValues(MeshSource source)
     protected const string TooLong = "there is more in the file than the rows that its header promises";
 }
 
-/// <summary>Numbers as text, each row on a line of its own.</summary>
+/// <summary>Numbers as text. Each row begins on a line of its own, and may go on on the next ones.</summary>
 internal sealed class AsciiPlyValues(MeshSource source, TextScanner scanner) : PlyValues(source)
 {
     public override double Next(PlyType type) => scanner.ToNumber(NextWord(), "the value");
@@ -39,11 +42,13 @@ internal sealed class AsciiPlyValues(MeshSource source, TextScanner scanner) : P
     {
         if (scanner.Next().IsEmpty) throw scanner.Error(TooShort);
         scanner.Return();
+        Place = scanner.LineNumber;
     }
 
     public override void EndRow()
     {
-        if (!scanner.NextInLine().IsEmpty) throw scanner.Error($"the line has more numbers than the header promises, from {scanner.Quoted} on");
+        if (!scanner.NextInLine().IsEmpty) throw scanner.LineNumber > Place ? TooFew()
+            : scanner.Error($"the line has more numbers than the header promises, from {scanner.Quoted} on");
         scanner.NextLine();
     }
 
@@ -58,13 +63,18 @@ internal sealed class AsciiPlyValues(MeshSource source, TextScanner scanner) : P
     private ReadOnlySpan<byte> NextWord()
     {
         var word = scanner.NextInLine();
-        return word.IsEmpty ? throw scanner.Error("the line has fewer numbers than the header promises") : word;
+        if (word.IsEmpty) word = scanner.Next();
+        return word.IsEmpty ? throw TooFew() : word;
     }
+
+    private ProblemException TooFew() => Source.ErrorAtLine((int)Place, "the line has fewer numbers than the header promises");
 }
 
 internal sealed class BinaryPlyValues(MeshSource source, bool isBigEndian) : PlyValues(source)
 {
     private long last; // where the last number begins
+
+    public override void BeginRow() => Place = Source.Position;
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override double Next(PlyType type)

@@ -6,17 +6,24 @@ internal static class StlFile
     /// <summary>The bytes of a binary file before its first triangle; the last four are the count of triangles.</summary>
     private const int Header = 84;
 
+    private const string Kind = "an STL mesh";
+
     /// <summary>A normal, three vertices and two more bytes.</summary>
     private const int BytesPerTriangle = 50;
 
     /// <summary>The size decides: a binary file may begin with "solid" too.</summary>
     public static MeshData Read(MeshSource source)
     {
-        if (!source.Has(Header)) return AsciiStlFile.Read(source);
+        if (!source.Has(Header))
+        {
+            source.ThrowUnless(Kind);
+            return AsciiStlFile.Read(source);
+        }
         var header = source.Bytes[..Header];
         var count = BinaryPrimitives.ReadUInt32LittleEndian(header[^4..]);
         var rest = source.Length - Header - BytesPerTriangle * (long)count;
         if (rest == 0) return ReadBinary(source, count);
+        source.ThrowUnless(Kind);
         // A text has no zero bytes, so this is a binary file that was cut; the ascii reader's message would mislead.
         var isBinary = header.Contains((byte)0);
         var hasMore = rest is > 0 and < BytesPerTriangle;

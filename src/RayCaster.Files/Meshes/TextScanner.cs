@@ -11,13 +11,12 @@ internal sealed class TextScanner
     private int lineNumber = 1, linesInIt; // line ends that a backslash takes back
     private int wordAt;
 
-    /// <param name="isObj">Whether, as in OBJ, # starts a comment, and a backslash at the end of a line continues it on the next.</param>
-    /// <exception cref="ProblemException">The text is in UTF-16.</exception>
+    /// <param name="isObj">Whether, as in OBJ, # starts a comment, and a backslash at the end of a vertex or face continues it on the next
+    /// line. Other lines may end with a name that ends so: <c>g C:\parts\</c>.</param>
     public TextScanner(MeshSource source, bool isObj = false)
     {
         (this.source, this.isObj) = (source, isObj);
         source.Has(3);
-        if (source.Bytes is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..]) throw source.ErrorAtLine(1, "the file is in UTF-16; save it as UTF-8");
         if (source.Bytes is [0xEF, 0xBB, 0xBF, ..]) source.Skip(3); // the byte order mark that some editors write
         LoadLine();
     }
@@ -51,7 +50,7 @@ internal sealed class TextScanner
         var text = Line;
         var at = SkipBlanks(text);
         wordAt = at;
-        while (at < text.Length && !EndsWord(text[at])) at++;
+        while (at < text.Length && (!EndsWord(text[at]) || IsNotFinite(text, at))) at++;
         // A backslash within a line is a word of its own; otherwise the scanner would not move.
         if (at == wordAt && at < text.Length && text[at] == '\\') at++;
         Position = at;
@@ -120,7 +119,8 @@ internal sealed class TextScanner
             }
             var text = source.Bytes;
             lineEnd = LineEndOf(text[length..]);
-            var continues = isObj && lineEnd > 0 && length > begin && text[length - 1] == '\\' && !text[begin..length].Contains((byte)'#');
+            var continues = isObj && lineEnd > 0 && length > begin && text[length - 1] == '\\' && !text[begin..length].Contains((byte)'#')
+                && text[..length].TrimStart(" \t"u8) is [(byte)'v' or (byte)'f', (byte)' ' or (byte)'\t' or (byte)'\\', ..];
             if (!continues) return length + lineEnd > 0;
         }
 
@@ -151,6 +151,10 @@ internal sealed class TextScanner
 
     private bool EndsWord(byte c) =>
         c is (byte)' ' or (>= (byte)'\t' and <= (byte)'\r') || (isObj && c is (byte)'#' or (byte)'\\');
+
+    // Where older C libraries of Windows have written NaN or infinity: 1.#INF, -1.#IND. The # starts no comment there.
+    private static bool IsNotFinite(ReadOnlySpan<byte> text, int at) =>
+        text[at] == '#' && at >= 2 && text[(at - 2)..] is [(byte)'1', (byte)'.', _, (byte)'I' or (byte)'Q' or (byte)'S' or (byte)'J' or (byte)'R', ..];
 
     private static int CountLines(ReadOnlySpan<byte> text) => text.Count((byte)'\n') + text.Count((byte)'\r') - text.Count("\r\n"u8);
 

@@ -6,17 +6,21 @@ public static class PictureFile
     /// <summary>The largest array there is, a little less than 2^31 bytes.</summary>
     internal static long MaxBytes => Array.MaxLength;
 
+    internal const string InUtf16 =
+        "the file is in UTF-16, as PowerShell's > writes it: let the program write the file itself, or redirect in cmd";
+
     /// <summary>
     /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), recognised by its first bytes.
     /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
     /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
+    /// <param name="warn">Gets what is odd about a file that is read all the same, with its name.</param>
     /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
-    public static Picture Read(string path) => Open(path, file =>
+    public static Picture Read(string path, Action<string>? warn = null) => Open(path, file =>
     {
         try
         {
-            return Read(file);
+            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: {odd}"));
         }
         catch (IOException e)
         {
@@ -30,19 +34,30 @@ public static class PictureFile
     /// <param name="limit">The most bytes that the picture may take in memory, three for each pixel; those of the largest array if left out.</param>
     public static Picture Read(Stream stream, long? limit = null)
     {
-        var maxBytes = limit ?? MaxBytes;
         try
         {
-            long? length = stream.CanSeek ? stream.Length - stream.Position : null;
+            return Read(stream, limit ?? MaxBytes, _ => { });
+        }
+        catch (ProblemException e) when (e.Line > 0)
+        {
+            throw new ProblemException($"line {e.Line}: {e.Message}", e);
+        }
+    }
+
+    private static Picture Read(Stream stream, long maxBytes, Action<string> warn)
+    {
+        try
+        {
             var first = stream.ReadByte(); // shows the format; a pipe cannot seek back
             if (first < 0) throw new ProblemException("the file is empty");
-            if (first == 'P') return PnmReader.Read(new(stream, 1 << 16), length, maxBytes);
-            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), maxBytes);
-            var begun = new byte[GitPointer.Start.Length];
+            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), maxBytes, warn);
+            if (first == 'P') return PnmReader.Read(stream, maxBytes, warn);
+            var begun = new byte[FileKind.Bytes];
             begun[0] = (byte)first;
-            var count = 1 + stream.ReadAtLeast(begun.AsSpan(1), begun.Length - 1, throwOnEndOfStream: false);
-            if (GitPointer.Is(begun)) throw new ProblemException(GitPointer.Advice);
-            throw new ProblemException($"{Guess(begun.AsSpan(0, count))}; PNG, PBM, PGM and PPM can be read");
+            var count = 1 + stream.ReadAtLeast(begun.AsSpan(1, 3), 3, throwOnEndOfStream: false);
+            if (begun.AsSpan(0, count) is [0xEF, 0xBB, 0xBF, (byte)'P']) return PnmReader.Read(stream, maxBytes, warn); // after a byte order mark
+            count += stream.ReadAtLeast(begun.AsSpan(count), begun.Length - count, throwOnEndOfStream: false);
+            throw new ProblemException(KindOf(begun.AsSpan(0, count)));
         }
         catch (OutOfMemoryException e)
         {
@@ -78,7 +93,7 @@ public static class PictureFile
         }
         catch (ProblemException e) when (!e.NamesFile)
         {
-            throw new ProblemException($"cannot read {path}: {e.Message}", e) { NamesFile = true };
+            throw new ProblemException($"cannot read {path}{(e.Line > 0 ? $"({e.Line})" : "")}: {e.Message}", e) { NamesFile = true };
         }
     }
 
@@ -86,7 +101,7 @@ public static class PictureFile
     {
         try
         {
-            return File.OpenRead(path);
+            return new(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
@@ -123,11 +138,12 @@ public static class PictureFile
             ? new(bytes.Array!, bytes.Offset, bytes.Count)
             : throw new ProblemException($"the file is longer than {MaxBytes:N0} bytes, which is the limit");
 
-    private static string Guess(ReadOnlySpan<byte> file) => file switch
+    internal static string KindOf(ReadOnlySpan<byte> file)
     {
-        [0xFF, 0xD8, ..] => "it is a JPEG, whose colours are not exact",
-        [(byte)'G', (byte)'I', (byte)'F', ..] => "it is a GIF",
-        [(byte)'B', (byte)'M', ..] => "it is a BMP",
-        _ => $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format",
-    };
+        if (FileKind.IsUtf16(file)) return InUtf16;
+        var text = file.TrimStart(" \t\r\n"u8);
+        if (text is [(byte)'P' or (byte)'p', >= (byte)'1' and <= (byte)'6', ..]) return $"nothing may stand before P{(char)text[1]}, which is a capital letter";
+        return (FileKind.Of(file) is { } kind ? $"it is {kind}"
+            : $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format") + "; PNG, PBM, PGM and PPM can be read";
+    }
 }

@@ -16,7 +16,7 @@ internal sealed class PngChunkReader
         if (Fill(frame) == 0) throw new ProblemException("the file is empty");
         if (frame[0] != PngChunk.Signature[0]) throw new ProblemException("it is not a PNG");
         if (!frame.AsSpan().SequenceEqual(PngChunk.Signature))
-            throw new ProblemException("it begins like a PNG, but its first eight bytes are damaged; perhaps it was transferred as text");
+            throw new ProblemException("it begins like a PNG, but its first eight bytes are damaged; was it written or transferred as text? Open the file in binary mode");
     }
 
     /// <summary>The chunk's four letters.</summary>
@@ -27,6 +27,9 @@ internal sealed class PngChunkReader
 
     /// <summary>How many of its bytes are not read yet.</summary>
     public long Left { get; private set; }
+
+    /// <summary>Whether the chunk's checksum is wrong. That is an error unless the pixels do not need the chunk.</summary>
+    public bool IsDamaged { get; private set; }
 
     public void Next()
     {
@@ -94,7 +97,8 @@ internal sealed class PngChunkReader
     {
         var sum = frame.AsSpan(0, 4);
         if (Fill(sum) < 4) throw new ProblemException("the file became shorter while it was read");
-        if (BinaryPrimitives.ReadUInt32BigEndian(sum) != crc)
+        IsDamaged = BinaryPrimitives.ReadUInt32BigEndian(sum) != crc;
+        if (IsDamaged && char.IsAsciiLetterUpper(Type[0])) // needed for the pixels
             throw new ProblemException($"its chunk {Type} at byte {Place:N0} is damaged: the checksum is wrong");
     }
 

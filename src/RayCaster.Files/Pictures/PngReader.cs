@@ -19,9 +19,10 @@ internal sealed class PngReader
     private readonly long firstData;
 
     /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
+    /// <param name="warn">Gets what is damaged, but not needed for the pixels.</param>
     /// <exception cref="ProblemException">The file is damaged, or the picture needs more than <paramref name="maxBytes"/> bytes, three
     /// for each pixel.</exception>
-    public PngReader(Stream file, long maxBytes)
+    public PngReader(Stream file, long maxBytes, Action<string>? warn = null)
     {
         chunks = new(file);
         PngHeader? header = null;
@@ -51,9 +52,6 @@ internal sealed class PngReader
                     dataBytes += chunks.Left;
                     chunks.Skip();
                     continue;
-                case "acTL":
-                    IsAnimation = true;
-                    break;
                 case "tEXt" when chunks.Left <= MaxText && PartText is null:
                     PartText = Encoding.Latin1.GetString(chunks.ReadUpTo(MaxText)).Split('\0') is [PngChunk.PartKeyword, var text] ? text : null;
                     break;
@@ -66,6 +64,11 @@ internal sealed class PngReader
                     break;
             }
             chunks.Check();
+            if (chunks.IsDamaged)
+            {
+                if (chunks.Type == "tEXt") PartText = null;
+                warn?.Invoke($"its chunk {chunks.Type} at byte {chunks.Place:N0} is damaged: the checksum is wrong; the pixels do not need it");
+            }
             if (chunks.Type == "IEND") break;
         }
 
@@ -81,15 +84,12 @@ internal sealed class PngReader
 
     public PngHeader Header { get; }
 
-    /// <summary>Whether the file is an animation (APNG), of which only the first picture is read.</summary>
-    public bool IsAnimation { get; }
-
     /// <summary>The text under <see cref="PngChunk.PartKeyword"/>; null if there is none.</summary>
     public string? PartText { get; }
 
-    public static Picture Read(Stream file, long maxBytes)
+    public static Picture Read(Stream file, long maxBytes, Action<string> warn)
     {
-        var reader = new PngReader(file, maxBytes);
+        var reader = new PngReader(file, maxBytes, warn);
         var picture = new Picture(reader.Header.Width, reader.Header.Height);
         reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { });
         return picture;
@@ -113,18 +113,12 @@ internal sealed class PngReader
         ReadLines(_ => line, _ => take(line));
     }
 
-    /// <summary>The compressed pixels, a zlib stream. Reading it checks the chunks' checksums.</summary>
-    public Stream OpenCompressed()
-    {
-        chunks.Return(firstData);
-        return new PngData(chunks);
-    }
-
     /// <param name="lineAt">The memory for the colours of a line.</param>
     /// <param name="isRead">Called after each line of a pass.</param>
     private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead)
     {
-        using var data = new ZLibStream(OpenCompressed(), CompressionMode.Decompress);
+        chunks.Return(firstData);
+        using var data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
         var (lines, passes) = (new PngLines(data, Header), Header.Passes);
         foreach (var pass in passes)
         {

@@ -1,23 +1,38 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// Reads PBM, PGM and PPM, in text (P1, P2, P3) and in bytes (P4, P5, P6), with any maxval. Reads no further than the first picture of a file:
-/// more pictures may follow, without an end.
+/// Reads PBM, PGM and PPM, in text (P1, P2, P3) and in bytes (P4, P5, P6), with any maxval. Of a pipe or device, reads no further than the first
+/// picture: more pictures may follow, without an end.
 /// </summary>
 internal sealed class PnmReader
 {
     /// <summary>The first memory for a picture from a pipe. It grows with the data, because the header may promise too much.</summary>
     private const int FirstBytes = 1 << 16;
 
+    /// <summary>So much of a word is shown.</summary>
+    private const int LongestWord = 40;
+
     private readonly BufferedStream file;
+    private readonly byte[] word = new byte[LongestWord];
     private readonly int kind, width, height, maxval;
+    private readonly bool endsWithCr; // whether CR ends the header
     private readonly long dataAt; // where the header ends
     private int next; // in the header and in a text: the byte that is looked at; −1 at the end
-    private long position; // of that byte; later how many bytes were read
+    private long position; // of that byte, from P; later how many bytes were read
+    private int line = 1, wordLength;
 
-    /// <param name="file">The file after its first byte, which is P.</param>
-    /// <param name="length">The bytes of the file with that byte; null for a pipe or device.</param>
-    public static Picture Read(BufferedStream file, long? length, long maxBytes) => new PnmReader(file, maxBytes).ReadPixels(length);
+    /// <param name="stream">The file after its first byte, which is P.</param>
+    /// <param name="warn">Gets what is odd about it.</param>
+    public static Picture Read(Stream stream, long maxBytes, Action<string> warn)
+    {
+        long? length = stream.CanSeek ? stream.Length - stream.Position + 1 : null;
+        var reader = new PnmReader(new(stream, 1 << 16), maxBytes);
+        var surplus = length - reader.dataAt - reader.DataBytes;
+        if (surplus < 0 || (surplus > 0 && reader.kind >= 4)) reader.CheckSurplus(surplus.Value, warn);
+        var picture = reader.ReadPixels(length is not null);
+        if (length is not null && reader.kind < 4) reader.CheckMoreValues(warn);
+        return picture;
+    }
 
     private PnmReader(BufferedStream file, long maxBytes)
     {
@@ -25,15 +40,12 @@ internal sealed class PnmReader
         Advance();
         var digit = Advance();
         kind = digit - '0';
-        if (kind is < 1 or > 6)
-            throw new ProblemException(
-                $"it begins with 'P{PictureFile.Printable(digit < 0 ? [] : [(byte)digit])}'; P1 to P6 can be read, and PNG");
-        width = ReadNumber("the width");
-        height = ReadNumber("the height");
-        maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval");
-        if (maxval is < 1 or > 65535) throw new ProblemException($"maxval is {maxval}, but must be from 1 to 65535");
+        if (kind is < 1 or > 6) throw OtherKind(digit);
+        width = ReadNumber("the width", int.MaxValue);
+        height = ReadNumber("the height", int.MaxValue);
+        maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval", 65535);
         PictureFile.CheckSize(width, height, maxBytes);
-        if (kind >= 4) SkipSeparator();
+        if (kind >= 4) SkipSeparator(out endsWithCr);
         dataAt = position;
     }
 
@@ -50,10 +62,9 @@ internal sealed class PnmReader
         _ => maxval > 255 ? 2 * Samples : Samples,
     };
 
-    private Picture ReadPixels(long? length)
+    private Picture ReadPixels(bool isWhole)
     {
-        if (length is { } bytes && bytes - dataAt < DataBytes) throw CutShort(bytes - dataAt);
-        var rgb = new byte[length is null ? Math.Min(FirstBytes, 3L * width * height) : 3L * width * height];
+        var rgb = new byte[isWhole ? 3L * width * height : Math.Min(FirstBytes, 3L * width * height)];
         for (var (y, at) = (0, 0); y < height; y++)
         {
             if (kind == 6 && maxval == 255)
@@ -92,7 +103,7 @@ internal sealed class PnmReader
         var value = kind switch
         {
             1 => 1 - ReadBit(), // in a bitmap 1 is ink: black
-            2 or 3 => ReadNumber("a value"),
+            2 or 3 => ReadNumber(null, maxval),
             4 => 1 - (bits >> 7 & 1),
             _ when maxval > 255 => Byte() << 8 | Byte(),
             _ => Byte(),
@@ -115,35 +126,49 @@ internal sealed class PnmReader
         var taken = next;
         next = file.ReadByte();
         position++;
+        if (taken == '\n' || (taken == '\r' && next != '\n')) line++;
         return taken;
     }
 
     private int ReadBit()
     {
         SkipBlanks("a 0 or 1");
-        return next is '0' or '1' ? Advance() - '0' : throw Unexpected("a 0 or 1");
+        return next is '0' or '1' ? Advance() - '0' : throw Wrong(ReadWord(), null, 1);
     }
 
-    private int ReadNumber(string what)
+    /// <param name="what">Which number of the header it is; null for a sample, which may be 0.</param>
+    private int ReadNumber(string? what, int most)
     {
-        SkipBlanks(what);
-        if (!IsDigit(next)) throw Unexpected(what);
-        var (number, start) = (0L, position);
-        while (IsDigit(next))
+        SkipBlanks(what ?? "a value");
+        var number = 0L;
+        for (wordLength = 0; next is >= '0' and <= '9' && number <= most;)
         {
+            if (wordLength < LongestWord) word[wordLength++] = (byte)next;
             number = number * 10 + Advance() - '0';
-            if (number > int.MaxValue)
-                throw new ProblemException($"{what} at byte {start} is greater than {int.MaxValue:N0}, which is the limit");
         }
-        return (int)number;
+        var ends = next < 0 || next == '#' || IsBlank(next);
+        return ends && wordLength > 0 && number <= most && number >= (what is null ? 0 : 1) ? (int)number : throw Wrong(ReadWord(), what, most);
+    }
+
+    /// <summary>The rest of the word that was begun.</summary>
+    private string ReadWord()
+    {
+        for (; next >= 0 && !IsBlank(next) && wordLength < LongestWord; Advance()) word[wordLength++] = (byte)next;
+        return PictureFile.Printable(word.AsSpan(0, wordLength));
     }
 
     /// <summary>Skips blanks and comments. The file must go on after them.</summary>
     private void SkipBlanks(string what)
     {
+        SkipBlanks();
+        wordLength = 0;
+        if (next < 0) throw new ProblemException($"the file is cut short: it ends where {what} should be");
+    }
+
+    private void SkipBlanks()
+    {
         while (IsBlank(next) || next == '#')
             if (Advance() == '#') SkipComment();
-        if (next < 0) throw new ProblemException($"the file is cut short: it ends where {what} should be");
     }
 
     /// <summary>Skips from # to the end of the line; the line end is left.</summary>
@@ -153,22 +178,73 @@ internal sealed class PnmReader
     }
 
     /// <summary>Skips the one blank, or the comment with its line end, before the bytes. No more: the first bytes may look like blanks.</summary>
-    private void SkipSeparator()
+    private void SkipSeparator(out bool isCr)
     {
         if (next == '#') SkipComment();
         if (next < 0) throw new ProblemException("the file is cut short: it ends with its header");
-        if (!IsBlank(next)) throw Unexpected("a line end");
+        isCr = next == '\r';
         position++;
     }
 
     private static bool IsBlank(int value) => value is ' ' or (>= '\t' and <= '\r');
 
-    private static bool IsDigit(int value) => value is >= '0' and <= '9';
+    /// <summary>Says why a file has more or fewer bytes than its header promises. What spoils the pixels is an error.</summary>
+    private void CheckSurplus(long surplus, Action<string> warn)
+    {
+        var (there, from) = (DataBytes + surplus, file.Position);
+        var all = there <= 32 * DataBytes + FirstBytes && InputBytes.TryReadToEnd(file, Array.MaxLength - 1, out var read) ? read : [];
+        file.Position = from;
+        var cause = new PnmSurplus(kind, width, height, maxval, endsWithCr).Cause(all, DataBytes, out var isHarmless);
+        if (surplus < 0) throw new ProblemException(CutShort(there).Message + (cause is null ? "" : $"; {cause}"));
+        var more = $"the file has {surplus:N0} byte{(surplus == 1 ? "" : "s")} more than its header promises";
+        if (cause is not null && !isHarmless) throw new ProblemException($"{more}: {cause}");
+        if (cause is not null || !isHarmless) warn($"{more}{(cause is null ? "; they are ignored" : $": {cause}")}");
+    }
+
+    /// <summary>Looks for more values in a text. Another picture may follow.</summary>
+    private void CheckMoreValues(Action<string> warn)
+    {
+        var more = 0L;
+        for (SkipBlanks(); next >= 0 && next != 'P'; SkipBlanks(), more++)
+            while (next >= 0 && !IsBlank(next)) Advance();
+        if (more == 0) return;
+        var text = $"the file has {more:N0} value{(more == 1 ? "" : "s")} more than its header promises";
+        var perPixel = (Samples + more) / ((double)width * height);
+        if (kind == 2 && perPixel == 3) throw new ProblemException($"{text}: P2 is grey, one value a pixel; the header for colours is P3");
+        if (kind == 3 && perPixel == 4) throw new ProblemException($"{text}: it has four values a pixel; a pixel of P3 has red, green and blue, no alpha");
+        warn($"{text}; they are ignored");
+    }
+
+    private ProblemException OtherKind(int digit)
+    {
+        var begun = new List<byte> { (byte)'P' };
+        for (; digit >= 0 && begun.Count < FileKind.Bytes; digit = Advance()) begun.Add((byte)digit);
+        return new(PictureFile.KindOf([.. begun]));
+    }
 
     /// <summary>The error for a header that promises more than the file holds.</summary>
     private ProblemException CutShort(long there) => new($"the file is cut short: {width:N0} × {height:N0} pixels need "
         + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
 
-    private ProblemException Unexpected(string due) =>
-        new($"'{PictureFile.Printable([(byte)next])}' at byte {position}, where {due} should be");
+    /// <summary>The error for a word that is no number, or none that is allowed.</summary>
+    private ProblemException Wrong(string text, string? what, int most)
+    {
+        if (what is null && word.AsSpan(0, wordLength).ContainsAnyExceptInRange((byte)' ', (byte)'~'))
+            return new($"bytes follow the header, and P{kind} announces a text; the header for bytes is P{kind + 3}");
+        var isNumber = double.TryParse(text.Replace(',', '.'), NumberStyles.Float, CultureInfo.InvariantCulture, out var number);
+        var cause = text switch
+        {
+            "-2147483648" or "2147483648" or "-9223372036854775808" => "a NaN that was cast to int becomes this",
+            "-858993460" or "3435973836" or "-842150451" => "a variable that was never set has this value",
+            _ when text.Contains("nan", StringComparison.OrdinalIgnoreCase) || text.Contains("#IND", StringComparison.OrdinalIgnoreCase) =>
+                "not a number: 0 divided by 0, or the root of a negative number",
+            _ when text.Contains("inf", StringComparison.OrdinalIgnoreCase) => "something was divided by 0",
+            _ when !isNumber => null,
+            _ when number != Math.Floor(number) || text.AsSpan().ContainsAny(".,eE") => "round it to a whole number",
+            _ => what is null ? "limit colours to 0 … 1 before they become bytes" : null,
+        };
+        var because = cause is null ? "" : $" ({cause})";
+        return new(what is null ? $"'{text}' is no value from 0 to {most}{because}"
+            : $"{what} is '{text}', but must be a whole number from 1 to {most}{because}") { Line = line };
+    }
 }

@@ -71,8 +71,7 @@ internal static class PrimitiveList
         var nothing = new Mesh([], []);
         var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.", false);
         var vertices = o.Vectors("vertices", "In place of a file: the corners of the faces.");
-        var indices = o.Faces("faces", "Of each face at least three places in vertices, from 0.",
-            vertices.Length > 0 ? vertices.Length : int.MaxValue);
+        var indices = o.Faces("faces", "Of each face at least three places in vertices, from 0.", vertices);
         var placement = new MeshPlacement(
             o.Factors("scale", "A factor for all axes, or one for each; none is 0, negative mirrors.", 1),
             o.Vector("rotate", "Turns about the x, y and z axis, in this order, in degrees.", Vector3.Zero),

@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+
 namespace RayCaster.Files;
 
 /// <summary>
@@ -89,12 +91,20 @@ internal sealed class SceneObject
     }
 
     /// <summary>An array of faces, each an array of at least three indices: three for each triangle, where polygons are split as a fan.</summary>
-    /// <param name="count">The indices are less than this.</param>
-    public int[] Faces(string key, string meaning, int count)
+    /// <param name="vertices">The indices are places in these; any indices if there are none.</param>
+    public int[] Faces(string key, string meaning, Vector3[] vertices)
     {
         described?.Add(new(key, KeyKind.Faces, meaning, false));
         var (i, triangles) = (0, new List<int>());
-        foreach (var face in Elements(key, meaning, "faces")) AddTriangles(face, $"{key}[{i++}]", Limits.From(0, count - 1), triangles);
+        var limits = Limits.From(0, vertices.Length > 0 ? vertices.Length - 1 : int.MaxValue);
+        foreach (var face in Elements(key, meaning, "faces"))
+        {
+            var before = triangles.Count;
+            AddTriangles(face, $"{key}[{i}]", limits, triangles);
+            if (IsSound && vertices.Length > 0 && triangles.Count > before + 3 && Fan.IsFolded(CollectionsMarshal.AsSpan(triangles)[before..], vertices))
+                Report(false, face, $"{key}[{i}]", " " + Fan.Warning);
+            i++;
+        }
         return [.. triangles];
     }
 

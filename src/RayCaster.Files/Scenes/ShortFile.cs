@@ -1,9 +1,9 @@
 namespace RayCaster.Files;
 
-/// <summary>Reads a short file in the form of a scene file: a camera's path or a rubric.</summary>
+/// <summary>Reads a short file in the form of a scene file: a rubric.</summary>
 internal static class ShortFile
 {
-    /// <summary>The longest file, in bytes: some ten thousand keys of a camera's path.</summary>
+    /// <summary>The longest file, in bytes.</summary>
     public const int MaxBytes = 1 << 20;
 
     /// <summary>Reads a file, which may be a pipe that never ends. Returns null if there is an error.</summary>

@@ -13,6 +13,8 @@ public sealed class PixelNumbers
     /// <summary>Of more models only those are told that the ray hits.</summary>
     private const int ManyModels = 12;
 
+    private const string Analytical = "analytical";
+
     private const string Endless = "no end: probably your code has an endless loop";
 
     private readonly Scene scene;
@@ -35,7 +37,7 @@ public sealed class PixelNumbers
         if (unwritten.Contains(Slides.ClipPlanes)) camera = camera.With(zNear: 0, zFar: double.MaxValue);
         right = ScalarRenderer.Cast(scene with { Camera = camera, Models = [.. scene.Models.Where(IsWritten)] }, column, row);
         // uc and ur are local to their body. d has them, whatever its length and the sign of W.
-        foreach (var (name, axis) in ((string, string)[])[("uc", "U"), ("ur", "V")])
+        foreach (var (name, axis) in ((string, string)[])[(FromD("uc"), "U"), (FromD("ur"), "V")])
             if (yours.TryGetValue("d", out var d))
                 yours[name] = (d, yours[axis], yours["W"]) is (Vector3 v, Vector3 along, Vector3 back) ? v * along / Math.Abs(v * back) : d;
     }
@@ -43,9 +45,9 @@ public sealed class PixelNumbers
     /// <summary>Prints the numbers; returns the program's exit code.</summary>
     /// <param name="pixel">The column, the line from the top, and perhaps --hint with its level.</param>
     /// <param name="bodies">
-    /// Calls of the bodies for c and r. They give: "a + b" and so on of the vectors (1, 2, 3) and (4, −5, 6), "W", "U", "V", "d" as three doubles;
-    /// "h", "w", "attenuation" as one; for the models "0", "1" and so on each t with which they call Hit, and whether it counts; "hit" as the
-    /// model's index and t; and "bytes".
+    /// Calls of the bodies for c and r. They give: "a + b" and so on of the vectors (1, 2, 3) and (4, −5, 6), "a after a + b" and so on, "W", "U",
+    /// "V", "d" as three doubles; "h", "w", "attenuation" as one; for the models "0", "1" and so on each t with which they call Hit, and whether it
+    /// counts, for a sphere by its analytical solution as "0 analytical"; "hit" as the model's index and t; and "bytes".
     /// </param>
     /// <param name="notes">The slides of the called bodies that are not written.</param>
     public static int Print(
@@ -114,8 +116,13 @@ public sealed class PixelNumbers
         Vector3 a = new(1, 2, 3), b = new(4, -5, 6);
         foreach (var (name, result) in ((string, object)[])
             [("a + b", a + b), ("a − b", a - b), ("2 a", 2 * a), ("a × b", a % b), ("a · b", a * b), ("|a|", a.Length)])
+        {
             if (Of(name, Slides.Vectors, result) is { Right: not null } wrong)
                 yield return wrong with { Name = $"{name} for a = {Digits.Of(a)}, b = {Digits.Of(b)}" };
+            foreach (var (operand, value) in ((string, object)[])[($"a after {name}", a), ($"b after {name}", b)])
+                if (yours.GetValueOrDefault(operand) is Vector3 && Of(operand, Slides.Vectors, value) is { Right: not null } changed)
+                    yield return changed;
+        }
 
         foreach (var step in PixelSteps.OfCamera(scene.Camera))
         {
@@ -123,11 +130,14 @@ public sealed class PixelNumbers
             if (yours.GetValueOrDefault("W") is Exception) yield break; // there is no camera
         }
         foreach (var step in PixelSteps.OfRay(scene.Camera, column, row).Where(step => step.Name != "pixel"))
-            yield return Of(step.Name, Slides.PixelTranslation, step.Value);
+            yield return Of(step.Name == "d" ? "d" : FromD(step.Name), Slides.PixelTranslation, step.Value);
         if (unwritten.Overlaps([Slides.Vectors, Slides.Camera, Slides.PixelTranslation]) || yours.GetValueOrDefault("d") is Exception) yield break;
 
         foreach (var (i, model) in scene.Models.Index())
+        {
             foreach (var line in OfModel(model, i)) yield return line;
+            if (OfAnalytical(model, i) is { } analytical) yield return analytical;
+        }
         var hit = right.HitModel;
         yield return Of("hit", Slides.Ray, new Hit(hit == null ? -1 : scene.Models.TakeWhile(model => model != hit).Count(), right.HitParameter));
         if (hit != null) yield return Of("attenuation", Slides.Shading, scene.Attenuation<Scalar>(right.HitParameter).Value);
@@ -146,13 +156,28 @@ public sealed class PixelNumbers
                 ? Of($"{index}", slide, rightly) with { Name = name, Right = HitText(rightly) } : new(name, slide, null, null);
             yield break;
         }
-        var mine = calls.Select(call => call.T).Where(right.Counts).DefaultIfEmpty(double.PositiveInfinity).Min();
+        var mine = NearestOf(calls);
         var refused = double.IsInfinity(mine) && calls.Length > 0 ? $" (Hit was called with t = {Digits.Of(calls[0].T)})" : "";
         if (scene.Models.Count <= ManyModels || double.IsFinite(mine) || !IsSame(mine, rightly))
             yield return new(name, slide, HitText(mine) + refused, IsSame(mine, rightly) ? null : HitText(rightly));
         foreach (var (t, counts) in calls.Where(call => call.Counts != right.Counts(call.T)).Take(1))
             yield return new($"Counts({Digits.Of(t)})", $"{Slides.Bias}\" or \"{Slides.ClipPlanes}", $"{counts}", $"{!counts}");
     }
+
+    /// <summary>The other solution of a sphere, which draws nothing; null where it is right or not written.</summary>
+    private Line? OfAnalytical(Model model, int index)
+    {
+        var slide = Slides.SphereAnalytical;
+        if (unwritten.Contains(slide) || !yours.TryGetValue($"{index} {Analytical}", out var mine)) return null;
+        var (name, rightly) = ($"t of {ModelName.Typed(scene, index)} by AnalyticalSolution", model.Intersect(right) ?? double.PositiveInfinity);
+        if (mine is not (double T, bool Counts)[] calls) return new(name, slide, Text(mine), HitText(rightly));
+        var t = NearestOf(calls);
+        return IsSame(t, rightly) ? null : new(name, slide, HitText(t), HitText(rightly));
+    }
+
+    /// <summary>The least t that counts by the right rule; infinite for none.</summary>
+    private double NearestOf((double T, bool Counts)[] calls) =>
+        calls.Select(call => call.T).Where(right.Counts).DefaultIfEmpty(double.PositiveInfinity).Min();
 
     private Line Of(string name, string slide, object rightly) =>
         unwritten.Contains(Slides.Vectors) ? new(name, Slides.Vectors, null, null)
@@ -179,6 +204,8 @@ public sealed class PixelNumbers
         Exception e => $"{e.GetType().Name}, {e.Message.ReplaceLineEndings(" ").TrimEnd('.')}{Place(e)}",
         _ => $"{value}",
     };
+
+    private static string FromD(string name) => $"{name} (from your d)";
 
     private static string HitText(double t) => double.IsPositiveInfinity(t) ? "no hit" : Digits.Of(t);
 

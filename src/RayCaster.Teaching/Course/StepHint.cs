@@ -12,33 +12,14 @@ public static class StepHint
     /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
     /// test of no step.
     /// </param>
-    /// <param name="isRight">
-    /// Whether the formula of a slide gives the right numbers in the scene; null where that is not known. No mistake of a right formula is named.
-    /// Where one is wrong, it is named, and no mistake of others.
-    /// </param>
-    public static string Of(Scene scene, Picture picture, int step, HintLevel level, Func<string, bool?>? isRight = null)
-    {
-        // What earlier steps compute wrongly may make the numbers of later ones wrong.
-        var wrong = isRight == null ? []
-            : Slides.Steps.Take(step).Select(earlier => earlier.Slides.Where(slide => isRight(slide) == false).ToArray())
-                .FirstOrDefault(slides => slides.Length > 0, []);
-        var diagnosis = Judge(scene, picture, step, slide => wrong.Length > 0 ? !wrong.Contains(slide) : isRight?.Invoke(slide) == true);
-        if (wrong.Length == 0) return Of(scene, diagnosis, step, level);
-        var named = level == HintLevel.Symptom ? [] : wrong.Select(slide => $"  Wrong numbers in this scene: slide \"{slide}\"");
-        var isOfWrong = diagnosis is { Finding: Finding.Mistake, Suspects: [var suspect, ..] }
-            && suspect.Mistakes.Any(mistake => wrong.Contains(mistake.Slide)); // else its question would be about right code
-        var first = Slides.StepOf(wrong[0]);
-        return string.Join("\n", [.. named, isOfWrong ? Of(scene, diagnosis, first, level) : Indented(OfStep(first, level))]);
-    }
+    public static string Of(Scene scene, Picture picture, int step, HintLevel level) => Of(scene, Judge(scene, picture, step), step, level);
 
     internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
-        Indented(Lines(scene, diagnosis, step, level));
+        string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 
-    private static string Indented(IEnumerable<string> lines) => string.Join("\n", lines.Select(line => "  " + line));
-
-    internal static Diagnosis Judge(Scene scene, Picture picture, int step, Predicate<string>? isProved = null) => step == 0
+    internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
         ? Diagnosis.Of(scene, picture)
-        : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step && isProved?.Invoke(mistake.Slide) != true)
+        : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
             .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 
     private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)

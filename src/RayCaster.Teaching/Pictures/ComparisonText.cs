@@ -6,6 +6,12 @@ public static class ComparisonText
     /// <summary>The verdict in a word or two.</summary>
     public static string Of(Likeness verdict) => verdict.Words;
 
+    internal const string Cropped = "Was it cropped on its way, for example by a screenshot?";
+
+    /// <summary>A sentence for a picture of which every channel is as many levels too bright, or too dark.</summary>
+    internal static string Shifted(int levels) =>
+        $"Every channel is {Digits.Count(Math.Abs(levels), "level")} {(levels > 0 ? "brighter" : "darker")}: is a number added on its way to a byte?";
+
     /// <summary>The comparison in whole lines.</summary>
     /// <param name="mine">The name of the picture in question.</param>
     /// <param name="reference">The name of the picture that it should be.</param>
@@ -16,7 +22,8 @@ public static class ComparisonText
             var (a, b) = (comparison.Mine, comparison.Reference);
             var isSwapped = (a.Width, a.Height) == (b.Height, b.Width);
             return $"{mine} is wrong: it has {a.Width} x {a.Height} pixels, {reference} has {b.Width} x {b.Height}" +
-                $"{(isSwapped ? ": width and height are swapped" : "")}.\n" + OneColor(comparison, mine) + Recognized(comparison);
+                $"{(isSwapped ? ": width and height are swapped" : "")}.\n" +
+                (comparison.Crop is { } crop ? $"It is the right picture without {crop.Missing}. {Cropped}\n" : "") + OneColor(comparison, mine) + Recognized(comparison);
         }
         return comparison.Likeness switch
         {
@@ -44,7 +51,7 @@ public static class ComparisonText
             $"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n" +
             (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}" : "") +
-            OneColor(comparison, mine) + Recognized(comparison) +
+            (Math.Abs(d.Shift ?? 0) > 1 ? $"  {Shifted(d.Shift!.Value)}\n" : "") + OneColor(comparison, mine) + Recognized(comparison) +
             (comparison.ByModels is { } models ? ModelsText.Of(comparison, models, mine) : "");
     }
 
@@ -69,6 +76,7 @@ public static class ComparisonText
 
     private static string Rounding(PictureDifference d)
     {
+        if (d.Shift is { } levels) return $"  {Shifted(levels)}\n";
         var lighter = d.OffByOne - d.OneDarker;
         return lighter <= 0.01 * d.OffByOne
                 ? $"  {Digits.Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded?\n"

@@ -15,6 +15,7 @@ public sealed class PictureComparison
             Difference = new(mine, reference);
             if (Scene is not null) ByModels = new(Scene, Difference, threads);
         }
+        else Crop = Crop.Find(mine, reference);
         var judge = new PictureJudge(reference, ByModels is { IsReferenceOwn: true } ? Scene : null);
         Likeness = Difference is null ? Likeness.Wrong : judge.Judge(Difference);
         if (Likeness == Likeness.Wrong) Recognition = new ChangeFinder(mine, reference, Difference, judge).Find();
@@ -37,6 +38,9 @@ public sealed class PictureComparison
 
     /// <summary>A change of the whole picture that explains the difference; null if there is none.</summary>
     internal Recognition? Recognition { get; }
+
+    /// <summary>What the picture lacks at its border, if it is right but for that.</summary>
+    internal Crop? Crop { get; }
 
     /// <summary>The difference model by model; null without a scene, or if the sizes differ.</summary>
     internal SceneDifference? ByModels { get; }

@@ -34,6 +34,19 @@ public sealed class PictureDifference
     /// <summary>Those of <see cref="OffByOne"/> with no channel lighter than it should be, as truncation makes them.</summary>
     public int OneDarker { get; private set; }
 
+    /// <summary>By how many levels every channel is brighter, up to 255, or, below 0, darker, down to 0; null if it is not the same for
+    /// all.</summary>
+    public int? Shift
+    {
+        get
+        {
+            var pairs = Mine.Rgb.Zip(Reference.Rgb, (a, b) => (Shown: a, Right: b));
+            var most = pairs.Select(pair => pair.Shown - pair.Right).MaxBy(Math.Abs);
+            return most != 0 && pairs.All(pair => pair.Shown == Math.Clamp(pair.Right + most, 0, 255))
+                && pairs.Count(pair => pair.Shown != pair.Right) > Mine.Rgb.Length / 10 ? most : null; // few: the others may be at an end by chance
+        }
+    }
+
     /// <summary>Pixels in which a channel differs by more than 1 level.</summary>
     public int Wrong => CountBeyond(1);
 

@@ -11,12 +11,6 @@ public enum MapKind
 
     /// <summary>The model's index in the scene file, from 0; −1 where nothing is hit.</summary>
     Model,
-
-    /// <summary>The surface's normal, of length 1, towards the camera; (0, 0, 0) where nothing is hit.</summary>
-    Normal,
-
-    /// <summary>The surface parameters of the hit, as (u, v, 0); (0, 0, 0) where nothing is hit.</summary>
-    Uv,
 }
 
 /// <summary>Names of maps.</summary>
@@ -30,7 +24,4 @@ public static class MapKinds
 
     /// <summary>The name of a kind.</summary>
     public static string Name(this MapKind kind) => Names[(int)kind];
-
-    /// <summary>How many numbers each pixel has.</summary>
-    public static int Channels(this MapKind kind) => kind is MapKind.Normal or MapKind.Uv ? 3 : 1;
 }

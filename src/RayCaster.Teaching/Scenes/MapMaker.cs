@@ -19,16 +19,11 @@ public static class MapMaker
                 $"a map of {width} × {height} has {pixels:N0} pixels; the limit is {MaxPixels:N0}, for all of it is in memory at once"));
         try
         {
-            var hits = new MapHits(scene, new Renderer(scene, threads).CastHits());
-            var map = new NumberMap(width, height, kind.Channels());
+            var hits = new Renderer(scene, threads).CastHits();
+            var map = new NumberMap(width, height);
             Parallel.For(0, height, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, y =>
             {
-                for (var x = 0; x < width; x++)
-                {
-                    var numbers = hits.Numbers(kind, x, y);
-                    ReadOnlySpan<float> floats = [ToFloat(numbers.X), ToFloat(numbers.Y), ToFloat(numbers.Z)];
-                    floats[..map.Channels].CopyTo(map[x, y]);
-                }
+                for (var x = 0; x < width; x++) map[x, y] = Number(scene.Camera, hits, kind, x, y);
             });
             return map;
         }
@@ -36,6 +31,18 @@ public static class MapMaker
         {
             throw new ProblemException($"there is not enough memory for a map of {width} × {height}", e);
         }
+    }
+
+    /// <summary>The number of a pixel, as <see cref="MapKind"/> describes it.</summary>
+    private static float Number(Camera camera, HitMap hits, MapKind kind, int x, int y)
+    {
+        var pixel = y * hits.Width + x;
+        return kind switch
+        {
+            MapKind.T => ToFloat(hits.T[pixel]),
+            MapKind.Depth => ToFloat(hits.T[pixel] * -(camera.RayThrough(x, camera.Height - 1 - y).Direction * camera.W)),
+            _ => hits.Model[pixel],
+        };
     }
 
     /// <summary>Rounds to float. A finite number stays finite, because infinity means that nothing is hit.</summary>

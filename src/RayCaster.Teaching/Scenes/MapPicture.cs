@@ -6,23 +6,16 @@ public static class MapPicture
     /// <summary>Makes the picture of a map.</summary>
     public static Picture Draw(NumberMap map, MapKind kind)
     {
-        var (least, greatest) = kind.Channels() == 1 && map.Range is { } range ? range : default;
+        var (least, greatest) = map.Range ?? default;
         return Picture.Of(map.Width, map.Height, (x, y) => Pixel(map[x, y], kind, least, greatest));
     }
 
-    private static (byte, byte, byte) Pixel(ReadOnlySpan<float> numbers, MapKind kind, double least, double greatest)
+    private static (byte, byte, byte) Pixel(float number, MapKind kind, double least, double greatest)
     {
-        var (a, b, c) = numbers.Length == 1 ? (numbers[0], 0, 0) : (numbers[0], numbers[1], numbers[2]);
-        return kind switch
-        {
-            MapKind.T or MapKind.Depth when !float.IsFinite(a) => default,
-            MapKind.T or MapKind.Depth => // the nearest is the brightest
-                ColorRamp.Viridis.At((greatest > least ? (greatest - a) / (greatest - least) : 1) * ColorRamp.Viridis.Last),
-            MapKind.Model => a < 0 ? default : OfModel((int)a),
-            _ when (a, b, c) == (0, 0, 0) => default,
-            MapKind.Normal => new Color((a + 1) / 2, (b + 1) / 2, (c + 1) / 2).ToBytes(),
-            _ => new Color(Part(a), Part(b), 0.5).ToBytes(),
-        };
+        if (kind == MapKind.Model) return number < 0 ? default : OfModel((int)number);
+        if (!float.IsFinite(number)) return default;
+        var nearness = greatest > least ? (greatest - number) / (greatest - least) : 1; // the nearest is the brightest
+        return ColorRamp.Viridis.At(nearness * ColorRamp.Viridis.Last);
     }
 
     /// <summary>A colour for each model. The hue grows by the golden angle, so models that are neighbours in the scene file look

@@ -1,17 +1,16 @@
 namespace RayCaster.Teaching;
 
-/// <summary>One or three floats for each pixel. Line 0 is at the top.</summary>
-/// <param name="Channels">1, or 3 for vectors.</param>
+/// <summary>A float for each pixel. Line 0 is at the top.</summary>
 /// <exception cref="OverflowException">The map would have 2³¹ numbers or more.</exception>
-public sealed record NumberMap(int Width, int Height, int Channels)
+public sealed record NumberMap(int Width, int Height)
 {
-    /// <summary>Width · Height · Channels numbers; from left to right, then from top to bottom.</summary>
-    public float[] Values { get; } = new float[checked(Width * Height * Channels)];
+    /// <summary>Width · Height numbers; from left to right, then from top to bottom.</summary>
+    public float[] Values { get; } = new float[checked(Width * Height)];
 
-    /// <summary>The numbers of a pixel.</summary>
+    /// <summary>The number of a pixel.</summary>
     /// <param name="x">The column, from the left.</param>
     /// <param name="y">The line, from the top.</param>
-    public Span<float> this[int x, int y] => Values.AsSpan(((y * Width) + x) * Channels, Channels);
+    public ref float this[int x, int y] => ref Values[y * Width + x];
 
     /// <summary>The least and the greatest finite number; null if there is none.</summary>
     public (float Least, float Greatest)? Range

@@ -45,14 +45,12 @@ public sealed class SceneVariation
     /// <param name="newFolder">The folder of the new scene, from which its schema is found.</param>
     /// <param name="budget">How long the mistakes of the scene are tried; those that are left out are not tried on the new one either. Any time if
     /// left out.</param>
-    /// <param name="mayShowLess">Whether the new scene need not show every mistake.</param>
     /// <returns>The new text; null if no try succeeds.</returns>
-    public static byte[]? Of(
-        ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder, SearchBudget? budget = null, bool mayShowLess = false)
+    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder, SearchBudget? budget = null)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
         if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
-        var shown = mayShowLess ? [] : Shown(scene, budget);
+        var shown = Shown(scene, budget);
         var distance = (scene.Camera.Target - scene.Camera.Position).Length;
         for (var attempt = 0; attempt < MaxTries; attempt++)
         {

@@ -35,13 +35,13 @@ public sealed class MeshFileTests : IDisposable
         Assert.Equal($"{path}: is a folder, not a mesh file", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
     }
 
-    [SkippableFact]
+    [Fact]
     [UnsupportedOSPlatform("windows")] // rights are others there
     public void FileWithoutPermissionIsNamed()
     {
         var path = folder.Write("box.obj", "");
         File.SetUnixFileMode(path, UnixFileMode.None);
-        Skip.If(Environment.IsPrivilegedProcess, "may read everything");
+        Assert.SkipWhen(Environment.IsPrivilegedProcess, "may read everything");
         Assert.Equal($"{path}: no permission to read it", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
     }
 
@@ -53,9 +53,28 @@ public sealed class MeshFileTests : IDisposable
     {
         using var folder = new TemporaryFolder();
         var path = folder.Write(name, "version https://git-lfs.github.com/spec/v1\noid sha256:12\nsize 9\n"u8);
-        Assert.Equal($"{path}: this is only a Git LFS pointer to the file; fetch the file itself: git lfs pull",
+        Assert.StartsWith($"{path}: it is only a Git LFS pointer to the file (fetch the file itself: git lfs pull)",
             Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
     }
+
+    [Theory]
+    [InlineData("meshes/a.obj", "meshes", "Meshes")]
+    [InlineData("meshes/Deep/a.obj", "meshes/Deep", "Meshes")]
+    [InlineData("Meshes/deep/a.obj", "Meshes/deep", "Deep")]
+    public void AFolderOfOtherCaseIsNamed(string file, string missing, string meant)
+    {
+        Directory.CreateDirectory(folder["Meshes/Deep"]);
+        Assert.SkipWhen(Directory.Exists(folder["meshes"]), "the disk ignores case");
+        Assert.EndsWith($"there is no folder {folder[missing]}; did you mean \"{meant}\"? (case matters)",
+            Assert.Throws<ProblemException>(() => MeshFile.Read(folder[file])).Message);
+    }
+
+    [Theory]
+    [InlineData("a.obj")]
+    [InlineData("a.ply")]
+    [InlineData("a.stl")]
+    public void AnEmptyFileIsNamed(string name) =>
+        Assert.Equal($"{folder[name]}: the file is empty", Assert.Throws<ProblemException>(() => MeshFile.Read(folder.Write(name, ""))).Message);
 
     public void Dispose() => folder.Dispose();
 }

@@ -20,7 +20,9 @@ public class ObjFileTests
     [InlineData("f 1 2 3 # a comment\n")]
     [InlineData("f 1 2 3# a comment\\\n")] // which no backslash continues
     [InlineData("f 1 \\\n 2\\\r\n3\n")]
-    [InlineData("o a\\b \\\nf 1 1 1\nf 1 2 3\n")] // the continued statement is one that is skipped
+    [InlineData("f\\\n1 2\\\n3\n")]
+    [InlineData("g C:\\parts\\\nf 1 2 3\n")] // a name may end so; only vertices and faces go on on the next line
+    [InlineData("mtllib D:\\\r\nf 1 2 3\n")]
     [InlineData("\n\n# f 1 1 1\r\n\r\nf 1 2 3\n")]
     [InlineData("mtllib a.mtl\no box\ng all\nvt 0 0\nvn 0 0 1\nvp 1\nusemtl red\ns off\nl 1 2\nfo 1 1 1\nf 1 2 3\n")]
     public void FaceIsReadHoweverItIsWritten(string faces) => Assert.Equal([0, 1, 2], Read(fourVertices + faces).Indices);
@@ -60,6 +62,8 @@ public class ObjFileTests
     [InlineData("v 1 2 3 0.5 0.5 0.5")]
     [InlineData("v +1 .2e1 3.")]
     [InlineData("v 1 2 3 nan -nan(ind) Infinity")]
+    [InlineData("v 1 2 3 1.#QNAN -1.#IND 1.#INF000")]
+    [InlineData("v 1 2 3.#in the comment")]
     [InlineData("v 1e0 20E-1 0.3e+1")]
     public void ExtraNumbersOfAVertexAreSkipped(string vertex) => Assert.Equal(new(1, 2, 3), Read(vertex + "\nf 1 1 1\n").Vertices[0]);
 
@@ -89,16 +93,64 @@ public class ObjFileTests
     [InlineData("v 1 nan 3", "(5): the vertex's y must be a finite number, but is 'nan'")]
     [InlineData("v 1 NaN 3", "(5): the vertex's y must be a finite number, but is 'NaN'")]
     [InlineData("v -Infinity 2 3", "(5): the vertex's x must be a finite number, but is '-Infinity'")]
+    [InlineData("v 1 2 1.#INF", "(5): the vertex's z must be a finite number, but is '1.#INF'")]
+    [InlineData("v 1 -1.#IND 3", "(5): the vertex's y must be a finite number, but is '-1.#IND'")]
+    [InlineData("v 1.#QNAN00 2 3", "(5): the vertex's x must be a finite number, but is '1.#QNAN00'")]
     [InlineData("v 1 2 1e400", "(5): the vertex's z must be a finite number, but is '1e400'")]
     [InlineData("v 1,5 2 3", "(5): the vertex's x must be a finite number, but is '1,5'")]
     [InlineData("v 1\0 2 3", "(5): the vertex's x must be a finite number, but is '1?'")]
-    [InlineData("# only vertices", ": the file has no face; a mesh needs at least one")]
+    [InlineData("# only vertices", ": the file has no face, only 4 vertices; a mesh needs at least one")]
+    [InlineData("l 1 2", ": the file has no face, only 4 vertices and 1 line; a mesh needs at least one")]
+    [InlineData("p 1\np 2\nl 1 2 3\nl 1 2", ": the file has no face, only 4 vertices and 2 lines and 2 points; a mesh needs at least one")]
     public void MistakeIsNamedWithItsLine(string rest, string message) =>
         Assert.Equal("box.obj" + message, Assert.Throws<ProblemException>(() => Read(fourVertices + rest)).Message);
 
     [Fact]
     public void Utf16IsNamed() => Assert.Equal("box.obj(1): the file is in UTF-16; save it as UTF-8",
         Assert.Throws<ProblemException>(() => MeshBytes.Read("box.obj", [0xFF, 0xFE, (byte)'v', 0])).Message);
+
+    public static TheoryData<byte[], string> OtherKinds => new()
+    {
+        {
+            [0x64, 0x86, 5, 0, 0, 0, 0, 0x5F, .. new byte[60]],
+            "it is a compiled object file (COFF), as Visual Studio makes them, and not an OBJ mesh as its name says"
+        },
+        { [0x4C, 0x01, 3, 0, .. new byte[60]], "it is a compiled object file (COFF), as Visual Studio makes them, and not an OBJ mesh as its name says" },
+        { [0x80, 9, 0, 7, .. "hello.c"u8, 0], "it is no text, and so no OBJ mesh; compiled files have the same extension" },
+        { [.. "PK"u8, 3, 4, 20, 0], "it is a zip archive; unpack it first, and not an OBJ mesh as its name says" },
+        { [.. "ply\nformat ascii 1.0\n"u8], "it is a PLY mesh, and not an OBJ mesh as its name says" },
+        { [.. "solid cube\nfacet"u8], "it is an STL mesh, and not an OBJ mesh as its name says" },
+        { [.. "<html><body>404"u8], "it is a web page (HTML), saved in place of the file, and not an OBJ mesh as its name says" },
+    };
+
+    [Theory]
+    [MemberData(nameof(OtherKinds))]
+    public void AnotherKindOfFileIsNamed(byte[] bytes, string message) =>
+        Assert.Equal("box.obj: " + message, Assert.Throws<ProblemException>(() => MeshBytes.Read("box.obj", bytes)).Message);
+
+    // A polygon with one corner that goes inwards, D; E and B see all of it, A does not.
+    private const string notch = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\n";
+
+    [Theory]
+    [InlineData(notch + "f 1 2 3 4 5\n", "the face in line 6 ")]
+    [InlineData("f 1 2 3 4 5\n" + notch, "the face in line 1 ")]
+    [InlineData(notch + "f 4 5 1 2 3\n", null)] // begun at the corner that sees all of it, the fan is right
+    [InlineData(notch + "f 5 4 3 2 1\n", "the face in line 6 ")]
+    [InlineData("v 0 0 0\nv 1 0 0\nv 1 1 0.2\nv 0 1 -0.1\nf 1 2 3 4\n", null)] // not flat, but convex
+    [InlineData(fourVertices + "f 1 2 3 4 4\n", null)]
+    public void AFaceOfAnotherShapeThanItsFanIsWarnedOf(string text, string? face)
+    {
+        var warning = Read(text).Warning;
+        if (face is null) Assert.Null(warning);
+        else
+            Assert.Equal(face + "is not convex: split as a fan from its first corner it becomes another shape; "
+                + "begin it at another corner, or split it into triangles", warning);
+    }
+
+    [Fact]
+    public void OfManySuchFacesTheFirstIsNamed() => Assert.EndsWith("the face in line 6 is not convex: split as a fan from its first corner it becomes "
+        + "another shape; begin it at another corner, or split it into triangles, as 2 other faces",
+        Read(notch + "f 1 2 3 4 5\nf 1 2 3\nf 1 2 3 4 5\nf 1 2 3 4 5\nusemtl a\n").Warning);
 
     private static MeshData Read(string text) => PiecesTests.ReadInPieces("box.obj", Encoding.ASCII.GetBytes(text));
 }

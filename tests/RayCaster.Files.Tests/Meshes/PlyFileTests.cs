@@ -118,7 +118,7 @@ public class PlyFileTests
     [InlineData(start + vertex + "property float x\n", "(7): the element has this property twice")]
     [InlineData(start + vertex + vertex, "(7): the element vertex is there twice")]
     [InlineData(start + face + "end_header\n", ": the file has no element vertex")]
-    [InlineData(start + vertex + "end_header\n" + corners, ": the file has no element face")]
+    [InlineData(start + vertex + "end_header\n" + corners, ": the file has no element face, only 4 vertices; a mesh needs at least one face")]
     [InlineData(start + "element vertex 4\nproperty float x\nproperty float y\n" + face +
         "end_header\n", "(3): the element vertex must have the property z")]
     [InlineData(start + vertex +
@@ -159,8 +159,19 @@ public class PlyFileTests
     }
 
     [Fact]
+    public void ARowMayGoOnOnTheNextLines() => Assert.Equal([0, 1, 2, 0, 2, 3],
+        Read(start + vertex + face + "end_header\n0 0\n 0\n1\n0\n0\n1 1 0\n0 1 0\n4 0 1\n2\n\n3\n").Indices);
+
+    [Fact]
+    public void AFaceOfAnotherShapeThanItsFanIsWarnedOf()
+    {
+        var text = start + vertex.Replace("4", "5") + face + "end_header\n0 0 0\n2 0 0\n2 2 0\n1 0.5 0\n0 2 0\n5 0 1 2 3 4\n";
+        Assert.StartsWith("the face in line 15 is not convex", Read(text).Warning);
+    }
+
+    [Fact]
     public void NoFaceAtAllIsAMistake() =>
-        AssertRefused(start + vertex + face.Replace("1", "0") + "end_header\n" + corners, ": the file has no face; a mesh needs at least one");
+        AssertRefused(start + vertex + face.Replace("1", "0") + "end_header\n" + corners, ": the file has no face, only 4 vertices; a mesh needs at least one");
 
     // Eight vertices of three doubles, then, from byte 192 of the data on, twelve faces: a byte and three ints.
     [Theory]

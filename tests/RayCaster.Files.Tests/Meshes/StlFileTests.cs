@@ -15,6 +15,28 @@ public class StlFileTests
     public void TriangleIsReadHoweverItIsWritten(string text) =>
         Assert.Equal([new(0, 0, 0), new(1, 0, 0), new(0, 1, 0)], Read(text).Vertices);
 
+    [Theory]
+    [InlineData("end loop", "endfacet", "endsolid a")]
+    [InlineData("endloop", "end facet", "end solid a\n")]
+    [InlineData("END LOOP", "End Facet", "end solid\n\n")]
+    public void EndMayBeAWordOfItsOwn(string endLoop, string endFacet, string endSolid)
+    {
+        var mesh = Read("solid a\n" + (facet + facet).Replace("endloop", endLoop).Replace("endfacet", endFacet) + endSolid);
+        Assert.Equal((6, null), (mesh.Vertices.Length, mesh.Warning));
+    }
+
+    [Theory]
+    [InlineData(false, true)]
+    [InlineData(true, true)]
+    [InlineData(false, false)]
+    public void Utf16IsNamed(bool bigEndian, bool hasMark)
+    {
+        var encoding = new UnicodeEncoding(bigEndian, hasMark);
+        foreach (var text in (string[])["solid a\nendsolid", "solid a\n" + facet + "endsolid a\n"])
+            Assert.Equal("box.stl(1): the file is in UTF-16; save it as UTF-8", Assert.Throws<ProblemException>(
+                () => MeshBytes.Read("box.stl", [.. encoding.GetPreamble(), .. encoding.GetBytes(text)])).Message);
+    }
+
     [Fact]
     public void KeywordsMayBeInAnyCaseAndAllOnOneLine() =>
         Assert.Equal([0, 1, 2, 3, 4, 5], Read(("solid box " + facet + facet + "endsolid box").Replace('\n', '\t').ToUpperInvariant()).Indices);

@@ -63,7 +63,7 @@ public sealed class PartFileTests : IDisposable
 
     public static TheoryData<PartFacts> Others =>
     [
-        Facts.With(width: 8), Facts.With(height: 91), Facts with { Lines = new(11, 15) }, Facts with { Digest = "0" },
+        Facts with { Width = 8 }, Facts with { Height = 91 }, Facts with { Lines = new(11, 15) }, Facts with { Digest = "0" },
         Facts with { Version = "1.0.1" },
     ];
 

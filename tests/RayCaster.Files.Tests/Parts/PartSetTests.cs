@@ -44,7 +44,7 @@ public sealed class PartSetTests : IDisposable
     {
         var set = new PartSet(
         [
-            Part("a", 0, 2), Part("b", 3, 4, facts => facts.With(height: 11)),
+            Part("a", 0, 2), Part("b", 3, 4, facts => facts with { Height = 11 }),
             Part("c", 5, 6, facts => facts with { Digest = "fedcba9876543210" }),
             Part("d", 7, 9, facts => facts with { Version = "2.0.0" }),
         ]);
@@ -61,7 +61,7 @@ public sealed class PartSetTests : IDisposable
     {
         var picture = ProjectFolder.PathOf("docs/room.png");
         Assert.Equal(
-            [$"{picture} is a picture, but does not say which part of which; --rows draws parts"], new PartSet([Part("a", 0, 9), picture]).Problems);
+            [$"{picture} is a picture, but does not say which part of which; the command part draws parts"], new PartSet([Part("a", 0, 9), picture]).Problems);
         Assert.Empty(new PartSet([Part("a", 0, 9), picture], path => path != picture).Problems);
     }
 

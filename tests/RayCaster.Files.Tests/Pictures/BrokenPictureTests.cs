@@ -43,7 +43,7 @@ public class BrokenPictureTests
             foreach (var flip in new byte[] { 0xFF, 0x01, 0x20, 0x80 })
             {
                 file[i] ^= flip;
-                Refused(file);
+                Assert.NotEmpty(WordsOn(file));
                 file[i] ^= flip;
             }
         }
@@ -55,19 +55,19 @@ public class BrokenPictureTests
         { [0xFF, 0xD8, 0xFF], "it is a JPEG, whose colours are not exact; PNG, PBM, PGM and PPM can be read" },
         { "GIF89a"u8.ToArray(), "it is a GIF; PNG, PBM, PGM and PPM can be read" },
         { "hello\n"u8.ToArray(), @"it begins with 'hello\x0A', which is no known picture format; PNG, PBM, PGM and PPM can be read" },
-        { "P7\nWIDTH 1"u8.ToArray(), "it begins with 'P7'; P1 to P6 can be read, and PNG" },
-        { "P"u8.ToArray(), "it begins with 'P'; P1 to P6 can be read, and PNG" },
-        { "P6 x"u8.ToArray(), "'x' at byte 3, where the width should be" },
-        { "P6 0 1 255 "u8.ToArray(), "its size is 0 × 1 pixels, but each side must be at least 1" },
-        { "P6 1 1 0 abc"u8.ToArray(), "maxval is 0, but must be from 1 to 65535" },
-        { "P6 1 1 65536 abcdef"u8.ToArray(), "maxval is 65536, but must be from 1 to 65535" },
-        { "P6 1 1 255,abc"u8.ToArray(), "',' at byte 10, where a line end should be" },
+        { "P7\nWIDTH 1"u8.ToArray(), "it is a PAM (P7); PNG, PBM, PGM and PPM can be read" },
+        { "P"u8.ToArray(), "it begins with 'P', which is no known picture format; PNG, PBM, PGM and PPM can be read" },
+        { "P6 x"u8.ToArray(), "line 1: the width is 'x', but must be a whole number from 1 to 2147483647" },
+        { "P6 0 1 255 "u8.ToArray(), "line 1: the width is '0', but must be a whole number from 1 to 2147483647" },
+        { "P6 1 1 0 abc"u8.ToArray(), "line 1: maxval is '0', but must be a whole number from 1 to 65535" },
+        { "P6 1 1 65536 abcdef"u8.ToArray(), "line 1: maxval is '65536', but must be a whole number from 1 to 65535" },
+        { "P6 1 1 255,abc"u8.ToArray(), "line 1: maxval is '255,abc', but must be a whole number from 1 to 65535" },
         { "P6 1 1 255 ab"u8.ToArray(), "the file is cut short: 1 × 1 pixels need 3 bytes after the header, but there are 2" },
-        { "P3 1 1 255 0 256 0"u8.ToArray(), "the value 256 at byte 12 is greater than maxval, which is 255" },
-        { "P3 1 1 255 0 -1 0"u8.ToArray(), "'-' at byte 13, where a value should be" },
+        { "P3 1 1 255 0 256 0"u8.ToArray(), "line 1: '256' is no value from 0 to 255 (limit colours to 0 … 1 before they become bytes)" },
+        { "P3 1 1 255 0 -1 0"u8.ToArray(), "line 1: '-1' is no value from 0 to 255 (limit colours to 0 … 1 before they become bytes)" },
         { "P5 1 1 7 \x08"u8.ToArray(), "the value 8 at byte 9 is greater than maxval, which is 7" },
-        { "P1 2 1 12"u8.ToArray(), "'2' at byte 8, where a 0 or 1 should be" },
-        { "P6 99999999999 1 255 "u8.ToArray(), "the width at byte 3 is greater than 2,147,483,647, which is the limit" },
+        { "P1 2 1 12"u8.ToArray(), "line 1: '2' is no value from 0 to 1 (limit colours to 0 … 1 before they become bytes)" },
+        { "P6 99999999999 1 255 "u8.ToArray(), "line 1: the width is '99999999999', but must be a whole number from 1 to 2147483647" },
         {
             "P6 2147483647 2147483647 255 "u8.ToArray(),
             "a picture of 2,147,483,647 × 2,147,483,647 pixels needs 13,835,058,042,397,261,827 bytes, the limit is 2,147,483,591"
@@ -82,7 +82,7 @@ public class BrokenPictureTests
         },
         {
             [0x89, (byte)'P', (byte)'N', (byte)'G', (byte)'\n'],
-            "it begins like a PNG, but its first eight bytes are damaged; perhaps it was transferred as text"
+            "it begins like a PNG, but its first eight bytes are damaged; was it written or transferred as text? Open the file in binary mode"
         },
         { Png(Chunk("CgBI", 1, 2, 3, 4), Header(1, 1, 8, 2)), "its first chunk is CgBI instead of IHDR" },
         { Png(Chunk("IHDR", 1, 2, 3)), "its chunk IHDR has 3 bytes instead of 13" },
@@ -109,7 +109,7 @@ public class BrokenPictureTests
         { Png(Header(1, 1, 8, 2), Chunk("a1b2")), "its chunk at byte 33 is of the type a1b2, which is not four letters" },
         {
             "version https://git-lfs.github.com/spec/v1\noid sha256:12\nsize 9\n"u8.ToArray(),
-            "this is only a Git LFS pointer to the file; fetch the file itself: git lfs pull"
+            "it is only a Git LFS pointer to the file (fetch the file itself: git lfs pull); PNG, PBM, PGM and PPM can be read"
         },
         { Png(Header(1, 1, 8, 2)), "the file is cut short: it ends at byte 33, before its chunk IEND" },
         {
@@ -163,23 +163,6 @@ public class BrokenPictureTests
         Assert.Equal([1, 2, 3], PictureFile.Read(new MemoryStream(file)).Rgb);
     }
 
-    /// <summary>Otherwise the animation would contain damaged data, and no program could show it.</summary>
-    [Fact]
-    public void AnAnimationRefusesWrongPngs()
-    {
-        using var folder = new TemporaryFolder();
-        var good = folder.Write("good.png", Png(Header(1, 1, 8, 2), Data(0, 1, 2, 3), Chunk("IEND")));
-        var cut = folder.Write("cut.png", Png(Header(1, 1, 8, 2), Chunk("IDAT", Compress(0, 1, 2, 3)[..^2]), Chunk("IEND")));
-        using var animation = new MemoryStream();
-        Assert.Equal($"cannot read {cut}: its compressed data do not end with their checksum",
-            Assert.Throws<ProblemException>(() => AnimationFile.Write(animation, [good, cut], 25)).Message);
-        animation.SetLength(0);
-        AnimationFile.Write(animation, [good, good], 25);
-        var film = folder.Write("film.png", animation.ToArray());
-        Assert.Equal($"cannot read {film}: it is an animation, not a single picture",
-            Assert.Throws<ProblemException>(() => AnimationFile.Write(new MemoryStream(), [film], 25)).Message);
-    }
-
     [Fact]
     public void APipeIsReadToItsEnd()
     {
@@ -193,7 +176,7 @@ public class BrokenPictureTests
     {
         using var pipe = new Pipe(new byte[5000]);
         Assert.Throws<ProblemException>(() => PictureFile.Read(pipe));
-        Assert.Equal(GitPointer.Start.Length, pipe.Given);
+        Assert.Equal(FileKind.Bytes, pipe.Given);
     }
 
     [Fact]
@@ -220,10 +203,43 @@ public class BrokenPictureTests
         Assert.Equal($"cannot read {folder.Path}: it is a folder, not a picture", message);
     }
 
+    /// <summary>The format says that a reader goes on where the pixels do not need the chunk (13.2).</summary>
+    [Fact]
+    public void AWrongChecksumOfAChunkThatThePixelsDoNotNeedIsAWarning()
+    {
+        var file = Png(Header(1, 1, 8, 2), Spoilt(Chunk("tEXt", "Comment\0x"u8.ToArray())), Data(0, 1, 2, 3), Spoilt(Chunk("tIME")), Chunk("IEND"));
+        var place = file.AsSpan().IndexOf("tIME"u8) - 4;
+        using var folder = new TemporaryFolder();
+        var (path, words) = (folder.Write("mine.png", file), new List<string>());
+        Assert.Equal([1, 2, 3], PictureFile.Read(path, words.Add).Rgb);
+        Assert.Equal(
+            [$"{path}: its chunk tEXt at byte 33 is damaged: the checksum is wrong; the pixels do not need it",
+             $"{path}: its chunk tIME at byte {place} is damaged: the checksum is wrong; the pixels do not need it"], words);
+    }
+
+    /// <summary>Which lines of a whole a part shows is not taken from a damaged text.</summary>
+    [Fact]
+    public void ADamagedTextIsNotReadAsAPart()
+    {
+        var text = Chunk("tEXt", [.. System.Text.Encoding.Latin1.GetBytes(PngChunk.PartKeyword), 0, .. "x"u8]);
+        Assert.Equal("x", new PngReader(new MemoryStream(Png(Header(1, 1, 8, 2), text, Data(0, 1, 2, 3), Chunk("IEND"))), 100).PartText);
+        Assert.Null(new PngReader(new MemoryStream(Png(Header(1, 1, 8, 2), Spoilt(text), Data(0, 1, 2, 3), Chunk("IEND"))), 100).PartText);
+    }
+
     private static byte[] Spoilt(byte[] chunk)
     {
         chunk[^1] ^= 1;
         return chunk;
+    }
+
+    /// <summary>The error or the warnings for a file.</summary>
+    private static List<string> WordsOn(byte[] file)
+    {
+        using var folder = new TemporaryFolder();
+        var words = new List<string>();
+        if (Record.Exception(() => PictureFile.Read(folder.Write("mine", file), words.Add)) is { } error)
+            words.Add(Assert.IsType<ProblemException>(error).Message);
+        return words;
     }
 
     private static ProblemException Refused(byte[] file) =>

@@ -23,6 +23,14 @@ public class InlineMeshTests
         Assert.Equal([0, 1, 2], ((Mesh)reading.Scene!.Models[0]).Indices);
     }
 
+    [Fact]
+    public void AFaceOfAnotherShapeThanItsFanIsWarnedOf()
+    {
+        var reading = Read("\"vertices\": [[0,0,0], [2,0,0], [2,2,0], [1,0.5,0], [0,2,0]], \"faces\": [[0, 1, 2], [3, 4, 0, 1, 2], [0, 1, 2, 3, 4]]");
+        Assert.StartsWith("models[0].faces[2] is not convex: split as a fan", Assert.Single(reading.Problems).Message);
+        Assert.NotNull(reading.Scene);
+    }
+
     [Theory]
     [InlineData(Vertices + ", \"faces\": [[0, 1, 2], [0, 1, 4]]", ".faces[1][2] must be from 0 to 3, but is 4")]
     [InlineData(Vertices + ", \"faces\": [[0, 1, -1]]", ".faces[0][2] must be from 0 to 3, but is -1")]

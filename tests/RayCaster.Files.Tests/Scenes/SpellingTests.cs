@@ -15,6 +15,11 @@ public class SpellingTests
     [InlineData("eye", "position")]
     [InlineData("lookAt", "target")]
     [InlineData("far", "zFar")]
+    [InlineData("lookfrom", "position")] // Ray Tracing in One Weekend
+    [InlineData("vfov", "fovY")]
+    [InlineData("vup", "up")]
+    [InlineData("image_width", "width")]
+    [InlineData("look", "target")]
     public void ASlipFindsTheWordThatWasMeant(string written, string meant) => Assert.Equal(meant, Spelling.Nearest(written, Known));
 
     [Theory]

@@ -22,7 +22,7 @@ public class PixelNumbersTests
     {
         var lines = Numbers("Camera", "W = ", "W = ");
         Assert.Equal("Column 325, line 359 from the top: c = 325, r = 140", lines[0]);
-        AssertHas("  uc: 0.124264", lines);
+        AssertHas("  uc (from your d): 0.124264", lines);
         AssertHas("  t of ball: 17.0344", lines);
         AssertHas("  bytes: (146, 146, 0)", lines);
         Assert.Equal("None of these numbers is wrong.", lines[^1]);
@@ -36,8 +36,8 @@ public class PixelNumbersTests
     [InlineData("Camera", "V = W % U", "V = U % W", "V", "Camera")]
     [InlineData("Camera", "fovY / 2 * Math.PI / 180", "fovY / 2", "h", "Camera")]
     [InlineData("Camera", "h * Width / Height", "h * Width", "w", "Camera")]
-    [InlineData("Camera", "- w / 2", "- w", "uc", "Camera Pixel Translation")]
-    [InlineData("Camera", "r / Height - h / 2", "c / Height - h / 2", "ur", "Camera Pixel Translation")]
+    [InlineData("Camera", "- w / 2", "- w", "uc (from your d)", "Camera Pixel Translation")]
+    [InlineData("Camera", "r / Height - h / 2", "c / Height - h / 2", "ur (from your d)", "Camera Pixel Translation")]
     [InlineData("Camera", "(uc * U + ur * V - W).Normalized", "uc * U + ur * V - W", "d", "Camera Pixel Translation")]
     [InlineData("Camera", "ur * V - W", "ur * V + W", "d", "Camera Pixel Translation")]
     [InlineData("Plane", "(Q - ray.Origin)", "(ray.Origin - Q)", "t of back", "Ray – Plane Intersection")]
@@ -47,6 +47,9 @@ public class PixelNumbersTests
     [InlineData("Ray", "t > Bias", "t < Bias", "Counts(25.601)", "Bias\" or \"zNear & zFar")]
     [InlineData("Ray", "z <= ZFar", "z <= ZNear", "Counts(25.601)", "Bias\" or \"zNear & zFar")]
     [InlineData("Camera", "(2 * (Target", "((Target", "attenuation", "Primitive Shading")]
+    [InlineData("Sphere", "2 * (ray.Direction * CP)", "ray.Direction * CP", "t of ball by AnalyticalSolution", "Sphere – Analytical Solution")]
+    [InlineData("Vector3", "return new(a.X + b.X, a.Y + b.Y, a.Z + b.Z)", "a.X += b.X; a.Y += b.Y; a.Z += b.Z; return a",
+        "a after a + b", "IDE & Vectors")]
     [InlineData("Scene", ": Camera.Shade(ray)", ": ray.HitModel.Color", "bytes", "Ray Casting")]
     public void TheFirstWrongNumberIsThatOfTheMistake(string file, string old, string @new, string name, string slide)
     {
@@ -58,12 +61,12 @@ public class PixelNumbersTests
     [Fact]
     public void TheLevelOfTheHintDecidesWhatIsShown()
     {
-        Assert.Equal("  ur: yours 0.23196, right −0.182254: here it parts. Slide \"Camera Pixel Translation\"", Of("answer"));
-        Assert.Equal("  ur: yours 0.23196, not right: here it parts. Slide \"Camera Pixel Translation\"", Of("question"));
-        Assert.Equal("  ur: yours 0.23196, not right: here it parts", Of("symptom"));
+        Assert.Equal("  ur (from your d): yours 0.23196, right −0.182254: here it parts. Slide \"Camera Pixel Translation\"", Of("answer"));
+        Assert.Equal("  ur (from your d): yours 0.23196, not right: here it parts. Slide \"Camera Pixel Translation\"", Of("question"));
+        Assert.Equal("  ur (from your d): yours 0.23196, not right: here it parts", Of("symptom"));
 
         static string Of(string hint) =>
-            Numbers("Camera", "h * r / Height - h / 2", "h * r / Height", hint).Single(line => line.StartsWith("  ur: ", StringComparison.Ordinal));
+            Numbers("Camera", "h * r / Height - h / 2", "h * r / Height", hint).Single(line => line.StartsWith("  ur (from your d): ", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -115,7 +118,7 @@ public class PixelNumbersTests
     {
         var lines = Numbers("Camera", "var ur = ", "while (c > 0) { } var ur = ");
         Assert.Equal("  w: 0.828427", lines[^3]);
-        Assert.StartsWith("  uc: yours no end: probably your code has an endless loop, right 0.124264: here it parts", lines[^2]);
+        Assert.StartsWith("  uc (from your d): yours no end: probably your code has an endless loop, right 0.124264: here it parts", lines[^2]);
     }
 
     [Theory]

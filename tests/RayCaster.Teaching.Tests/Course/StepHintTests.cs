@@ -118,28 +118,6 @@ public class StepHintTests
         Assert.Contains(MistakeCatalog.Named("tri-uv")!.Hint.Question, hint);
     }
 
-    /// <summary>The box's picture is that of "plane-sign", too, whose question is about planes.</summary>
-    [Fact]
-    public void OfAFormulaThatIsKnownToBeWrongTheHintIsItsOwn()
-    {
-        var scene = LabSteps.SceneAt(SceneFolder.Small("inside-box", 5), 7);
-        var plant = new Mistake("planted", Affects.Hit, "", "", lab => lab.Box.Becomes(cross => (box, d) => cross(box, -d)), "", "", "");
-        var hint = StepHint.Of(scene, new Lab(scene, plant).Render(), 7, HintLevel.Question, slide => slide != Slides.BoxParameters);
-        Assert.StartsWith("  Wrong numbers in this scene: slide \"AABB – intersection parameters\"\n", hint);
-        Assert.DoesNotContain(MistakeCatalog.Named("plane-sign")!.Hint.Question, hint);
-    }
-
-    [Fact]
-    public void ABlackPictureOfAWrongCameraIsNotTheLights()
-    {
-        var scene = LabSteps.SceneAt(SceneFolder.Small("plane", 5), 4);
-        var black = Picture.Of(scene.Camera.Width, scene.Camera.Height, (_, _) => (0, 0, 0));
-        Assert.Equal("""
-              Wrong numbers in this scene: slide "Camera"
-              Ask yourself: Take the ray of one pixel: what are d, the nearest t and the model that is hit there?
-            """, StepHint.Of(scene, black, 4, HintLevel.Question, slide => slide is Slides.Camera or Slides.Shading ? false : null));
-    }
-
     /// <summary>What is told of a lab's picture at a step, without light at the first picture's.</summary>
     private static (string Hint, Finding Finding) Hint(string file, int step, Action<Lab> plant)
     {

@@ -40,6 +40,38 @@ public class DiagnosisTests
     }
 
     [Fact]
+    public void ALevelAddedEverywhereIsSaid()
+    {
+        var brighter = ScalarRenderer.Render(scene);
+        for (var i = 0; i < brighter.Rgb.Length; i++) brighter.Rgb[i] = (byte)Math.Min(255, brighter.Rgb[i] + 1);
+        Assert.Contains("Every channel is 1 level brighter", DiagnosisReport.Text(Diagnosis.Of(scene, brighter), "mine.png", "scene.json"));
+    }
+
+    /// <summary>As screenshots make them. Nothing of the code is accused.</summary>
+    [Theory]
+    [InlineData(0, 1, 0, 0, "its first line")]
+    [InlineData(0, 0, 1, 0, "its last column")]
+    [InlineData(1, 0, 0, 1, "its last line and its first column")]
+    public void ACroppedPictureIsRightButForThat(int left, int top, int right, int bottom, string missing)
+    {
+        var (whole, (width, height)) = (ScalarRenderer.Render(scene), (scene.Camera.Width, scene.Camera.Height));
+        var mine = Picture.Of(width - left - right, height - top - bottom, (x, y) => whole[x + left, y + top]);
+        var diagnosis = new SceneDiagnosis(scene.WithSize(mine.Width, mine.Height), size: (width, height)).Judge(mine);
+        Assert.Equal((Finding.Cropped, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.Equal($"mine.png is the picture of scene.json without {missing}. Was it cropped on its way, for example by a screenshot?",
+            DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings(" ").TrimEnd());
+    }
+
+    /// <summary>A program that draws the scene in a size of its own is no screenshot.</summary>
+    [Fact]
+    public void ARightPictureOfAnotherSizeIsNotCalledCropped()
+    {
+        var smaller = scene.WithSize(scene.Camera.Width, scene.Camera.Height - 1);
+        var size = (scene.Camera.Width, scene.Camera.Height);
+        Assert.Equal(Finding.Matches, new SceneDiagnosis(smaller, size: size).Judge(ScalarRenderer.Render(smaller)).Finding);
+    }
+
+    [Fact]
     public void ARightPictureOfAnotherProgramMayHaveSingleOutlinePixelsOff()
     {
         var picture = ScalarRenderer.Render(scene);

@@ -16,15 +16,6 @@ public class SceneFitnessTests
         Assert.Contains(fitness.Twins, group => group.Any(mistake => mistake.Id == "att-depth") && group.Any(mistake => mistake.Id == "dir-unnorm"));
     }
 
-    [Theory]
-    [InlineData("src/RayCaster has been changed.")]
-    [InlineData(null)]
-    public void AWarningIsInTheJsonOnlyIfThereIsOne(string? warning)
-    {
-        var nothing = new Scene(new Camera(new(1, 0, 0), Vector3.Zero, width: 4, height: 4), []);
-        Assert.Equal(warning is not null, FitnessReport.Json(SceneFitness.Of([nothing]), [], warning).Contains($"\"warning\": \"{warning}\""));
-    }
-
     [Fact]
     public void AnEmptyWorldShowsNothing()
     {

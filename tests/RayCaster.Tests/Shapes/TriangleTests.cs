@@ -4,7 +4,10 @@ public class TriangleTests
 {
     private static readonly Vector3 A = new(0, 0, 2), B = new(4, 0, 2), C = new(0, 4, 2);
 
-    public static TheoryData<Triangle> Windings => [new(A, B, C), new(B, C, A), new(C, A, B), new(A, C, B), new(C, B, A), new(B, A, C)];
+    public static TheoryData<Triangle> Windings =>
+    [
+        new Triangle(A, B, C), new Triangle(B, C, A), new Triangle(C, A, B), new Triangle(A, C, B), new Triangle(C, B, A), new Triangle(B, A, C),
+    ];
 
     [Theory]
     [MemberData(nameof(Windings))]
