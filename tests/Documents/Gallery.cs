@@ -46,7 +46,7 @@ internal static class Gallery
                 dotnet run --project src/RayCaster.Cli -- diagnose scenes/mistakes/generic.json mine.png
 
             `--hint question` (the default) or `--hint answer` says more than this page ([how it works](diagnosis.md)).
-            `dotnet run --project src/RayCaster.Cli -- scenes/room.json --mistake rows+bgr` draws a wrong picture.
+            `dotnet run --project src/RayCaster.Cli -- wrong scenes/room.json rows+bgr` draws a wrong picture.
 
             The letters behind a mistake's name are the scenes of [scenes/mistakes](../scenes/mistakes) in which at least 20 pixels change by more
             than 2 levels: **g**eneric, **p**ortrait, **i**nside, **a**xis, **b**ubble. If your program draws all five right, it has none of these

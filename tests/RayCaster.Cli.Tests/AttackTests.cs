@@ -63,7 +63,7 @@ public sealed class AttackTests : CommandTests
             { "camera": { "position": [9, 0, 0], "target": [0, 0, 0], "width": 9, "height": 9 },
               "models": [ { "type": "sphere", "center": [0, 0, 0], "radius": 2, "name": "ball\r\nNothing odd\u202Edne\u001B[2J" } ] }
             """);
-        foreach (var arguments in (string[][])[["a.json", "--ledger"], ["explain", "a.json", "4", "4"]])
+        foreach (var arguments in (string[][])[["models", "a.json"], ["explain", "a.json", "4", "4"]])
         {
             raycaster.Run(arguments);
             Assert.Equal(0, raycaster.ExitCode);
@@ -110,14 +110,17 @@ public sealed class AttackTests : CommandTests
         raycaster.Write(
             "t.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [ { "type": "mesh", "file": "cube.obj" } ] }""");
         Directory.CreateSymbolicLink(raycaster.PathOf("link"), raycaster.Folder);
-        raycaster.Run("t.json", "-s", "8x8", "--rows", "0..7", "-o", "a.png", "-q");
+        File.CreateSymbolicLink(raycaster.PathOf("alias.json"), "t.json");
+        raycaster.Run("part", "t.json", "0..7", "-s", "8x8", "-o", "a.png", "-q");
         var before = Content();
         string[] commands =
         [
             "t.json -o t.json --format png",
             "t.json -o link/t.json --format png",
+            "t.json -o alias.json --format png",
+            "alias.json -o t.json --format png",
             "t.json -o cube.obj --format ppm",
-            "t.json --rows 0..3 -o t.json --format png",
+            "wrong t.json rows -o cube.obj --format png",
             "compare a.png a.png -o link/a.png",
             "compare a.png a.png --scene t.json -o a.png",
             "stitch a.png -o a.png",
@@ -137,10 +140,11 @@ public sealed class AttackTests : CommandTests
     [Fact]
     public void APictureThatDoesNotSayWhatItIsIsDrawnAnewWithAReason()
     {
-        raycaster.Run(Room, "-s", "9x9", "-q").Run(Room, "-s", "9x9", "--resume");
-        Assert.StartsWith("room.png is drawn again: it does not say which scene it shows; only pictures drawn with --rows or --resume do\n",
+        string[] part = ["part", Room, "1/1", "-s", "9x9", "-o", "room.png", "--resume"];
+        raycaster.Run(Room, "-s", "9x9", "-q").Run(part);
+        Assert.StartsWith("room.png is drawn again: it does not say which scene it shows; only parts and the frames of an orbit do\n",
             raycaster.Error);
-        raycaster.Run(Room, "-s", "9x9", "--resume");
+        raycaster.Run(part);
         Assert.Equal("room.png: exists already\n", raycaster.Error);
     }
 
@@ -149,16 +153,16 @@ public sealed class AttackTests : CommandTests
     [InlineData("1x100000")]
     public void TheLedgerOfAPictureOfOneLineCountsRays(string size)
     {
-        raycaster.Run(Room, "-s", size, "--ledger", "-o", "line.png");
-        Assert.DoesNotContain("0 of 0 rays", raycaster.Error);
-        Assert.Matches("What became of", raycaster.Error);
+        raycaster.Run("models", Room, "-s", size);
+        Assert.DoesNotContain("0 of 0 rays", raycaster.OutputText);
+        Assert.Matches("What became of", raycaster.OutputText);
     }
 
     [Fact]
     public void AnAngleInRadiansIsNotExplainedByNearness()
     {
         raycaster.Write("room.json", File.ReadAllText(Room).Replace("\"fovY\": 45", "\"fovY\": 0.785"));
-        raycaster.Run("room.json", "-s", "20x20", "--ledger");
-        Assert.DoesNotContain("so near", raycaster.Error);
+        raycaster.Run("models", "room.json", "-s", "20x20");
+        Assert.DoesNotContain("so near", raycaster.OutputText);
     }
 }

@@ -65,7 +65,7 @@ public sealed class MarkTests : CommandTests
     {
         WriteRubric("");
         Folder(".git");
-        raycaster.Write("class/ball.png", "");
+        raycaster.Write("class/notes.txt", "");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
         Assert.Equal((2, "raycaster: no submissions in class: it contains no folders and 1 file, but must contain a folder for each student, " +
             "named after the student\n"), (raycaster.ExitCode, raycaster.Error));
@@ -75,7 +75,7 @@ public sealed class MarkTests : CommandTests
     public void WithoutHintsAMistakeHasNoWords()
     {
         WriteRubric("\"hint\": \"none\",");
-        raycaster.Run("draw", "ball.json", "-q", "--mistake", "far-root", "-o", Folder("anna") + "ball.png");
+        raycaster.Run("wrong", "ball.json", "far-root", "-q", "-o", Folder("anna") + "ball.png");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
         Assert.Contains("<td>ball</td><td class=\"n\">0 of 3</td><td></td>", File.ReadAllText(raycaster.PathOf("marks/anna/feedback.html")));
     }

@@ -1,40 +1,33 @@
 namespace RayCaster.Cli;
 
-internal abstract class Command
+/// <param name="name">The word that names it on the command line.</param>
+/// <param name="operands">Its operands, as the usage shows them.</param>
+/// <param name="summary">What it does, for the list of commands.</param>
+internal abstract class Command(string name, string operands, string summary)
 {
-    /// <summary>All commands by their names. Without one of these, the app draws a scene.</summary>
-    public static readonly IReadOnlyDictionary<string, Command> All = new Dictionary<string, Command>
-    {
-        ["draw"] = new DrawCommand(),
-        ["check"] = new CheckCommand(),
-        ["compare"] = new CompareCommand(),
-        ["diagnose"] = new DiagnoseCommand(),
-        ["explain"] = new ExplainCommand(),
-        ["stitch"] = new StitchCommand(),
-        ["orbit"] = new OrbitCommand(),
-        ["handout"] = new HandOutCommand(),
-        ["mark"] = new MarkCommand(),
-        ["vary"] = new VaryCommand(),
-        ["live"] = new LiveCommand(),
-        ["help"] = new HelpCommand(),
-    };
+    /// <summary>The argument of commands that read one scene, for <see cref="Arguments"/>.</summary>
+    protected static readonly (string, string) Scene = ("<scene>", "The scene file (JSON); \"-\" reads it from standard input.");
 
-    /// <summary>The command that a command line names, even if it is wrong in other ways; null for drawing and for help.</summary>
-    public static string? NameIn(string[] arguments)
-    {
-        for (var i = 0; i < arguments.Length; i++)
-        {
-            if (!arguments[i].StartsWith('-')) return arguments[i] is not ("draw" or "help") && All.ContainsKey(arguments[i]) ? arguments[i] : null;
-            if (Option.Named(arguments[i])?.TakesValue == true) i++;
-        }
-        return null;
-    }
+    public string Name => name;
 
-    /// <summary>The text of its help page: lines of at most 90 characters. The options are those that begin a line.</summary>
-    public abstract string Help { get; }
+    public string Operands => operands;
 
-    /// <summary>Whether an option is one of the command's; every command also has <see cref="Option.Help"/>.</summary>
-    public virtual bool Takes(Option option) => Help.Contains($"\n  {(option.Short == "" ? "    " : option.Short + ", ")}{option.Name} ");
+    public string Summary => summary;
+
+    /// <summary>What it does, for its help page.</summary>
+    public abstract string Description { get; }
+
+    /// <summary>Its operands, each with an explanation.</summary>
+    public virtual IReadOnlyList<(string Name, string Text)> Arguments => [Scene];
+
+    /// <summary>Its options but --help.</summary>
+    public abstract IReadOnlyList<Option> Options { get; }
+
+    /// <summary>Command lines to try, without the program's name.</summary>
+    public virtual string[] Examples => [];
+
+    /// <summary>What each exit code means.</summary>
+    public virtual string ExitCodes => "0 done, 2 failed.";
 
     /// <summary>Runs the command; returns the exit code.</summary>
     /// <exception cref="ProblemException">The command failed; the message is for the user.</exception>

@@ -1,54 +1,42 @@
 namespace RayCaster.Cli;
 
-internal sealed class CompareCommand : Command
+internal sealed class CompareCommand() : Command("compare", "<mine> <reference>", "Says whether two pictures are the same, and where not.")
 {
-    public override string Help => """
-        Description:
-          Says whether two pictures are the same, and where they differ. If a change of the
-          whole picture explains the difference, names it: flipped, moved, red and blue
-          swapped, ...
+    private static readonly Option<string> sceneFile = Option.Text("--scene", "<file>",
+        "The scene of the reference: the answer says which models are wrong, and rays decide which pixels are on outlines.");
+    private static readonly Option<string> output = Option.Text("-o, --output", "<file>",
+        "Writes mine, the reference and a heat map of the difference beside each other, .png or .ppm. Without it nothing is written.");
+    private static readonly Option<bool> measures = Option.Switch("--measures", "Adds maximum, MAE and RMSE.");
 
-        Usage:
-          raycaster compare <mine> <reference> [options]
+    public override string Description =>
+        "Says whether two pictures are the same, and where they differ. If a change of the whole picture explains the difference, names it: " +
+        "flipped, moved, red and blue swapped, ... Two pictures are the same if they are identical, or if at most 1 % of the pixels differ by 1 of " +
+        "255 levels. Also, a pixel on an outline may show the other side of the outline. Colours are compared as they are stored: transparency " +
+        "and colour profiles are ignored.";
 
-        Arguments:
-          <mine>       The picture in question: PNG, PPM, PGM or PBM.
-          <reference>  The picture that it should be.
+    public override IReadOnlyList<(string, string)> Arguments =>
+        [("<mine>", "The picture in question: PNG, PPM, PGM or PBM."), ("<reference>", "The picture that it should be.")];
 
-        Options:
-              --scene <file>     The scene of the reference: the answer says which models are
-                                 wrong, and rays decide which pixels are on outlines.
-          -o, --output <file>    Writes mine, the reference and a heat map of the difference
-                                 beside each other, .png or .ppm. Without it nothing is written.
-              --measures         Adds maximum, MAE and RMSE.
-          -t, --threads <n>      How many threads cast rays. [default: one per core]
+    public override IReadOnlyList<Option> Options => [sceneFile, output, measures, Option.Threads];
 
-        Two pictures are the same if they are identical, or if at most 1 % of the pixels
-        differ by 1 of 255 levels. Also, a pixel on an outline may show the other side of the
-        outline. Colours are compared as they are stored: transparency and colour profiles
-        are ignored.
+    public override string[] Examples => ["compare mine.png right.png", "compare mine.ppm right.png --scene scenes/room.json -o difference.png"];
 
-        Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
-          raycaster compare mine.png right.png
-          raycaster compare mine.ppm right.png --scene scenes/room.json -o difference.png
-
-        Exit codes:
-          0 same, 1 different, 2 failed.
-        """;
+    public override string ExitCodes => "0 same, 1 different, 2 failed.";
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var files = line.Exactly("<mine>", "<reference>");
-        var (mineFile, referenceFile, output, threads) = (files[0], files[1], line[Option.Output], line.ThreadCount());
+        var (mineFile, referenceFile, file) = (files[0], files[1], line.Get(output));
         InputFiles.Note(files);
-        var format = output is null ? PictureFormat.Png : PictureFormats.ByExtension(output);
-        var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
-        var scene = line[Option.Scene] is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
-        if (scene is null && line.Has(Option.Scene)) return ExitCode.CouldNot;
+        var format = file is null ? PictureFormat.Png : PictureFormats.ByExtension(file);
+        Action<string> warn = StandardStreams.WriteError;
+        var (mine, reference) = (PictureFile.Read(mineFile, warn), PictureFile.Read(referenceFile, warn));
+        var scene = line.Get(sceneFile) is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
+        if (scene is null && line.Get(sceneFile) is not null) return ExitCode.CouldNot;
 
-        var comparison = new PictureComparison(mine, reference, scene, threads);
-        if (output is not null) PictureOutput.Write(output, SideBySide.Draw(comparison), format, cancellation);
-        StandardStreams.WriteOutput(Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
+        var comparison = new PictureComparison(mine, reference, scene, line.Get(Option.Threads));
+        if (file is not null) PictureOutput.Write(file, SideBySide.Draw(comparison), format, cancellation);
+        StandardStreams.WriteOutput(Text(comparison, mineFile, referenceFile, file, line.Get(measures)));
         return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
     }
 

@@ -1,34 +1,26 @@
 namespace RayCaster.Cli;
 
-internal sealed class ExplainCommand : Command
+internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <line>", "Shows how one pixel gets its colour.")
 {
-    public override string Help => """
-        Description:
-          Shows how one pixel gets its colour: the ray, each model's formula with this pixel's
-          numbers, which crossings count and why the others do not, and the colour.
+    private static readonly Option<string> reference = Option.Text("--reference", "<file>",
+        "Another picture of the scene, for example your program's: adds its colour at this pixel and, if that is wrong, which model would give it.");
 
-        Usage:
-          raycaster explain <scene> <column> <line> [options]
+    public override string Description =>
+        "Shows how one pixel gets its colour: the ray, each model's formula with this pixel's numbers, which crossings count and why the " +
+        "others do not, and the colour.";
 
-        Arguments:
-          <scene>   The scene file (JSON); "-" reads it from standard input.
-          <column>  The pixel's column, from the left, from 0.
-          <line>    The pixel's line, from the top, from 0, as picture viewers count.
-                    The formulas count rows from the bottom: r = height - 1 - line.
+    public override IReadOnlyList<(string, string)> Arguments =>
+    [
+        Scene,
+        ("<column>", "The pixel's column, from the left, from 0."),
+        ("<line>", "The pixel's line, from the top, from 0, as picture viewers count. The formulas count rows from the bottom: r = height - 1 - line."),
+    ];
 
-        Options:
-          -s, --size <W>x<H>       Overrides the scene's picture size, in pixels.
-              --reference <file>   Another picture of the scene, for example your program's: adds its
-                                   colour at this pixel and, if that is wrong, which model would
-                                   give it.
-          -q, --quiet              Prints errors only, no warnings of the scene.
+    public override IReadOnlyList<Option> Options => [reference, Option.Size, Option.Quiet];
 
-        Example:
-          dotnet run --project src/RayCaster.Cli -- explain scenes/room.json 250 250
+    public override string[] Examples => ["explain scenes/room.json 250 250"];
 
-        Exit codes:
-          0 done, 1 the reference differs by more than rounding, 2 failed.
-        """;
+    public override string ExitCodes => "0 done, 1 the reference differs by more than rounding, 2 failed.";
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
@@ -39,9 +31,9 @@ internal sealed class ExplainCommand : Command
         var camera = scene.Camera;
         var explanation = new PixelExplanation(scene,
             Coordinate("column", operands[1], camera.Width, "left to right"), Coordinate("line", operands[2], camera.Height, "top to bottom"));
-        var reference = line[Option.Reference] is { } path ? ReferenceExplanation.Of(explanation, ReadReference(path, camera)) : null;
-        StandardStreams.WriteOutput(ExplanationText.Of(explanation, reference));
-        return reference is { Agrees: false } ? ExitCode.No : ExitCode.Done;
+        var other = line.Get(reference) is { } path ? ReferenceExplanation.Of(explanation, ReadReference(path, camera)) : null;
+        StandardStreams.WriteOutput(ExplanationText.Of(explanation, other));
+        return other is { Agrees: false } ? ExitCode.No : ExitCode.Done;
     }
 
     private static int Coordinate(string what, string text, int count, string order)
@@ -54,7 +46,7 @@ internal sealed class ExplainCommand : Command
 
     private static Picture ReadReference(string path, Camera camera)
     {
-        var picture = PictureFile.Read(path);
+        var picture = PictureFile.Read(path, StandardStreams.WriteError);
         return (picture.Width, picture.Height) == (camera.Width, camera.Height) ? picture : throw new ProblemException(
             $"{path} has {picture.Width} x {picture.Height} pixels, but the scene's picture {camera.Width} x {camera.Height}\n" +
             $"  Its size as an option: --size {picture.Width}x{picture.Height}");

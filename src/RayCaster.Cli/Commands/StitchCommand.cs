@@ -1,61 +1,45 @@
 namespace RayCaster.Cli;
 
-internal sealed class StitchCommand : Command
+internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins parts into one picture, or lists missing lines.")
 {
     private const int MaxReasons = 20;
 
-    public override string Help => """
-        Description:
-          Joins the parts of a picture that "raycaster <scene> --rows ..." has drawn, here or on
-          many machines. The picture has the same pixels as one that is drawn at once.
+    private static readonly Option<string> output = Option.Text("-o, --output", "<file>",
+        "Where to write the picture: .png or .ppm; \"-\" writes it to a redirected standard output, as PPM.");
+    private static readonly Option<bool> missing = Option.Switch("--missing",
+        "Writes no picture. Prints the lines that no part holds, as \"part\" takes them; nothing if no line is missing.");
 
-        Usage:
-          raycaster stitch <part>... -o <file> [options]
-          raycaster stitch <part>... --missing
+    public override string Description =>
+        "Joins the parts of a picture that \"part\" has drawn, here or on many machines. The picture has the same pixels as one that is drawn at once. " +
+        "Refuses parts of different scenes, sizes or program versions, missing lines, and lines that two parts hold (even if they are equal: " +
+        "remove one of the files).";
 
-        Arguments:
-          <part>...  Files, patterns like "parts/room.part-*.png", or folders: all PNG files in
-                     them that are parts. The order does not matter.
+    public override IReadOnlyList<(string, string)> Arguments =>
+    [
+        ("<part>...", "Files, patterns like \"parts/room.part-*.png\", or folders: all PNG files in them that are parts. " +
+            "The order does not matter."),
+    ];
 
-        Options:
-          -o, --output <file>    Where to write the picture: .png or .ppm; "-" writes it to a
-                                 redirected standard output, as PPM.
-              --format <format>  png, ppm or ppm-text (PPM in readable numbers).
-                                 [default: by the file's extension]
-              --missing          Writes no picture. Prints the lines that no part holds, in the
-                                 form of --rows; nothing if no line is missing.
-          -q, --quiet            Prints errors only.
-              --no-progress      Never draws a progress line.
+    public override IReadOnlyList<Option> Options => [output, Option.Format, missing, Option.Quiet, Option.NoProgress];
 
-        stitch refuses parts of different scenes, sizes or program versions, missing lines, and
-        lines that two parts hold (even if they are equal: remove one of the files). The message
-        names the files and lines, and an existing picture stays as it is.
+    public override string[] Examples => ["stitch room.part-*.png -o room.png"];
 
-        Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
-          raycaster stitch room.part-*.png -o room.png
-          for lines in $(raycaster stitch parts --missing); do
-            raycaster scenes/room.json --rows $lines -o parts/$lines.png
-          done
-
-        Exit codes:
-          0 done, or with --missing: no line is missing, 1 lines are missing or parts do not
-          belong together, 2 failed, for example because a part is damaged.
-        """;
+    public override string ExitCodes =>
+        "0 done, or with --missing: no line is missing, 1 lines are missing or parts do not belong together, 2 failed, for example because a part is damaged.";
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         if (line.Operands.Count == 0) throw ProblemException.Usage("no part is given: name files, a pattern or a folder");
-        var onlyMissing = line.Has(Option.Missing);
-        if (line[Option.Output] is not null == onlyMissing)
-            throw ProblemException.Usage(onlyMissing
-                ? "--missing writes no picture: leave -o out"
-                : "stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines");
-        var output = line[Option.Output] ?? "";
-        var format = onlyMissing ? PictureFormat.Png : PictureOutput.FormatOf(line, output);
+        var (file, onlyMissing) = (line.Get(output) ?? "", line.Get(missing));
+        if (onlyMissing && file != "") throw ProblemException.Usage("--missing writes no picture: leave -o out");
+        if (!onlyMissing && file == "")
+            throw ProblemException.Usage("stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines");
+        var format = onlyMissing ? PictureFormat.Png : PictureOutput.FormatOf(file, line.Get(Option.Format));
 
-        var files = InputFiles.Of(line.Operands, out var chosen);
         var start = Stopwatch.GetTimestamp();
-        var parts = new PartSet(files, chosen.Contains);
+        var named = FilePatterns.Expand([.. line.Operands.Where(operand => !Directory.Exists(operand))]);
+        var inFolders = line.Operands.Where(Directory.Exists).SelectMany(folder => FilePatterns.FilesIn(folder, "*.png"));
+        var parts = new PartSet([.. named.Concat(inFolders).DistinctBy(Path.GetFullPath)], named.Contains);
         if (parts.Count == 0 && parts.Problems.Count == 0)
             throw new ProblemException($"there are no parts of a picture in {string.Join(", ", line.Operands)}");
 
@@ -70,7 +54,7 @@ internal sealed class StitchCommand : Command
 
         InputFiles.Note(parts.Files);
         var (width, height) = parts.Size;
-        PictureOutput.Write(output, cancellation, stream =>
+        PictureOutput.Write(file, cancellation, stream =>
         {
             using var progress = ProgressLine.For(line, width, height, "pixels");
             using var writer = PictureWriter.Create(format, stream, width, height);
@@ -78,7 +62,7 @@ internal sealed class StitchCommand : Command
             writer.Finish();
         });
         var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
-        line.Tell($"{PictureOutput.NameOf(output)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
+        line.Tell($"{PictureOutput.NameOf(file)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
         return ExitCode.Done;
     }
 

@@ -18,7 +18,7 @@ public sealed class InterruptionCampaign : CommandTests
             ("HUP", 129, "diagnose ROOM PIPE"),
             ("INT", 130, "explain ROOM 1 1 --reference PIPE"),
             ("HUP", 129, "stitch PIPE -o whole.png"),
-            ("TERM", 143, "ROOM --resume -o PIPE"),
+            ("TERM", 143, "part ROOM 1/1 --resume -o PIPE"),
             ("INT", 130, "check PIPE"),
         ];
         raycaster.Run(Room, "-s", "8x8", "-q");
@@ -35,9 +35,9 @@ public sealed class InterruptionCampaign : CommandTests
 
     [Theory]
     [InlineData("compare large.pbm other.pbm --measures")]
-    [InlineData("ROOM -s 10000x10000 --map t -o room.pfm")]
+    [InlineData("map ROOM t -s 10000x10000 -o room.pfm")]
     [InlineData("ROOM -s 30000x30000 -o room.ppm")]
-    [InlineData("ROOM -s 30000x30000 --ledger --rows 0..9999 -o a.png")]
+    [InlineData("part ROOM 0..9999 -s 30000x30000 -o a.png")]
     public void ASignalEndsLongWork(string arguments)
     {
         Assert.SkipWhen(OperatingSystem.IsWindows(), "no kill command there");
@@ -65,7 +65,7 @@ public sealed class InterruptionCampaign : CommandTests
         Directory.CreateDirectory(raycaster.PathOf("parts"));
         raycaster.Run("orbit", Room, "--frames", "6", "-s", "400x400", "-o", "frames", "-q");
         foreach (var part in (ReadOnlySpan<string>)["1/2", "2/2"])
-            raycaster.Run(Room, "-s", "1500x1500", "--rows", part, "-o", $"parts/{part[0]}.png", "-q");
+            raycaster.Run("part", Room, part, "-s", "1500x1500", "-o", $"parts/{part[0]}.png", "-q");
         var random = new Random(RayCaster.Testing.Fuzzing.Campaign.Seed);
         for (var i = 0; i < 3; i++)
         {

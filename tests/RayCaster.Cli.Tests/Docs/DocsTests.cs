@@ -41,7 +41,7 @@ public class DocsTests
         using var raycaster = new RayCasterProcess();
         Directory.CreateDirectory(raycaster.PathOf("scenes"));
         raycaster.Write("scenes/room.json", Read("scenes/room.json")).Run("scenes/room.json");
-        var session = Regex.Match(Read("README.md"), @"```\n(\$ [^\n]+ --mistake .*?)```", RegexOptions.Singleline).Groups[1].Value;
+        var session = Regex.Match(Read("README.md"), @"```\n(\$ [^\n]+ -- wrong .*?)```", RegexOptions.Singleline).Groups[1].Value;
         foreach (var part in session.Split("$ dotnet run --project src/RayCaster.Cli -- ", StringSplitOptions.RemoveEmptyEntries))
         {
             var lines = part.Split('\n', StringSplitOptions.RemoveEmptyEntries);
