@@ -37,11 +37,16 @@ internal static class CarriedTool
     private static void CopyBuilt(string project, string folder, CancellationToken cancellation)
     {
         var built = Directory.CreateTempSubdirectory().FullName;
-        using var build = Process.Start("dotnet", ["build", project, "-v", "quiet", "-tl:off", "-clp:ErrorsOnly;NoSummary", "-o", built, "-p:UseAppHost=false"]);
+        var start = new ProcessStartInfo("dotnet", ["build", project, "-v", "quiet", "-tl:off", "-o", built, "-p:UseAppHost=false"])
+        {
+            RedirectStandardOutput = true, // even quietly it says that it has succeeded
+        };
+        using var build = Process.Start(start)!;
         try
         {
-            build.WaitForExitAsync(cancellation).GetAwaiter().GetResult();
-            if (build.ExitCode != 0) throw new ProblemException("the live page cannot be built for the hand-out");
+            var said = build.StandardOutput.ReadToEndAsync(cancellation).GetAwaiter().GetResult();
+            build.WaitForExit();
+            if (build.ExitCode != 0) throw new ProblemException($"the live page cannot be built for the hand-out\n{said.Trim()}");
             Copy(page, built, folder);
         }
         finally
