@@ -29,7 +29,8 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         var (mineFile, referenceFile, file) = (files[0], files[1], line.Get(output));
         InputFiles.Note(files);
         var format = file is null ? PictureFormat.Png : PictureFormats.ByExtension(file);
-        var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
+        Action<string> warn = StandardStreams.WriteError;
+        var (mine, reference) = (PictureFile.Read(mineFile, warn), PictureFile.Read(referenceFile, warn));
         var scene = line.Get(sceneFile) is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
         if (scene is null && line.Get(sceneFile) is not null) return ExitCode.CouldNot;
 

@@ -14,13 +14,13 @@ public static class PictureFile
     /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
     /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
-    /// <param name="warn">Gets what is odd about a file that is read all the same, with its name.</param>
+    /// <param name="warn">Gets what is odd about a file that is read all the same, in a line that names the file.</param>
     /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
     public static Picture Read(string path, Action<string>? warn = null) => Open(path, file =>
     {
         try
         {
-            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: {odd}"));
+            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: warning: {odd}"));
         }
         catch (IOException e)
         {

@@ -82,20 +82,18 @@ public static class SceneReader
             o.Vector("position", "P, where the rays start."),
             o.Vector("target",
                 "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
-                    "at twice its distance all is black."))
-        {
-            Up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", orElse.Up),
-            FovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), orElse.FovY),
-            Width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
-            Height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
-            ZNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
-            ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", Limits.None, orElse.ZFar),
-            Bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
-            Clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+                    "at twice its distance all is black."),
+            up: o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", orElse.Up),
+            fovY: o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), orElse.FovY),
+            width: o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
+            height: o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
+            zNear: o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
+            zFar: o.Number("zFar", "Nothing farther is seen; greater than zNear.", Limits.None, orElse.ZFar),
+            bias: o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
+            clip: o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
                 "depth", "distance") == "distance" ? ClipMode.Distance : ClipMode.Depth,
-            Sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
-                "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner,
-        };
+            sample: o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+                "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner);
         o.Close();
 
         var (position, view) = (o.PathOf("position"), camera.Target - camera.Position);

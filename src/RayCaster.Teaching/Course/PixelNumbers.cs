@@ -33,8 +33,8 @@ public sealed class PixelNumbers
         }
         unwritten = [.. notes()];
         var camera = scene.Camera;
-        if (unwritten.Contains(Slides.Bias)) camera = camera with { Bias = double.Epsilon };
-        if (unwritten.Contains(Slides.ClipPlanes)) camera = camera with { ZNear = 0, ZFar = double.MaxValue };
+        if (unwritten.Contains(Slides.Bias)) camera = camera.With(bias: double.Epsilon);
+        if (unwritten.Contains(Slides.ClipPlanes)) camera = camera.With(zNear: 0, zFar: double.MaxValue);
         right = ScalarRenderer.Cast(scene with { Camera = camera, Models = [.. scene.Models.Where(IsWritten)] }, column, row);
         // uc and ur are local to their body. d has them, whatever its length and the sign of W.
         foreach (var (name, axis) in ((string, string)[])[(FromD("uc"), "U"), (FromD("ur"), "V")])

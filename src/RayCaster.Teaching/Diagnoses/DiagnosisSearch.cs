@@ -66,6 +66,8 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         var singles = usual;
         if (!Ranking.IsCertain([.. plain, .. singles])) singles = Ranking.Sorted([.. singles, .. Edits(Unfinished.Nothing)]);
         singles = WithoutIdle(singles);
+        if (pictures is [var only] && singles.Exists(single => single.Misfit.Unexplained < only.LeastPixels && Ranking.IsCertain([single])))
+            return Ranking.Sorted([.. plain, .. singles]);
         // A missing shape counts for little beside a mistake that changes everything, so it is sought even if the mistake explains most.
         var beside = Ranking.Best(
         [
@@ -86,15 +88,6 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
         var onTop = Ranking.Best([.. NearestWays(samples).SelectMany(way => Singles(way, samples))]);
         all.AddRange(onTop);
-        if (!Ranking.IsDone(all))
-        {
-            if (Ranking.Sorted([.. plain, .. onTop]).FirstOrDefault() is { Base: var way } nearest && way.NotYet.Count > 0)
-            {
-                all.AddRange(Edits(way));
-                // A kind that seems to be missing may be what the edit loses; then it shows in what is there of that kind.
-                if (way.Kinds.Any()) all.AddRange(Edits(new([.. way.NotYet.Except(way.Kinds)]), nearest with { Variants = [] }));
-            }
-        }
         if (!isDone && Ranking.IsDone(all) && !Ranking.IsDone(all, Nearly)) all.AddRange(NearestPairs());
         if (Ranking.IsDone(all)) return Ranking.Sorted(all);
 
@@ -104,6 +97,14 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
             if (!Ranking.IsCertain(best)) best = Ranking.Sorted([.. best, .. Ranking.Best(InOtherVariants(best, Besides))]);
             all.AddRange(best);
             if (Ranking.IsCertain(all)) break;
+        }
+        // An edit takes longest to find, and pairs of known mistakes explain most pictures.
+        if (!Ranking.IsDone(all) && Ranking.Sorted([.. plain, .. onTop]).FirstOrDefault() is { Base.NotYet.Count: > 0 } nearest)
+        {
+            all.AddRange(Edits(nearest.Base));
+            // A kind that seems to be missing may be what the edit loses; then it shows in what is there of that kind.
+            if (nearest.Base.Kinds.Any())
+                all.AddRange(Edits(new([.. nearest.Base.NotYet.Except(nearest.Base.Kinds)]), nearest with { Variants = [] }));
         }
         return Ranking.Sorted(all);
 

@@ -20,11 +20,12 @@ internal static class VectorMistakes
             "Everything is far too large and far too bright: a piece of it fills the picture.",
             "Print |W|, |U| and |d|. What should they be?",
             "A vector's method returns a new vector: d = d.Normalized."),
-        new("len-nosqrt", Affects.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
-            AllowAnyLength + (lab => lab.Length.Becomes(length => a => length(a) * length(a))),
+        new Mistake("len-nosqrt", Affects.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
+            AllowAnyLength + SquareLength,
             "Nearly all is gone or has a wrong size, or the light reaches too far.",
             "How long is (1, 2, 2)? What does your Length say?",
-            "|a| = √(x² + y² + z²)."),
+            "|a| = √(x² + y² + z²).")
+            .Or(SquareLengths),
         OfCross("cross-y", "the cross product's y has the wrong sign", (_, _, n) => n with { Y = -n.Y },
             "The picture is turned or skewed, and triangles are torn.",
             "What is (0, 0, 1) × (1, 0, 0)?"),
@@ -37,12 +38,12 @@ internal static class VectorMistakes
             "t is a distance only if d has a certain length. Which?",
             "d = (uc U + ur V − W) normalised."),
         new Mistake("dir-unnorm-a1", Affects.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
-            LeaveDirection + Geometric((L, tca, _) => L * L - tca * tca),
+            LeaveDirection + Geometric((_, L, tca, _) => L * L - tca * tca),
             "Spheres bleed into wedges towards the borders, which are too bright.",
             "The sphere's formula left out a = d·d. When is that allowed?",
             "d = (uc U + ur V − W) normalised.")
             .Or("d not normalised, while the sphere takes d·d = 1 and D = L − tca d",
-                LeaveDirection + Geometric((L, tca, d) => (L - tca * d) * (L - tca * d))),
+                LeaveDirection + Geometric((_, L, tca, d) => (L - tca * d) * (L - tca * d))),
         OfCross("cross-x", "the cross product's x has the wrong sign", (_, _, n) => n with { X = -n.X },
             "The picture is mirrored, turned or skewed, and triangles are torn.",
             "What is (0, 1, 0) × (0, 0, 1)?"),
@@ -57,6 +58,44 @@ internal static class VectorMistakes
             lab.TriangleByShares();
         },
         symptom, question, "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).");
+
+    private static Action<Lab> SquareLength => lab => lab.Length.Becomes(length => a => length(a) * length(a));
+
+    /// <summary>A length shows in several formulas at once, in each as it is written there: no edit of the nearest formulas comes near that.</summary>
+    private static IEnumerable<(string Cause, Action<Lab> Deviate)> SquareLengths
+    {
+        get
+        {
+            (string Says, Action<Lab> Sphere)[] spheres =
+            [
+                ("", AllowAnyLength), (", while the sphere takes d·d = 1", Geometric((_, L, tca, _) => L * L - tca * tca)),
+                (", while the sphere takes D = |L − tca d|", Geometric((lab, L, tca, d) => lab.Length.Do(L - tca * d) is var D ? D * D : 0)),
+            ];
+            (string Says, Action<Lab> Light)[] lights =
+            [
+                ("", _ => { }), (", with 2 · |T − P| for |2 (T − P)|", DoubleReach),
+                (", with 2 · |T − P| for |2 (T − P)| and t = |X − P|", DoubleReach + (lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d)))),
+            ];
+            (string Says, Action<Lab> Circle)[] circles = [("", _ => { }), (", while circles ask |X − C| ≤ R with it", CircleByLength)];
+            return
+            [
+                .. (from light in lights from sphere in spheres from circle in circles
+                    select ($"the length without its square root{light.Says}{sphere.Says}{circle.Says}",
+                        SquareLength + sphere.Sphere + light.Light + circle.Circle)).Skip(1), // the first is the usual one
+                .. from sphere in spheres[..2]
+                   select ($"a vector is normalised by x² + y² + z²{sphere.Says}", sphere.Sphere + (lab => lab.Unit.Is(a => a / (a * a)))),
+            ];
+        }
+    }
+
+    /// <summary>Twice the length, where the length of twice the vector is another.</summary>
+    private static Action<Lab> DoubleReach => lab => lab.FadeDistance.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
+
+    private static Action<Lab> CircleByLength => lab => lab.Circle.Is((circle, d) =>
+    {
+        var t = (circle.Center - lab.P) * circle.Normal / (circle.Normal * d);
+        return lab.Length.Do(lab.P + t * d - circle.Center) <= circle.Radius ? new(t) : SlideFormulas.None;
+    });
 
     private static Action<Lab> LeaveDirection => lab => lab.Direction.Is(d => d);
 
@@ -75,12 +114,12 @@ internal static class VectorMistakes
     });
 
     /// <summary>The slide's sphere, for d·d = 1.</summary>
-    /// <param name="DSquare">(L, tca, d) → D².</param>
-    private static Action<Lab> Geometric(Func<Vector3, double, Vector3, double> DSquare) => lab => lab.Sphere.Is((s, d) =>
+    /// <param name="DSquare">(lab, L, tca, d) → D².</param>
+    private static Action<Lab> Geometric(Func<Lab, Vector3, double, Vector3, double> DSquare) => lab => lab.Sphere.Is((s, d) =>
     {
         var L = s.Center - lab.P;
         var tca = L * d;
-        var thc = Math.Sqrt((double)s.Radius * s.Radius - DSquare(L, tca, d)); // no number where the ray passes by
+        var thc = Math.Sqrt((double)s.Radius * s.Radius - DSquare(lab, L, tca, d)); // no number where the ray passes by
         return new(tca - thc, tca + thc);
     });
 }

@@ -38,6 +38,8 @@ internal sealed class Expression
 {
     private static readonly string[] functions = ["dot", "cross", "length", "normalize", "plus", "minus"]; // as the section has them
 
+    private string? text; // thousands of edits share their parts, and are told apart by their texts
+
     private Expression(Operator op, Quantity quantity, ImmutableArray<Expression> operands, Symbol? symbol = null, double number = 0)
     {
         (Operator, Quantity, Operands, Symbol, Value) = (op, quantity, operands, symbol, number);
@@ -117,7 +119,7 @@ internal sealed class Expression
                 var measure => b.Quantity.Measure == measure,
             });
 
-    public override string ToString() => FormulaText.Of(this);
+    public override string ToString() => text ??= FormulaText.Of(this);
 
     private static Quantity? QuantityOf(Operator op, ImmutableArray<Expression> operands)
     {

@@ -30,10 +30,10 @@ internal static class FormulaText
         Operator.Negate => "−" + Within(e.Operands[0], Prefix),
         Operator.Not => $"not {Within(e.Operands[0], Prefix)}",
         Operator.Vector => $"({List(e)})",
-        Operator.Sqrt => e.Operands[0].Operands.Length == 0 ? "√" + Of(e.Operands[0]) : $"√({Of(e.Operands[0])})",
-        Operator.Abs => $"|{Of(e.Operands[0])}|",
+        Operator.Sqrt => e.Operands[0].Operands.Length == 0 ? $"√{e.Operands[0]}" : $"√({e.Operands[0]})",
+        Operator.Abs => $"|{e.Operands[0]}|",
         Operator.Multiply when IsSquare(e) => Within(e.Operands[0], Atom) + "²",
-        Operator.Call when e.Symbol!.Text == "length" => $"|{Of(e.Operands[0])}|",
+        Operator.Call when e.Symbol!.Text == "length" => $"|{e.Operands[0]}|",
         Operator.Call when e.Symbol!.Text == "dot" => Infix(e, "·", Product),
         Operator.Call when e.Symbol!.Text == "cross" => Infix(e, " × ", Product),
         Operator.Call => $"{e.Symbol!.Text}({List(e)})",
@@ -42,13 +42,14 @@ internal static class FormulaText
         var op => $"{op.ToString().ToLowerInvariant()}({List(e)})",
     };
 
-    private static bool IsSquare(Expression e) => ReferenceEquals(e.Operands[0], e.Operands[1]) || Of(e.Operands[0]) == Of(e.Operands[1]);
+    private static bool IsSquare(Expression e) =>
+        ReferenceEquals(e.Operands[0], e.Operands[1]) || e.Operands[0].ToString() == e.Operands[1].ToString();
 
     private static string Infix(Expression e, string sign, int strength) =>
         Within(e.Operands[0], strength) + sign
         + Within(e.Operands[1], e.Operator is Operator.And or Operator.Or or Operator.Add ? strength : strength + 1);
 
-    private static string List(Expression e) => string.Join(", ", e.Operands.Select(Of));
+    private static string List(Expression e) => string.Join(", ", e.Operands);
 
     private static string Within(Expression e, int least)
     {
@@ -59,6 +60,6 @@ internal static class FormulaText
             Operator.Call => e.Symbol!.Text is "dot" or "cross" ? Product : Atom,
             var op => Infix(op) is ( > 0, _) infix ? infix.Strength : Atom,
         };
-        return strength < least ? $"({Of(e)})" : Of(e);
+        return strength < least ? $"({e})" : e.ToString();
     }
 }

@@ -22,8 +22,7 @@ public enum PixelSample
     Center,
 }
 
-/// <summary>A camera: turns a pixel into a ray (slides "Camera" and "Camera Pixel Translation"). <c>camera with { FovY = 60 }</c> makes a changed
-/// copy. The defaults are those of a scene file.</summary>
+/// <summary>A camera: turns a pixel into a ray (slides "Camera" and "Camera Pixel Translation").</summary>
 public sealed record Camera
 {
     /// <summary>The most pixels in a row, and the most rows.</summary>
@@ -32,68 +31,83 @@ public sealed record Camera
     /// <summary>The most pixels in all.</summary>
     public const long MaxPixels = 10_000_000_000;
 
-    /// <param name="position">P, where the rays start.</param>
-    /// <param name="target">T, different from P: the camera looks at it.</param>
-    public Camera(Vector3 position, Vector3 target)
+    /// <summary>A camera; the defaults are those of a scene file.</summary>
+    /// <param name="up">(0, 0, 1) if left out.</param>
+    public Camera(Vector3 position, Vector3 target, Vector3? up = null, double fovY = 45, int width = 500, int height = 500,
+        double zNear = 0.01, double zFar = 100, double bias = 1e-6, ClipMode clip = ClipMode.Depth, PixelSample sample = PixelSample.Corner)
     {
-        (Position, Target) = (position, target);
-        Derive();
+        (Position, Target, Up, FovY, Width, Height) = (position, target, up ?? new(0, 0, 1), fovY, width, height);
+        (ZNear, ZFar, Bias, Clip, Sample) = (zNear, zFar, bias, clip, sample);
+
+        W = -(Target - Position).Normalized;
+        U = (Up % W).Normalized;
+        V = W % U;
+        PlaneHeight = 2 * Math.Tan(FovY * Math.PI / 180 / 2);
+        PlaneWidth = PlaneHeight * Width / Height;
+        FadeDistance = (2 * (Target - Position)).Length;
+        ClipRange = new(Bias, ZNear, ZFar);
     }
 
+    /// <summary>The same camera with some numbers changed.</summary>
+    public Camera With(Vector3? position = null, Vector3? target = null, Vector3? up = null, double? fovY = null, int? width = null,
+        int? height = null, double? zNear = null, double? zFar = null, double? bias = null, ClipMode? clip = null, PixelSample? sample = null) =>
+        new(position ?? Position, target ?? Target, up ?? Up, fovY ?? FovY, width ?? Width, height ?? Height,
+            zNear ?? ZNear, zFar ?? ZFar, bias ?? Bias, clip ?? Clip, sample ?? Sample);
+
     /// <summary>P, where the rays start.</summary>
-    public Vector3 Position { get; init { field = value; Derive(); } }
+    public Vector3 Position { get; }
 
     /// <summary>T, different from P: the camera looks at it.</summary>
-    public Vector3 Target { get; init { field = value; Derive(); } }
+    public Vector3 Target { get; }
 
     /// <summary>The direction that is up in the picture; any length but zero, not parallel to T − P.</summary>
-    public Vector3 Up { get; init { field = value; Derive(); } } = new(0, 0, 1);
+    public Vector3 Up { get; }
 
     /// <summary>The angle from the picture's lower to its upper edge, in degrees, 0 &lt; fovY &lt; 180.</summary>
-    public double FovY { get; init { field = value; Derive(); } } = 45;
+    public double FovY { get; }
 
     /// <summary>Pixels in a row.</summary>
-    public int Width { get; init { field = value; Derive(); } } = 500;
+    public int Width { get; }
 
     /// <summary>Rows.</summary>
-    public int Height { get; init { field = value; Derive(); } } = 500;
+    public int Height { get; }
 
     /// <summary>A hit counts if its z is at least this.</summary>
-    public double ZNear { get; init { field = value; Derive(); } } = 0.01;
+    public double ZNear { get; }
 
     /// <summary>A hit counts if its z is at most this.</summary>
-    public double ZFar { get; init { field = value; Derive(); } } = 100;
+    public double ZFar { get; }
 
     /// <summary>A hit counts if t &gt; bias; with a bias of 0, if t ≥ 0.</summary>
-    public double Bias { get; init { field = value; Derive(); } } = 1e-6;
+    public double Bias { get; }
 
     /// <summary>Whether z, which zNear and zFar limit, is a depth or a distance.</summary>
-    public ClipMode Clip { get; init; } = ClipMode.Depth;
+    public ClipMode Clip { get; }
 
     /// <summary>Where in its pixel a ray passes.</summary>
-    public PixelSample Sample { get; init; } = PixelSample.Corner;
+    public PixelSample Sample { get; }
 
     /// <summary>W = −(T − P) normalised: backwards. W, U, V and h are NaN or infinite if they cannot be computed
     /// (<see cref="ValidationError"/>).</summary>
-    public Vector3 W { get; private set; }
+    public Vector3 W { get; }
 
     /// <summary>U = (up × W) normalised: to the right.</summary>
-    public Vector3 U { get; private set; }
+    public Vector3 U { get; }
 
     /// <summary>V = W × U: upwards, across the view.</summary>
-    public Vector3 V { get; private set; }
+    public Vector3 V { get; }
 
     /// <summary>h = 2 tan(fovY / 2): the height of the picture plane at distance 1.</summary>
-    public double PlaneHeight { get; private set; }
+    public double PlaneHeight { get; }
 
     /// <summary>w = h · width / height.</summary>
-    public double PlaneWidth { get; private set; }
+    public double PlaneWidth { get; }
 
     /// <summary>2 |T − P|: attenuation reaches 0 at this distance, and everything beyond it is black.</summary>
-    public double FadeDistance { get; private set; }
+    public double FadeDistance { get; }
 
     /// <summary>Decides by bias, zNear and zFar which crossings count.</summary>
-    public ClipRange ClipRange { get; private set; }
+    public ClipRange ClipRange { get; }
 
     /// <summary>Why this camera cannot take a picture, in words; null if it can.</summary>
     public string? ValidationError
@@ -160,16 +174,4 @@ public sealed record Camera
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N DepthPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
         Clip == ClipMode.Depth ? -(direction * W) : 1;
-
-    /// <summary>Computes what follows from the numbers above; also after <c>with</c> has changed one of them.</summary>
-    private void Derive()
-    {
-        W = -(Target - Position).Normalized;
-        U = (Up % W).Normalized;
-        V = W % U;
-        PlaneHeight = 2 * Math.Tan(FovY * Math.PI / 180 / 2);
-        PlaneWidth = PlaneHeight * Width / Height;
-        FadeDistance = (2 * (Target - Position)).Length;
-        ClipRange = new(Bias, ZNear, ZFar);
-    }
 }

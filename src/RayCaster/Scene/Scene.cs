@@ -21,5 +21,5 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     public long ShapeCount => Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
 
     /// <summary>The same scene in a picture of another size.</summary>
-    public Scene WithSize(int width, int height) => this with { Camera = Camera with { Width = width, Height = height } };
+    public Scene WithSize(int width, int height) => this with { Camera = Camera.With(width: width, height: height) };
 }

@@ -40,7 +40,7 @@ public class ErrorBoundTests
         Assert.SkipWhen(!FloatBytes.IsSupported, "no 256-bit vectors here");
         var random = new Random(4);
         var scene = new Scene(
-            new Camera(new(20, 0, 0), Vector3.Zero) { Width = 1920, Height = 1080 }, [Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0.2)))]);
+            new Camera(new(20, 0, 0), Vector3.Zero, width: 1920, height: 1080), [Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0.2)))]);
         var plane = ((Model<Plane>)scene.Models[0]).Primitive;
         var wrong = 0;
         for (var i = 0; i < 100_000; i++)

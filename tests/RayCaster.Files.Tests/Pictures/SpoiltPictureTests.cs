@@ -65,7 +65,7 @@ public sealed class SpoiltPictureTests : IDisposable
         byte[] bytes = [.. colors, (byte)'\n', 1, 2];
         var (picture, words) = Read(Encoding.ASCII.GetBytes(header), bytes[..count]);
         Assert.Equal(colors, picture.Rgb);
-        Assert.Equal(warning is null ? [] : [$"{folder["mine.ppm"]}: {warning}"], words);
+        Assert.Equal(warning is null ? [] : [$"{folder["mine.ppm"]}: warning: {warning}"], words);
     }
 
     [Fact]
@@ -128,7 +128,7 @@ public sealed class SpoiltPictureTests : IDisposable
     {
         var (picture, words) = Read("P3 1 2 255 1 2 3 1 2 3 # end\n 9\n"u8, []);
         Assert.Equal([1, 2, 3, 1, 2, 3], picture.Rgb);
-        Assert.Equal([$"{folder["mine.ppm"]}: the file has 1 value more than its header promises; they are ignored"], words);
+        Assert.Equal([$"{folder["mine.ppm"]}: warning: the file has 1 value more than its header promises; they are ignored"], words);
     }
 
     [Theory]

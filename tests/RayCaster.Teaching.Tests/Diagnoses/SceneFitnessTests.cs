@@ -19,7 +19,7 @@ public class SceneFitnessTests
     [Fact]
     public void AnEmptyWorldShowsNothing()
     {
-        var fitness = SceneFitness.Of([new(new Camera(new(1, 0, 0), Vector3.Zero) { Width = 30, Height = 20 }, [])]);
+        var fitness = SceneFitness.Of([new(new Camera(new(1, 0, 0), Vector3.Zero, width: 30, height: 20), [])]);
         Assert.Contains(MistakeCatalog.Named("w-sign")!, fitness.Hidden);
         Assert.Contains("the world is empty", FitnessReport.Text(fitness));
     }
@@ -28,7 +28,7 @@ public class SceneFitnessTests
     public void ACameraOnTheFacesOfABoxHasFragilePixels()
     {
         var box = Model.Of(new Aabb(new(-1, -1, 0), new(1, 1, 2))); // its lower face is at the camera's height: seen edge-on
-        var fitness = SceneFitness.Of([new(new Camera(new(5, 0, 0), Vector3.Zero) { Width = 20, Height = 20 }, [box])]);
+        var fitness = SceneFitness.Of([new(new Camera(new(5, 0, 0), Vector3.Zero, width: 20, height: 20), [box])]);
         Assert.InRange(fitness.FragilePixels, 1, 20);
     }
 }

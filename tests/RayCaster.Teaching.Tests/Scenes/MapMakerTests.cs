@@ -3,7 +3,7 @@ namespace RayCaster.Teaching.Tests.Scenes;
 /// <summary>What maps say of a pixel is what the definition finds there.</summary>
 public class MapMakerTests
 {
-    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero) { FovY = 40, Width = 31, Height = 21 };
+    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero, fovY: 40, width: 31, height: 21);
 
     [Fact]
     public void TAndModelAreTheDefinitions()
@@ -29,7 +29,7 @@ public class MapMakerTests
     [Fact]
     public void ATBeyondTheRangeOfFloatsIsStillAHit()
     {
-        var camera = new Camera(new(1e40, 0, 0), Vector3.Zero) { Width = 3, Height = 3, ZFar = 1e42 };
+        var camera = new Camera(new(1e40, 0, 0), Vector3.Zero, width: 3, height: 3, zFar: 1e42);
         var map = MapMaker.Make(new Scene(camera, [Model.Of(new Plane(Vector3.Zero, new(1, 0, 0)))]), MapKind.T);
         Assert.All(map.Values, t => Assert.Equal(float.MaxValue, t));
     }
@@ -37,7 +37,7 @@ public class MapMakerTests
     [Fact]
     public void AMapThatDoesNotFitIsRefusedWithTheLimit()
     {
-        var scene = Scene() with { Camera = Camera with { Width = 1_000_000, Height = 10_000 } };
+        var scene = Scene() with { Camera = Camera.With(width: 1_000_000, height: 10_000) };
         Assert.Contains($"{MapMaker.MaxPixels:N0}", Assert.Throws<ProblemException>(() => MapMaker.Make(scene, MapKind.T)).Message);
     }
 

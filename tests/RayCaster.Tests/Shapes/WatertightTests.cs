@@ -62,7 +62,7 @@ public class WatertightTests(ITestOutputHelper output)
     public void ACubeOfTrianglesCoversWhatTheBoxCovers(double x, double y, double z)
     {
         var up = x == 0 && y == 0 ? new Vector3(0, 1, 0) : new(0, 0, 1);
-        var camera = new Camera(new(x, y, z), default) { Up = up, FovY = 60, Width = 128, Height = 128 };
+        var camera = new Camera(new(x, y, z), default, up: up, fovY: 60, width: 128, height: 128);
         bool[] Covered(Model model) => [.. Pixels(camera).Select(pixel => Hits(camera, model, pixel))];
 
         var mesh = Covered(Solids.Cube());
@@ -80,7 +80,7 @@ public class WatertightTests(ITestOutputHelper output)
         Vector3[] targets = [new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(1, 1, 1), mesh[0].A, mesh[40].B];
         foreach (var target in targets)
         {
-            var camera = new Camera(default, target) { Up = new(0.1, 0.2, 1), FovY = 90, Width = 24, Height = 24 };
+            var camera = new Camera(default, target, up: new(0.1, 0.2, 1), fovY: 90, width: 24, height: 24);
             var holes = Pixels(camera).Where(pixel => !Hits(camera, mesh, pixel));
             Assert.Empty(holes);
         }
