@@ -13,7 +13,8 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
     [
         Scene,
         ("<column>", "The pixel's column, from the left, from 0."),
-        ("<line>", "The pixel's line, from the top, from 0, as picture viewers count. The formulas count rows from the bottom: r = height - 1 - line."),
+        ("<line>", "The pixel's line, from the top, from 0, as picture viewers count. " +
+            "The formulas count rows from the bottom: r = height - 1 - line."),
     ];
 
     public override IReadOnlyList<Option> Options => [reference, Option.Size, Option.Quiet];

@@ -28,7 +28,7 @@ public static class PictureFile
         }
     });
 
-    /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string)"/> does; the messages name no file.</summary>
+    /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string, Action{string})"/> does; the messages name no file.</summary>
     /// <exception cref="ProblemException">The data are damaged, of another kind, or too large.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     /// <param name="limit">The most bytes that the picture may take in memory, three for each pixel; those of the largest array if left out.</param>
