@@ -233,6 +233,31 @@ public class DiagnosisTests
         Assert.StartsWith("All that is drawn is white", Assert.Single(diagnosis.Likely));
     }
 
+    private static readonly Edit squareLength = new("Vector3", "Math.Sqrt(this * this)", "this * this"),
+        lightByLength = new("Camera", "ray.HitParameter / (2 * (Target - Position)).Length",
+            "(ray.At(ray.HitParameter) - Position).Length / (2 * (Target - Position).Length)"),
+        sphereByLength = new("Sphere", "if (D * D > R * R)", "D = new(D.Length, 0, 0); if (D * D > R * R)");
+
+    private static readonly Scene room = SceneFolder.Small("room", 4);
+
+    /// <summary>A length without its root, in a program that uses it elsewhere than the slides do.</summary>
+    private static readonly Mistakes.Mistake lengthInAll = new("length in all", "", squareLength, lightByLength, sphereByLength),
+        normalisedBySquare = new("normalised by a square", "", new Edit("Vector3", "=> this / Length", "=> this / (this * this)"));
+
+    [Fact]
+    public void ALengthWithoutItsRootIsNamedWhereverItIsUsed() => Assert.All([lengthInAll, normalisedBySquare], mistake =>
+        Assert.Equal(["len-nosqrt"], NamedFirst(EditedLab.Render(room, mistake))));
+
+    [Theory]
+    [InlineData("u-cross")]
+    [InlineData("bgr")]
+    public void ALengthWithoutItsRootIsNamedBesideAnotherMistake(string other) => Assert.Equal(
+        new[] { other, "len-nosqrt" }.Order(),
+        NamedFirst(EditedLab.Render(room, Manner.OfTheSlides, lengthInAll, Mistakes.Mistake.Named(other))).Order());
+
+    private static IEnumerable<string> NamedFirst(Picture picture) =>
+        Diagnosis.Of(room, picture).Suspects.Take(1).SelectMany(suspect => suspect.Mistakes).Select(mistake => mistake.Id);
+
     [Fact]
     public void ASymptomIsToldOnlyOfTheVariantThatItIsOf()
     {
