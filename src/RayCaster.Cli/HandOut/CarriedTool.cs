@@ -12,14 +12,14 @@ internal static class CarriedTool
         "raycaster.runtimeconfig.json",
     ];
 
-    private static readonly string[] page = ["raycaster-live.dll", "raycaster-live.runtimeconfig.json"];
+    private static readonly string[] page = [LiveProgram.Name, "raycaster-live.runtimeconfig.json"];
 
     public static void Copy(string folder, CancellationToken cancellation)
     {
         Directory.CreateDirectory(folder);
         Copy(files, AppContext.BaseDirectory, folder);
-        if (File.Exists(Path.Combine(AppContext.BaseDirectory, page[0]))) Copy(page, AppContext.BaseDirectory, folder);
-        else if (LiveCommand.ProjectAbove(AppContext.BaseDirectory) is { } project) CopyBuilt(project, folder, cancellation);
+        if (LiveProgram.Beside() is not null) Copy(page, AppContext.BaseDirectory, folder);
+        else if (LiveProgram.Project() is { } project) CopyBuilt(project, folder, cancellation);
     }
 
     private static void Copy(string[] names, string from, string to)

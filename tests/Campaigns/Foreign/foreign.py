@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Asks "diagnose" about every picture of expected.csv, prints each answer that is wrong and a table, and fails if too many are.
+"""Asks "diagnose" about every picture of expected.csv, prints each answer that is wrong and a table, and fails if too many are or
+it fails itself.
 README.md says how an answer is counted. Needs a built raycaster (RAYCASTER, or what "dotnet build -c Release src/RayCaster.Cli" leaves).
 Usage: foreign.py [pictures whose name contains this]"""
 import collections, concurrent.futures, csv, json, os, pathlib, statistics, struct, subprocess, sys, tempfile, zlib
@@ -18,7 +19,7 @@ def diagnose(row):
         process.returncode = os.waitstatus_to_exitcode(status)
         out.seek(0), err.seek(0)
         if process.returncode not in (0, 1):
-            sys.exit(f"{row['picture']}: diagnose ended with {process.returncode}: {err.read().decode()}")
+            return {"finding": err.read().decode().splitlines()[0], "failed": True}, 0
         return json.loads(out.read()), usage.ru_utime + usage.ru_stime
 
 
@@ -47,7 +48,12 @@ def tells_nothing(row, answer):
 
 
 def judge(row, answer):
-    """What is asked of the answer, and whether it holds."""
+    """What is asked of the answer, and whether it holds; nothing does if there is none."""
+    asked = expected(row, answer)
+    return dict.fromkeys(asked, False) if "failed" in answer else asked
+
+
+def expected(row, answer):
     if row["mistakes"] == "right":
         return {"right": answer["finding"] == "matches"}
     suspects = named(answer)
@@ -70,18 +76,18 @@ def main():
     part = sys.argv[1] if len(sys.argv) > 1 else ""
     with open(here / "expected.csv", newline="") as file:
         rows = [row for row in csv.DictReader(file) if part in row["picture"]]
-    counts, empty, times = collections.defaultdict(list), 0, []
+    counts, empty, times, failed = collections.defaultdict(list), 0, [], False
     pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
     for row, (answer, time) in zip(rows, pool.map(diagnose, rows)):
         times.append(time)
         verdict = judge(row, answer)
+        failed |= "failed" in answer
         empty += tells_nothing(row, answer)
         for name, holds in verdict.items():
             counts[name].append(holds)
         if not all(verdict.values()):
             print(f"{row['picture']} of {row['scene']}, not {', not '.join(n for n, holds in verdict.items() if not holds)}: {words(answer)}", flush=True)
     print(f"\n{'':18}  right   of      %  least")
-    failed = False
     for name, holds in counts.items():
         percent, least = 100 * sum(holds) / len(holds), LEAST.get(name, 0)
         failed |= percent < least
