@@ -18,6 +18,8 @@ namespace RayCaster.Files;
 /// <param name="Version">The version of the program, and 12 digits that change with its code.</param>
 public sealed partial record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
 {
+    internal const string Keyword = "raycaster:part";
+
     /// <summary>The facts of a part that is drawn now.</summary>
     /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
     /// <param name="engine">The assembly that draws.</param>
@@ -41,6 +43,9 @@ public sealed partial record PartFacts(int Width, int Height, LineRange Lines, s
             ? new(width, height, lines, values[4].Value, values[5].Value)
             : null;
     }
+
+    /// <summary>The facts as the text of a PNG.</summary>
+    public (string Keyword, string Value) PngText => (Keyword, ToString());
 
     /// <summary>The text.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture,

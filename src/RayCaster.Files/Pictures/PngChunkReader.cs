@@ -4,7 +4,7 @@ namespace RayCaster.Files;
 internal sealed class PngChunkReader
 {
     private readonly Stream file;
-    private readonly byte[] frame = new byte[8], passedBy = new byte[1 << 14];
+    private readonly byte[] frame = new byte[8], scratch = new byte[1 << 14];
     private uint crc;
 
     /// <exception cref="ProblemException">The file cannot seek, or does not begin like a PNG.</exception>
@@ -82,7 +82,7 @@ internal sealed class PngChunkReader
     /// <summary>Reads the rest of the chunk only to check the checksum.</summary>
     public void Check()
     {
-        while (Left > 0) Read(passedBy);
+        while (Left > 0) Read(scratch);
     }
 
     /// <summary>Skips the rest of the chunk and its checksum.</summary>
@@ -110,7 +110,7 @@ internal sealed class PngChunkReader
         }
         catch (IOException e)
         {
-            throw new ProblemException(ProblemException.Reason(e), e); // an IOException would be taken for damaged data
+            throw ProblemException.Of(e); // an IOException would be taken for damaged data
         }
     }
 }

@@ -192,7 +192,7 @@ internal sealed class PnmReader
     private void CheckSurplus(long surplus, Action<string> warn)
     {
         var (there, from) = (DataBytes + surplus, file.Position);
-        var all = there <= 32 * DataBytes + FirstBytes && InputBytes.TryReadToEnd(file, Array.MaxLength - 1, out var read) ? read : [];
+        var all = there <= 32 * DataBytes + FirstBytes && InputFile.TryReadToEnd(file, Array.MaxLength - 1, out var read) ? read : [];
         file.Position = from;
         var cause = new PnmSurplus(kind, width, height, maxval, endsWithCr).Cause(all, DataBytes, out var isHarmless);
         if (surplus < 0) throw new ProblemException(CutShort(there).Message + (cause is null ? "" : $"; {cause}"));

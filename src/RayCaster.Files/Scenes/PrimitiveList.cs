@@ -69,7 +69,7 @@ internal static class PrimitiveList
     private static Model Mesh(SceneObject o)
     {
         var nothing = new Mesh([], []);
-        var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.", false);
+        var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.");
         var vertices = o.Vectors("vertices", "In place of a file: the corners of the faces.");
         var indices = o.Faces("faces", "Of each face at least three places in vertices, from 0.", vertices);
         var placement = new MeshPlacement(

@@ -4,7 +4,6 @@ internal enum KeyKind
 {
     Number,
     Whole,
-    Flag,
     Vector,
     Vectors,
     Faces,

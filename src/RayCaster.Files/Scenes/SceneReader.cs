@@ -6,27 +6,38 @@ public static class SceneReader
     /// <summary>The longest scene file, in bytes: some 400,000 models. More triangles belong in a mesh file.</summary>
     public const int MaxBytes = 1 << 26;
 
+    /// <summary>The longest rubric, in bytes.</summary>
+    internal const int MaxShortBytes = 1 << 20;
+
+    private const string TooLong = "; put large meshes into mesh files";
+
     /// <summary>The types of models, as scene files name them.</summary>
     public static IReadOnlyList<string> ModelTypes => PrimitiveList.Names;
-
-    private const string Kind = "scene file", Remedy = "; put large meshes into mesh files";
 
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     public static SceneReading Read(string path)
     {
         if (MeshFile.IsNamedLikeOne(path) && File.Exists(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-        if (InputBytes.ReadFile(path, Kind, MaxBytes, Remedy, out var bytes) is { } problem) return Unreadable(path, problem);
-        return Parse(bytes, path, Path.GetDirectoryName(path) ?? "");
+        return Read(path, Path.GetDirectoryName(path) ?? "", () => InputFile.Read(path, "scene file", MaxBytes, TooLong));
     }
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
     /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static SceneReading Read(Stream stream, string displayName, string folder)
+    public static SceneReading Read(Stream stream, string displayName, string folder) =>
+        Read(displayName, folder, () => InputFile.ReadToEnd(stream, "scene file", MaxBytes, TooLong));
+
+    private static SceneReading Read(string displayName, string folder, Func<ArraySegment<byte>> read)
     {
-        if (!InputBytes.TryReadToEnd(stream, MaxBytes, out var bytes)) return Unreadable(displayName, InputBytes.TooLong(Kind, MaxBytes, Remedy));
-        return Parse(bytes, displayName, folder);
+        try
+        {
+            return Parse(read(), displayName, folder);
+        }
+        catch (ProblemException e)
+        {
+            return Unreadable(displayName, e.Message);
+        }
     }
 
     /// <summary>Reads a text.</summary>
@@ -37,6 +48,25 @@ public static class SceneReader
     {
         var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var document);
         return new(scene, document.Problems()) { MeshFiles = document.MeshFiles, Text = utf8 };
+    }
+
+    /// <summary>Reads a short file in the form of a scene file. Returns null if there is an error.</summary>
+    /// <inheritdoc cref="Parse{T}"/>
+    internal static T? ReadShort<T>(string path, string name, Func<SceneObject, T?> read, out SceneReading reading) where T : class
+    {
+        ArraySegment<byte> utf8;
+        try
+        {
+            utf8 = InputFile.Read(path, "file", MaxShortBytes);
+        }
+        catch (ProblemException e)
+        {
+            reading = Unreadable(path, e.Message);
+            return null;
+        }
+        var result = Parse(utf8, path, "", name, read, out var document);
+        reading = new(null, document.Problems());
+        return result;
     }
 
     /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>

@@ -221,9 +221,9 @@ public class BrokenPictureTests
     [Fact]
     public void ADamagedTextIsNotReadAsAPart()
     {
-        var text = Chunk("tEXt", [.. System.Text.Encoding.Latin1.GetBytes(PngChunk.PartKeyword), 0, .. "x"u8]);
-        Assert.Equal("x", new PngReader(new MemoryStream(Png(Header(1, 1, 8, 2), text, Data(0, 1, 2, 3), Chunk("IEND"))), 100).PartText);
-        Assert.Null(new PngReader(new MemoryStream(Png(Header(1, 1, 8, 2), Spoilt(text), Data(0, 1, 2, 3), Chunk("IEND"))), 100).PartText);
+        var text = Chunk("tEXt", [.. "key\0x"u8]);
+        Assert.Equal("x", new PngReader(new MemoryStream(Png(Header(1, 1, 8, 2), text, Data(0, 1, 2, 3), Chunk("IEND"))), 100, keyword: "key").Text);
+        Assert.Null(new PngReader(new MemoryStream(Png(Header(1, 1, 8, 2), Spoilt(text), Data(0, 1, 2, 3), Chunk("IEND"))), 100, keyword: "key").Text);
     }
 
     private static byte[] Spoilt(byte[] chunk)

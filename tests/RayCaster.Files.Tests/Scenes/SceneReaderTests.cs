@@ -100,7 +100,16 @@ public class SceneReaderTests
 
     [Fact]
     public void AFolderIsNoScene() =>
-        Assert.Equal($"{SceneFolders.Root}: error: this is a folder, not a scene file", SceneReader.Read(SceneFolders.Root).Problems[0].ToString());
+        Assert.Equal($"{SceneFolders.Root}: error: it is a folder, not a scene file", SceneReader.Read(SceneFolders.Root).Problems[0].ToString());
+
+    [Fact]
+    public void AShortFileIsReadUpToTheLimit()
+    {
+        using var folder = new TemporaryFolder();
+        var path = folder.Write("rubric.json", new string(' ', SceneReader.MaxShortBytes + 1));
+        Assert.Null(SceneReader.ReadShort(path, "the rubric", _ => "read", out var reading));
+        Assert.Equal($"{path}: error: the file has more than 1,048,576 bytes, which is the limit\n", reading.Report());
+    }
 
     [Fact]
     public void NestingOf64IsJsonAndNoMore()

@@ -289,6 +289,7 @@ public sealed class WrittenFilesTests : IDisposable
     {
         Assert.Equal(message, Assert.Throws<ProblemException>(() => WrittenFiles.Write(path, _ => { })).Message);
         Assert.Equal(message, Assert.Throws<ProblemException>(() => PictureFile.Read(path)).Message);
+        Assert.EndsWith(message, Assert.Single(SceneReader.Read(path).Problems).Message);
     }
 
     [Fact]
