@@ -7,8 +7,6 @@ public static class MeshFile
     public const int MaxBytesAtOnce = 1 << 28;
 
     /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
-    /// <param name="names">Suggests names for the missing ones of many files.</param>
-    /// <exception cref="ProblemException">The file is not there, is of another kind, or is broken.</exception>
     internal static MeshData Read(string path, FileNames? names = null)
     {
         var reader = ReaderOf(path);
@@ -28,7 +26,6 @@ public static class MeshFile
 
     internal static bool IsNamedLikeOne(string path) => Path.GetExtension(path).ToLowerInvariant() is ".obj" or ".ply" or ".stl";
 
-    /// <exception cref="ProblemException">The extension names no kind of mesh file.</exception>
     internal static Func<MeshSource, MeshData> ReaderOf(string path) => Path.GetExtension(path).ToLowerInvariant() switch
     {
         ".obj" => ObjFile.Read,

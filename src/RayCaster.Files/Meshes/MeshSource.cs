@@ -2,7 +2,6 @@ namespace RayCaster.Files;
 
 /// <summary>The bytes of a mesh file in order. Only a piece of them is in memory, so a file may have any size.</summary>
 /// <param name="stream">The file's bytes; it must be able to seek.</param>
-/// <param name="pieceSize">How many bytes are in memory, unless a line is longer.</param>
 internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 << 20)
 {
     private byte[] buffer = new byte[Math.Min(pieceSize, stream.Length + 1)];

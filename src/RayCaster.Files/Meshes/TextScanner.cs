@@ -87,7 +87,6 @@ internal sealed class TextScanner
     public double NextNumber(string what) => ToNumber(NextInLine(), what);
 
     /// <summary>Reads the word that came last as a number.</summary>
-    /// <exception cref="ProblemException">It is something else, NaN, or beyond the largest number.</exception>
     public double ToNumber(ReadOnlySpan<byte> word, string what)
     {
         if (TryParse(word, out var number)) return number;

@@ -22,7 +22,6 @@ public sealed partial record PartFacts(int Width, int Height, LineRange Lines, s
 
     /// <summary>The facts of a part that is drawn now.</summary>
     /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
-    /// <param name="engine">The assembly that draws.</param>
     public static PartFacts Of(Scene scene, LineRange lines, string models, Assembly engine) =>
         new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene, models),
             VersionOf(typeof(Scene).Assembly, typeof(PartFacts).Assembly, engine));

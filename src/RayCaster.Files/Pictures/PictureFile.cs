@@ -100,7 +100,6 @@ public static class PictureFile
     }
 
     /// <summary>Refuses a size that a header promises, before anything is allocated for it.</summary>
-    /// <exception cref="ProblemException">A side is 0, or the picture is too large.</exception>
     internal static void CheckSize(long width, long height, long maxBytes)
     {
         if (width < 1 || height < 1)

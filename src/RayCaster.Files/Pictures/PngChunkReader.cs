@@ -7,7 +7,6 @@ internal sealed class PngChunkReader
     private readonly byte[] frame = new byte[8], scratch = new byte[1 << 14];
     private uint crc;
 
-    /// <exception cref="ProblemException">The file cannot seek, or does not begin like a PNG.</exception>
     public PngChunkReader(Stream file)
     {
         if (!file.CanSeek) throw new ProblemException("it is a pipe or a device; name a file");
@@ -59,7 +58,6 @@ internal sealed class PngChunkReader
 
     /// <summary>Reads the next bytes of the chunk's data, and checks the checksum after the last of them.</summary>
     /// <returns>How many: fewer than the buffer holds only at the chunk's end.</returns>
-    /// <exception cref="ProblemException">The checksum is wrong, or the file became shorter.</exception>
     public int Read(Span<byte> buffer)
     {
         if (Left == 0) return 0;

@@ -19,10 +19,7 @@ internal sealed class PngReader
     private readonly long firstData;
 
     /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
-    /// <param name="warn">Gets what is damaged, but not needed for the pixels.</param>
     /// <param name="keyword">The keyword of the <see cref="Text"/>.</param>
-    /// <exception cref="ProblemException">The file is damaged, or the picture needs more than <paramref name="maxBytes"/> bytes, three
-    /// for each pixel.</exception>
     public PngReader(Stream file, long maxBytes, Action<string>? warn = null, string keyword = "")
     {
         chunks = new(file);
@@ -97,7 +94,6 @@ internal sealed class PngReader
     }
 
     /// <summary>Reads all lines, three bytes for each pixel, and checks the end of the data.</summary>
-    /// <exception cref="ProblemException">The picture is interlaced, so that its lines do not follow each other, or its data are damaged.</exception>
     public void ReadLines(Action<ReadOnlySpan<byte>> take)
     {
         if (Header.Interlaced) throw new ProblemException("it is interlaced, so that its lines cannot be read one after another");

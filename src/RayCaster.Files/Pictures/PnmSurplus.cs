@@ -7,8 +7,6 @@ namespace RayCaster.Files;
 internal readonly struct PnmSurplus(int kind, int width, int height, int maxval, bool endsWithCr)
 {
     /// <summary>The likely cause; null if it is not known.</summary>
-    /// <param name="data">All bytes after the header.</param>
-    /// <param name="due">How many there should be.</param>
     /// <param name="isHarmless">Whether the pixels are right all the same, or wrong only in a way that a diagnosis names.</param>
     public string? Cause(ReadOnlySpan<byte> data, long due, out bool isHarmless)
     {

@@ -14,8 +14,6 @@ internal sealed class JsonTree
     private JsonTree(SourceText text) => Text = text;
 
     /// <summary>A token; an object's keys stand before their values.</summary>
-    /// <param name="Start">The place of its first byte.</param>
-    /// <param name="End">The place after its last byte.</param>
     /// <param name="Next">The node after this one and all nodes in it.</param>
     public readonly record struct Node(JsonTokenType Kind, int Start, int End, int Next);
 
@@ -53,7 +51,6 @@ internal sealed class JsonTree
     }
 
     /// <param name="text">Valid UTF-8.</param>
-    /// <param name="mistake">Why it is not JSON, if null is returned.</param>
     public static JsonTree? Parse(SourceText text, out JsonMistake? mistake)
     {
         var tree = new JsonTree(text);

@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>A scene file while it is read: its text, the problems found so far, and the mesh files that it names.</summary>
-/// <param name="folder">The folder where paths of mesh files start.</param>
 internal sealed class SceneDocument(SourceText text, string folder)
 {
     private const int LongestMessage = 2000; // a mesh file's path in it may have any length
