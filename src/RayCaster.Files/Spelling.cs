@@ -4,8 +4,8 @@ namespace RayCaster.Files;
 public static class Spelling
 {
     /// <summary>The words of other programs, and of British English, for words of the scene file.</summary>
-    private static readonly (string Ours, string Others)[] synonyms =
-    [
+    private static readonly ILookup<string, string> synonyms = new (string Ours, string Others)[]
+    {
         ("position", "eye from origin location pos lookfrom look_from viewpoint camera_position eyepos"),
         ("target", "lookat look_at look view interest focus at to center direction"),
         ("up", "vup upvector up_vector view_up updir"),
@@ -38,7 +38,8 @@ public static class Spelling
         ("circle", "disc disk"),
         ("triangle", "tri"),
         ("mesh", "obj"),
-    ];
+    }.SelectMany(line => line.Others.Split(' '), (line, other) => (other, line.Ours))
+        .ToLookup(pair => pair.other, pair => pair.Ours, StringComparer.OrdinalIgnoreCase);
 
     /// <summary>The most likely right word, or null.</summary>
     /// <remarks>
@@ -49,8 +50,7 @@ public static class Spelling
     public static string? Nearest(string word, IEnumerable<string> known)
     {
         if (known.FirstOrDefault(candidate => candidate.Equals(word, StringComparison.OrdinalIgnoreCase)) is { } same) return same;
-        foreach (var (ours, others) in synonyms)
-            if (others.Split(' ').Contains(word, StringComparer.OrdinalIgnoreCase) && known.Contains(ours)) return ours;
+        if (synonyms[word].FirstOrDefault(known.Contains) is { } synonym) return synonym;
 
         if (word.Length >= 4 && known.Where(longer => longer.Contains(word, StringComparison.OrdinalIgnoreCase)).Take(2).ToArray() is [var only])
             return only;

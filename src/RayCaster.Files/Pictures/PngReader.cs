@@ -24,7 +24,8 @@ internal sealed class PngReader
     {
         chunks = new(file);
         PngHeader? header = null;
-        var (dataBytes, paletteBytes, before) = (0L, 0L, "");
+        var (dataBytes, paletteBytes) = (0L, 0L);
+        var before = "";
         for (chunks.Next(); ; before = chunks.Type, chunks.Next())
         {
             if (header is null && chunks.Type != "IHDR") throw new ProblemException($"its first chunk is {chunks.Type} instead of IHDR");

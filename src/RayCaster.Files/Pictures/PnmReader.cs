@@ -63,7 +63,8 @@ internal sealed class PnmReader
     private Picture ReadPixels(bool isWhole)
     {
         var rgb = new byte[isWhole ? 3L * width * height : Math.Min(FirstBytes, 3L * width * height)];
-        for (var (y, at) = (0, 0); y < height; y++)
+        var at = 0;
+        for (var y = 0; y < height; y++)
         {
             if (kind == 6 && maxval == 255)
             {
@@ -184,7 +185,8 @@ internal sealed class PnmReader
     /// <summary>Says why a file has more or fewer bytes than its header promises. What spoils the pixels is an error.</summary>
     private void CheckSurplus(long surplus, Action<string> warn)
     {
-        var (there, from) = (DataBytes + surplus, file.Position);
+        var there = DataBytes + surplus;
+        var from = file.Position;
         var all = there <= 32 * DataBytes + FirstBytes && InputFile.TryReadToEnd(file, Array.MaxLength - 1, out var read) ? read : [];
         file.Position = from;
         var cause = new PnmSurplus(kind, width, height, maxval, endsWithCr: next == '\r').Cause(all, DataBytes, out var isHarmless);

@@ -42,7 +42,8 @@ internal readonly struct PnmSurplus(int kind, int width, int height, int maxval,
         if (letters < body.Length && (letters == due || letters - splits == due))
             return "each byte above 127 has become two or more: write bytes to a stream, not characters or a redirected text";
         if (maxval > 255) return null;
-        var (pixels, sample) = ((long)width * height, kind == 6 ? 3 : 1);
+        var pixels = (long)width * height;
+        var sample = kind == 6 ? 3 : 1;
         var perPixel = data.Length % pixels == 0 ? data.Length / pixels : 0;
         return (kind, perPixel) switch
         {

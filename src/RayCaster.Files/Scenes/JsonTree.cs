@@ -38,7 +38,8 @@ internal sealed class JsonTree
     /// <summary>The text with other values in place of some, in ASCII; comments and layout stay.</summary>
     public byte[] With(IEnumerable<(JsonValue Value, string Text)> edits)
     {
-        var (text, done) = (new MemoryStream(), 0);
+        var text = new MemoryStream();
+        var done = 0;
         text.Write(Text.Mark);
         foreach (var (value, by) in edits.OrderBy(edit => edit.Value.Start))
         {
@@ -65,12 +66,14 @@ internal sealed class JsonTree
                 (last, lastEnd) = (reader.TokenType, (int)reader.BytesConsumed); // a key's ends after its colon
                 if (last is JsonTokenType.EndObject or JsonTokenType.EndArray)
                 {
-                    tree.Close(open[--depth], lastEnd);
+                    tree.lastClosed = open[--depth];
+                    tree.nodes[tree.lastClosed] = tree.nodes[tree.lastClosed] with { End = lastEnd, Next = tree.nodes.Count };
                     continue;
                 }
                 if (last is JsonTokenType.StartObject or JsonTokenType.StartArray) open[depth++] = tree.nodes.Count;
                 var start = (int)reader.TokenStartIndex;
-                tree.Add(last, start, last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd);
+                var end = last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd;
+                tree.nodes.Add(new(last, start, end, tree.nodes.Count + 1));
             }
             mistake = null;
             return tree;
@@ -80,13 +83,5 @@ internal sealed class JsonTree
             mistake = new JsonExpectation(tree, open.AsSpan(0, depth), last, lastEnd).Explain(e);
             return null;
         }
-    }
-
-    private void Add(JsonTokenType kind, int start, int end) => nodes.Add(new(kind, start, end, nodes.Count + 1));
-
-    private void Close(int opening, int end)
-    {
-        nodes[opening] = nodes[opening] with { End = end, Next = nodes.Count };
-        lastClosed = opening;
     }
 }

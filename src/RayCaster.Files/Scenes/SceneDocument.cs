@@ -28,18 +28,13 @@ internal sealed class SceneDocument(SourceText text, string folder)
     }
 
     /// <summary>The problems in the order of the text; at one place, in the order in which they were found.</summary>
-    public Problem[] Problems()
-    {
-        if (findings.Count == 0) return [];
-        return
-        [
-            .. from finding in findings
-               orderby finding.Start
-               let place = text.Locate(finding.Start)
-               select new Problem(
-                   finding.IsError, text.Name, place.Line, place.Column, finding.Message, text.Excerpt(finding.Start, finding.End)),
-        ];
-    }
+    public Problem[] Problems() =>
+    [
+        .. from finding in findings
+           orderby finding.Start
+           let place = text.Locate(finding.Start)
+           select new Problem(finding.IsError, text.Name, place.Line, place.Column, finding.Message, text.Excerpt(finding.Start, finding.End)),
+    ];
 
     /// <summary>The content of a mesh file. A file that several models name is read only once.</summary>
     /// <param name="file">The path as the scene writes it; both / and \ separate folders.</param>

@@ -47,7 +47,7 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
     public string PathOf(string key, int? element = null) => (path.Length > 0 ? path + "." + key : key) + (element is { } i ? $"[{i}]" : "");
 
     public double Number(string key, string meaning, Limits limits, double? orElse = null) =>
-        Take(new(key, KeyKind.Number, meaning, orElse is null, orElse) { Limits = limits }) is { } value ? value.Number(limits) : orElse ?? double.NaN;
+        Take(new(key, KeyKind.Number, meaning, orElse is null, orElse) { Limits = limits })?.Number(limits) ?? orElse ?? double.NaN;
 
     public double Radius(string key, string meaning)
     {
@@ -89,8 +89,8 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
         {
             var before = triangles.Count;
             face.AddTriangles(limits, triangles);
-            if (IsSound && vertices.Length > 0 && triangles.Count > before + 3 && Fan.IsFolded(CollectionsMarshal.AsSpan(triangles)[before..], vertices))
-                face.Report(false, " " + Fan.Warning);
+            if (!IsSound || vertices.Length == 0 || triangles.Count <= before + 3) continue;
+            if (Fan.IsFolded(CollectionsMarshal.AsSpan(triangles)[before..], vertices)) face.Report(false, " " + Fan.Warning);
         }
         return [.. triangles];
     }
@@ -206,7 +206,7 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
     }
 
     private Vector3 Vector(string key, KeyKind kind, string meaning, Limits limits, Vector3? orElse) =>
-        Take(new(key, kind, meaning, orElse is null, orElse)) is { } value ? value.Vector(limits) : orElse ?? SceneValue.NoVector;
+        Take(new(key, kind, meaning, orElse is null, orElse))?.Vector(limits) ?? orElse ?? SceneValue.NoVector;
 
     /// <summary>The elements of an array, until there are too many errors; none where it is left out or something else.</summary>
     private IEnumerable<SceneValue> Elements(SceneKey key, string name) =>

@@ -77,18 +77,12 @@ public static class SceneReader
         where T : class
     {
         document = new SceneDocument(new SourceText(displayName, utf8), folder);
-        var root = ReadRoot(document, name);
+        var mistake = Encodings.MistakeIn(document.Text.Utf8);
+        var tree = mistake is null ? JsonTree.Parse(document.Text, out mistake) : null;
+        if (mistake is { } wrong) document.Add(true, wrong.Start, wrong.End, wrong.Message);
+        var root = tree is null ? null : SceneObject.AsObject(document, tree.Root, "", name);
         var result = root is null ? null : read(root);
         return document.ErrorCount == 0 ? result : null;
-    }
-
-    private static SceneObject? ReadRoot(SceneDocument document, string name)
-    {
-        var mistake = Encodings.MistakeIn(document.Text.Utf8);
-        if (mistake is null && JsonTree.Parse(document.Text, out mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name);
-        var (start, end, message) = mistake!.Value;
-        document.Add(true, start, end, message);
-        return null;
     }
 
     /// <summary>Reads the outermost object of a scene; null if there is an error in it.</summary>
@@ -126,10 +120,11 @@ public static class SceneReader
                 "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner);
         o.Close();
 
-        var (position, view) = (o.PathOf("position"), camera.Target - camera.Position);
+        var view = camera.Target - camera.Position;
+        var position = o.PathOf("position");
         var (width, height, zNear, zFar, fovY) = (camera.Width, camera.Height, camera.ZNear, camera.ZFar, camera.FovY);
-        var (ofUp, ofZNear) = (o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]",
-            o.Has("zNear") ? "" : " where it is not given");
+        var ofUp = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
+        var ofZNear = o.Has("zNear") ? "" : " where it is not given";
         if (view.Length == 0) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
         else if (Camera.IsParallel(camera.Up, view))
             o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {position}, but is {camera.Up}{ofUp}");

@@ -17,7 +17,8 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     {
         get
         {
-            var (owner, name) = (o, Name);
+            var owner = o; // a lambda of a struct cannot use "this"
+            var name = Name;
             return json.Content.Select((value, i) => new SceneValue(owner, value, name, i));
         }
     }
@@ -47,7 +48,8 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     {
         if (json.Kind == JsonTokenType.StartArray && Elements.Take(4).ToArray() is [var x, var y, var z])
             return new(x.Number(limits), y.Number(limits), z.Number(limits));
-        var found = json.Kind == JsonTokenType.StartArray ? $"has {MeshBuilder.Counted(json.Content.Count(), "element")}{DecimalComma()}" : $"is {json.InWords}";
+        var found = json.Kind == JsonTokenType.StartArray ? $"has {MeshBuilder.Counted(json.Content.Count(), "element")}{DecimalComma()}"
+            : $"is {json.InWords}";
         Report(true, $" must be {form}, but {found}");
         return NoVector;
     }

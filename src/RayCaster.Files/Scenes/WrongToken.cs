@@ -6,7 +6,7 @@ namespace RayCaster.Files;
 /// early.</summary>
 internal readonly ref struct WrongToken(SourceText text)
 {
-    /// <summary>How numbers are wrong, and messages with the word and the right number. A blank follows the number unless it ends the file.</summary>
+    /// <summary>How numbers are wrong, and messages with the word and the right number. Unless it ends the file, a blank follows.</summary>
     private static readonly (string Pattern, string Message)[] wrongNumbers =
     [
         (@"^\+", "a number has no plus sign: write {1}"),
