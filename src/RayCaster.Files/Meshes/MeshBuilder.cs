@@ -49,7 +49,6 @@ internal sealed class MeshBuilder(MeshSource source)
         indices.Add(c);
     }
 
-    /// <param name="warning">What was ignored in the file.</param>
     /// <param name="placeName">What <see cref="EndFace"/> was told: "in line" or "at byte".</param>
     /// <param name="others">What the file has besides vertices and faces.</param>
     public MeshData Finish(string? warning = null, string placeName = "in line", params (int Count, string Name)[] others)

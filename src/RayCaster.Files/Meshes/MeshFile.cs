@@ -35,8 +35,9 @@ public static class MeshFile
         var other => throw new ProblemException($"{path}: a mesh file must be .obj, .ply or .stl, but this one is {other}"),
     };
 
-    private static MemoryStream Copy(Stream stream) => InputFile.TryReadToEnd(stream, MaxBytesAtOnce, out var bytes)
-        ? new(bytes.Array!, 0, bytes.Count, writable: false)
-        : throw new ProblemException(FormattableString.Invariant(
-            $"a pipe or device of more than {MaxBytesAtOnce:N0} bytes is not read, but a file of any size is"));
+    private static MemoryStream Copy(Stream stream)
+    {
+        var bytes = InputFile.ReadToEnd(stream, "pipe or device", MaxBytesAtOnce, "; a file may have any size");
+        return new(bytes.Array!, 0, bytes.Count, writable: false);
+    }
 }

@@ -19,13 +19,10 @@ internal sealed class PngChunkReader
                 + "Open the file in binary mode");
     }
 
-    /// <summary>The chunk's four letters.</summary>
     public string Type { get; private set; } = "";
 
-    /// <summary>Where the chunk begins in the file.</summary>
     public long Place { get; private set; }
 
-    /// <summary>How many of its bytes are not read yet.</summary>
     public long Left { get; private set; }
 
     /// <summary>Whether the chunk's checksum is wrong. That is an error unless the pixels do not need the chunk.</summary>
@@ -84,7 +81,6 @@ internal sealed class PngChunkReader
         while (Left > 0) Read(scratch);
     }
 
-    /// <summary>Skips the rest of the chunk and its checksum.</summary>
     public void Skip()
     {
         if (Left == 0) return; // the checksum was read already

@@ -19,7 +19,6 @@ internal sealed class PngReader
     private readonly long firstData;
 
     /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
-    /// <param name="keyword">The keyword of the <see cref="Text"/>.</param>
     public PngReader(Stream file, long maxBytes, Action<string>? warn = null, string keyword = "")
     {
         chunks = new(file);

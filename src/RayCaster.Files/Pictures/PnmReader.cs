@@ -9,7 +9,6 @@ internal sealed class PnmReader
     /// <summary>The first memory for a picture from a pipe. It grows with the data, because the header may promise too much.</summary>
     private const int FirstBytes = 1 << 16;
 
-    /// <summary>So much of a word is shown.</summary>
     private const int LongestWord = 40;
 
     private readonly BufferedStream file;
@@ -149,7 +148,6 @@ internal sealed class PnmReader
         return ends && wordLength > 0 && number <= most && number >= (what is null ? 0 : 1) ? (int)number : throw Wrong(ReadWord(), what, most);
     }
 
-    /// <summary>The rest of the word that was begun.</summary>
     private string ReadWord()
     {
         for (; next >= 0 && !IsBlank(next) && wordLength < LongestWord; Advance()) word[wordLength++] = (byte)next;

@@ -8,8 +8,6 @@ internal readonly record struct JsonMistake(int Start, int End, string Message);
 /// Says why a text is not JSON, after <see cref="Utf8JsonReader"/> has refused it: compares what follows the last good token with what JSON
 /// allows there.
 /// </summary>
-/// <param name="tree">The tokens before the mistake.</param>
-/// <param name="open">The arrays and objects that are open at the mistake.</param>
 /// <param name="lastEnd">The place after the last good token; after a key the place after its colon.</param>
 internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> open, JsonTokenType last, int lastEnd)
 {

@@ -29,7 +29,6 @@ internal sealed class JsonTree
     /// <summary>The bytes between the quotes of a text or key.</summary>
     public ReadOnlySpan<byte> Written(int node) => Text.Utf8[(nodes[node].Start + 1)..(nodes[node].End - 1)];
 
-    /// <summary>The token that was added last.</summary>
     public Node Last => nodes[^1];
 
     /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>

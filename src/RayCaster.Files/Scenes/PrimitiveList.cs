@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>A type of model as a scene file names it.</summary>
-/// <param name="Name">The value of the key <c>type</c>.</param>
 /// <param name="Read">Reads the type's own keys; name and colour are the same for all types.</param>
 internal sealed record PrimitiveType(string Name, string Meaning, Func<SceneObject, Model> Read);
 

@@ -15,10 +15,8 @@ internal sealed class SceneDocument(SourceText text, string folder)
 
     public SourceText Text => text;
 
-    /// <summary>The full paths of the mesh files that the scene names.</summary>
     public IReadOnlyCollection<string> MeshFiles => meshes is null ? [] : meshes.Keys;
 
-    /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
     public void Add(bool isError, int start, int end, string message)
     {
         if (isError) ErrorCount++;

@@ -66,7 +66,6 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
 
     public Vector3 Vector(string key, string meaning, Vector3? orElse = null) => Vector(key, KeyKind.Vector, meaning, Limits.Coordinate, orElse);
 
-    /// <summary>A vector of any length but zero.</summary>
     public Vector3 Direction(string key, string meaning, Vector3? orElse = null)
     {
         var direction = Vector(key, KeyKind.Direction, meaning, Limits.None, orElse);
@@ -75,7 +74,6 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
         return SceneValue.NoVector;
     }
 
-    /// <summary>An array of vectors; empty where it is left out.</summary>
     public Vector3[] Vectors(string key, string meaning) =>
         [.. Elements(new(key, KeyKind.Vectors, meaning, false), "vectors").Select(vector => vector.Vector(Limits.None))];
 
@@ -131,7 +129,6 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
         return null;
     }
 
-    /// <summary>A text that names a file; null where it is left out or something else.</summary>
     public string? FileName(string key, string meaning) =>
         Take(new(key, KeyKind.FileName, meaning, false)) is { } value && value.IsFileName() ? value.Text : null;
 
@@ -144,10 +141,8 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
     public string? Choice(string key, string meaning, string? orElse, string[] words) =>
         Take(new(key, KeyKind.Choice, meaning, orElse is null, orElse) { Choices = words })?.OneOf(words);
 
-    /// <summary>One of several words; the first where it is left out.</summary>
     public string OptionalChoice(string key, string meaning, params string[] words) => Choice(key, meaning, words[0], words) ?? words[0];
 
-    /// <summary>An object; null if it is missing, or something else.</summary>
     public SceneObject? Object(string key, string meaning)
     {
         if (described is not null)
@@ -171,7 +166,6 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
     public void Refuse(string key, FormattableString message, int? element = null) =>
         Report(true, Place(key, element), key, FormattableString.Invariant(message), element);
 
-    /// <summary>Warns of a value: <paramref name="message"/> follows the path.</summary>
     public void Warn(string key, FormattableString message) => Report(false, Place(key, null), key, FormattableString.Invariant(message));
 
     /// <summary>Refuses the keys that were not read, and those that are there twice.</summary>

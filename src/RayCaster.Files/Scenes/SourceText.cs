@@ -37,7 +37,6 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         return (line, column);
     }
 
-    /// <summary>The line of a byte, from 1.</summary>
     public int LineOf(int offset)
     {
         var found = Array.BinarySearch(LineStarts, offset);
