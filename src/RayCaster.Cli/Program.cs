@@ -5,7 +5,8 @@ internal static class Program
     /// <summary>All commands, as the help page lists them. Without the name of one the app draws a scene.</summary>
     internal static readonly (string, Command[])[] Groups =
     [
-        ("For students", [new LiveCommand(), new DiagnoseCommand(), new CompareCommand(), new ExplainCommand(), new ModelsCommand(), new MapCommand()]),
+        ("For students", [new LiveCommand(), new DiagnoseCommand(), new CompareCommand(), new ExplainCommand(),
+            new ModelsCommand(), new MapCommand()]),
         ("For teachers", [new HandOutCommand(), new MarkCommand(), new VaryCommand(), new CheckCommand(), new WrongCommand()]),
         ("For large pictures and many", [new PartCommand(), new StitchCommand(), new OrbitCommand()]),
     ];

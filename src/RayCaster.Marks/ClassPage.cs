@@ -11,7 +11,7 @@ internal static class ClassPage
             .GroupBy(made => made.id, made => made.student).OrderByDescending(made => made.Count()).ToArray();
         if (mistakes is [var most, ..])
             page.Element("h2", $"Most often: {Cause(most.Key)}")
-                .Html($"<p>{most.Count()} of {marks.Count}{Page.Escaped(Slide(most.Key, "; slide \"", "\""))}: {Links(most)}</p>")
+                .Html($"<p>{most.Count()} of {marks.Count}: {Links(most)}</p>")
                 .Html($"<p class=\"beside\">{Pictures(rubric, most.Key)}</p>");
         var undecided = Mean(marks, student => student.Undecided);
         page.Element("p", $"{Mean(marks, student => student.Points)} of {MarksTable.Number(rubric.Points)} points on average" +
@@ -22,8 +22,8 @@ internal static class ClassPage
             $"<tr><td>{Link(student)}</td><td class=\"long\">{string.Join("<br>", student.LookYourself.Select(Page.Escaped))}</td></tr>")]);
         page.Table("Mistakes by frequency", ["Students", "Mistake", "What is wrong", "Slide", "What it draws, and the right picture"],
             [.. mistakes.Select(made =>
-                $"<tr><td class=\"n\">{made.Count()}</td><td>{Page.Escaped(made.Key)}</td><td>{Page.Escaped(Cause(made.Key))}</td>" +
-                $"<td>{Page.Escaped(Slide(made.Key))}</td><td class=\"beside\">{Pictures(rubric, made.Key)}</td></tr>")]);
+                $"<tr><td class=\"n\">{made.Count()}</td><td>{Page.Escaped(made.Key)}</td><td>{Page.Escaped(Cause(made.Key))}</td><td>" +
+                $"{Page.Escaped(MistakeCatalog.Named(made.Key)?.Slide ?? "")}</td><td class=\"beside\">{Pictures(rubric, made.Key)}</td></tr>")]);
         page.Table("The same wrong pictures, to the byte: the same mistake draws the same", ["Students", "Scenes"], SamePictures(marks));
         page.Table("All", ["Student", "Points", .. rubric.Items.Select(item => item.Name), "Found"],
             [.. marks.Select(student => Row(rubric, student))]);
@@ -34,9 +34,6 @@ internal static class ClassPage
         MarksTable.Number(Math.Round(marks.Average(points), 2));
 
     private static string Cause(string id) => MistakeCatalog.Named(id)?.Cause ?? MarkWords.NotDrawn(id);
-
-    private static string Slide(string id, string before = "", string after = "") =>
-        MistakeCatalog.Named(id) is { } mistake ? $"{before}{mistake.Slide}{after}" : "";
 
     /// <summary>What a mistake makes of the scene that it changes most, as small pictures show, beside the right picture.</summary>
     private static string Pictures(Rubric rubric, string id)

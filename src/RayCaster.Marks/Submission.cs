@@ -65,7 +65,7 @@ internal sealed record Submission(string Folder)
     public static IReadOnlyList<SubmittedPicture> None(Rubric rubric, string problem) =>
         [.. rubric.Scenes.Select(scene => new SubmittedPicture(scene, null, problem))];
 
-    /// <summary>The files whose paths fit a pattern, as paths from the folder; no link, nothing behind one, and no pipe, which has no length.</summary>
+    /// <summary>The files whose paths fit a pattern, as paths from the folder; no link, nothing behind one, no pipe, which has no length.</summary>
     public IReadOnlyList<string> FilesLike(string pattern)
     {
         var folder = Path.GetDirectoryName(pattern) ?? "";

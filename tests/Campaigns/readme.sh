@@ -37,7 +37,7 @@ while IFS= read -r line; do
     case $line in
         '```') [ -z "$fenced" ] && fenced=yes || fenced= ;;
         '```'*) fenced=other ;;
-        '    dotnet test') ;; # all tests: .ci/run does that
+        '    dotnet test -c Release') ;; # all tests: .ci/run does that
         '    dotnet '*) [ -z "$fenced" ] && follow "${line#    }" ;;
         '$ '*) [ "$fenced" = yes ] && follow "${line#$ }" ;;
         ... | '') ;;

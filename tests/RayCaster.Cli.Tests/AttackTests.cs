@@ -110,12 +110,15 @@ public sealed class AttackTests : CommandTests
         raycaster.Write(
             "t.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [ { "type": "mesh", "file": "cube.obj" } ] }""");
         Directory.CreateSymbolicLink(raycaster.PathOf("link"), raycaster.Folder);
+        File.CreateSymbolicLink(raycaster.PathOf("alias.json"), "t.json");
         raycaster.Run("part", "t.json", "0..7", "-s", "8x8", "-o", "a.png", "-q");
         var before = Content();
         string[] commands =
         [
             "t.json -o t.json --format png",
             "t.json -o link/t.json --format png",
+            "t.json -o alias.json --format png",
+            "alias.json -o t.json --format png",
             "t.json -o cube.obj --format ppm",
             "wrong t.json rows -o cube.obj --format png",
             "compare a.png a.png -o link/a.png",

@@ -65,7 +65,7 @@ public sealed class CommandLineTests : CommandTests
         Assert.Equal((2, """
             raycaster: unknown option '--quite'; did you mean '--quiet'?
             Usage:
-              raycaster mark <rubric> [<submissions>] [options]
+              raycaster mark <rubric> [<pictures>] [options]
             Try 'raycaster help mark', or dotnet run --project src/RayCaster.Cli -- help mark.
 
             """), (raycaster.ExitCode, raycaster.Error));

@@ -65,7 +65,7 @@ public sealed class MarkTests : CommandTests
     {
         WriteRubric("");
         Folder(".git");
-        raycaster.Write("class/ball.png", "");
+        raycaster.Write("class/notes.txt", "");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
         Assert.Equal((2, "raycaster: no submissions in class: it contains no folders and 1 file, but must contain a folder for each student, " +
             "named after the student\n"), (raycaster.ExitCode, raycaster.Error));

@@ -218,7 +218,7 @@ public sealed class ClassMarksTests : IDisposable
         var page = File.ReadAllText(folder["marks/class.html"]);
         var first = page[page.IndexOf("</h1>")..page.IndexOf("<img")];
         Assert.Contains($"<h2>Most often: {Page.Escaped(MistakeCatalog.Named("far-root")!.Cause)}</h2>", first);
-        Assert.Contains("2 of 4; ", first);
+        Assert.Contains("2 of 4: ", first);
         Assert.Contains("\">anna</a>, <a href=\"boris/feedback.html\">boris</a>", first);
     }
 

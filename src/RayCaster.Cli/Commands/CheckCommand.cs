@@ -10,7 +10,8 @@ internal sealed class CheckCommand() : Command("check", "<scene>...", "Finds err
 
     public override string Description =>
         "Finds errors in scene files without casting a ray. Then says how good the scenes are as tests: which mistakes of a ray caster their " +
-        "pictures cannot show or cannot distinguish, how many pixels depend on the last bits, and what to change. Several scenes are judged as a set.";
+        "pictures cannot show or cannot distinguish, how many pixels depend on the last bits, and what to change. Several scenes are judged " +
+        "as a set.";
 
     public override IReadOnlyList<(string, string)> Arguments =>
         [("<scene>...", "Scene files, or patterns like \"scenes/weeks/*.json\"; \"-\" reads a scene from standard input.")];

@@ -10,9 +10,9 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
 
     public override string Description =>
         "Says whether two pictures are the same, and where they differ. If a change of the whole picture explains the difference, names it: " +
-        "flipped, moved, red and blue swapped, ... Two pictures are the same if they are identical, or if at most 1 % of the pixels differ by 1 of " +
-        "255 levels. Also, a pixel on an outline may show the other side of the outline. Colours are compared as they are stored: transparency " +
-        "and colour profiles are ignored.";
+        "flipped, moved, red and blue swapped, ... Two pictures are the same if they are identical, or if at most 1 % of the pixels differ by " +
+        "1 of 255 levels. Also, a pixel on an outline may show the other side of the outline. Colours are compared as they are stored: " +
+        "transparency and colour profiles are ignored.";
 
     public override IReadOnlyList<(string, string)> Arguments =>
         [("<mine>", "The picture in question: PNG, PPM, PGM or PBM."), ("<reference>", "The picture that it should be.")];
@@ -29,7 +29,8 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         var (mineFile, referenceFile, file) = (files[0], files[1], line.Get(output));
         InputFiles.Note(files);
         var format = file is null ? PictureFormat.Png : PictureFormats.ByExtension(file);
-        var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
+        Action<string> warn = StandardStreams.WriteError;
+        var (mine, reference) = (PictureFile.Read(mineFile, warn), PictureFile.Read(referenceFile, warn));
         var scene = line.Get(sceneFile) is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
         if (scene is null && line.Get(sceneFile) is not null) return ExitCode.CouldNot;
 

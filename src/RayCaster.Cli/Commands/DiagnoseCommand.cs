@@ -50,7 +50,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
             return ExitCode.CouldNot;
         }
 
-        var picture = PictureFile.Read(picturePath);
+        var picture = PictureFile.Read(picturePath, StandardStreams.WriteError);
         var size = (scene.Camera.Width, scene.Camera.Height);
         var hasOtherSize = (picture.Width, picture.Height) != size && (picture.Height, picture.Width) != size;
         if (hasOtherSize)
@@ -61,7 +61,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
             scene = scene.WithSize(picture.Width, picture.Height);
         }
         var budget = line.Budget();
-        var prepared = new SceneDiagnosis(scene, line.Get(Option.Threads), budget: budget);
+        var prepared = new SceneDiagnosis(scene, line.Get(Option.Threads), budget: budget, size: size);
         var diagnosis = prepared.Judge(picture, line.Get(parts) ?? []);
         var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
         if (budget?.LeavesOut == true) line.Warn("Not everything was tried within 10 s of processor time; --all tries everything.");

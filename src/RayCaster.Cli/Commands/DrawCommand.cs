@@ -16,7 +16,8 @@ internal sealed class DrawCommand() : Command("draw", "<scene>", "Draws a scene.
     public override string[] Examples => ["scenes/room.json", "scenes/room.json -o room.ppm --size 1920x1080"];
 
     public override string ExitCodes =>
-        "0 done, 1 the answer is no (pictures differ, parts are missing), 2 failed, 70 internal error, 129 hung up, 130 interrupted, 143 terminated.";
+        "0 done, 1 the answer is no (pictures differ, parts are missing), 2 failed, 70 internal error, 129 hung up, 130 interrupted, " +
+        "143 terminated.";
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {

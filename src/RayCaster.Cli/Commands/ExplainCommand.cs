@@ -13,7 +13,8 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
     [
         Scene,
         ("<column>", "The pixel's column, from the left, from 0."),
-        ("<line>", "The pixel's line, from the top, from 0, as picture viewers count. The formulas count rows from the bottom: r = height - 1 - line."),
+        ("<line>", "The pixel's line, from the top, from 0, as picture viewers count. " +
+            "The formulas count rows from the bottom: r = height - 1 - line."),
     ];
 
     public override IReadOnlyList<Option> Options => [reference, Option.Size, Option.Quiet];
@@ -46,7 +47,7 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
 
     private static Picture ReadReference(string path, Camera camera)
     {
-        var picture = PictureFile.Read(path);
+        var picture = PictureFile.Read(path, StandardStreams.WriteError);
         return (picture.Width, picture.Height) == (camera.Width, camera.Height) ? picture : throw new ProblemException(
             $"{path} has {picture.Width} x {picture.Height} pixels, but the scene's picture {camera.Width} x {camera.Height}\n" +
             $"  Its size as an option: --size {picture.Width}x{picture.Height}");

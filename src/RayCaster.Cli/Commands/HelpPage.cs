@@ -20,7 +20,8 @@ internal static class HelpPage
         var examples = command.Examples.Select(example => "\n  raycaster " + example);
         return string.Join("\n\n", (string[])
         [
-            Paragraph("Description", command.Description), Usage(command), .. lists, Table("Arguments", command.Arguments), Table("Options", options),
+            Paragraph("Description", command.Description), Usage(command), .. lists,
+            Table("Arguments", command.Arguments), Table("Options", options),
             "Examples, where raycaster is \"dotnet run --project src/RayCaster.Cli --\":" + string.Concat(examples),
             Paragraph("Exit codes", command.ExitCodes),
         ]) + "\n";

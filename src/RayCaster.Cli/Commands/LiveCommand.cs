@@ -36,11 +36,9 @@ internal sealed class LiveCommand() : Command("live", "<scene>", "Opens a page t
 
     private static Process Start(List<string> arguments)
     {
-        const string Name = "raycaster-live.dll";
-        var beside = Path.Combine(AppContext.BaseDirectory, Name);
-        var start = File.Exists(beside) ? new ProcessStartInfo("dotnet", [beside, .. arguments])
-            : ProjectAbove(AppContext.BaseDirectory) is { } project ? new("dotnet", ["run", "--project", project, "--", .. arguments])
-            : throw new ProblemException($"the live page is a program of its own, {Name}, which is not in {AppContext.BaseDirectory}\n" +
+        var start = LiveProgram.Beside() is { } program ? new ProcessStartInfo("dotnet", [program, .. arguments])
+            : LiveProgram.Project() is { } project ? new("dotnet", ["run", "--project", project, "--", .. arguments])
+            : throw new ProblemException($"the live page is a program of its own, {LiveProgram.Name}, which is not in {AppContext.BaseDirectory}\n" +
                 "  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>");
         try
         {
@@ -51,14 +49,5 @@ internal sealed class LiveCommand() : Command("live", "<scene>", "Opens a page t
         {
             throw new ProblemException($"{start.FileName} cannot be started: {e.Message}");
         }
-    }
-
-    /// <summary>The project in the clone that this program was built in; null outside of one.</summary>
-    internal static string? ProjectAbove(string folder)
-    {
-        for (var parent = new DirectoryInfo(folder); parent is not null; parent = parent.Parent)
-            if (Path.Combine(parent.FullName, "src", "RayCaster.Live") is var project && File.Exists(Path.Combine(project, "RayCaster.Live.csproj")))
-                return project;
-        return null;
     }
 }

@@ -7,6 +7,8 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
     private static readonly Option<string> output = Option.Text("-o, --output", "<folder>",
         "The folder for the marks: marks.csv, class.html for the teacher, and feedback.html for each student. Points and comments that you have " +
         "entered into its marks.csv are kept.");
+    private static readonly Option<int?> threads = Option.Count("-t, --threads",
+        "How many students are marked at a time. [default: one per core]", 1024);
 
     public override string Description =>
         "Marks a class by pictures and test results: finds the mistakes, and gives points. What no known mistake explains is not scored; the " +
@@ -19,7 +21,7 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
         ("<pictures>", "A folder that contains a folder of pictures for each student."),
     ];
 
-    public override IReadOnlyList<Option> Options => [output, Option.Threads, Option.Quiet, Option.NoProgress];
+    public override IReadOnlyList<Option> Options => [output, threads, Option.Quiet, Option.NoProgress];
 
     public override string[] Examples => ["mark docs/rubric.json", "mark docs/rubric.json pictures -o marks"];
 
@@ -40,7 +42,7 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
         if (line.Get(output) is not { } folder) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
         using var progress = ProgressLine.For(line, 0, 0, "submissions");
         var start = Stopwatch.GetTimestamp();
-        var marks = new ClassMarks(rubric, folder, line.Get(Option.Threads) ?? Environment.ProcessorCount,
+        var marks = new ClassMarks(rubric, folder, line.Get(threads) ?? Environment.ProcessorCount,
             (done, all, next) => progress?.Show(done, all, next), StandardStreams.WriteError);
         var (count, toLookAt) = marks.Mark(line.Operands[1], cancellation);
         progress?.Dispose();

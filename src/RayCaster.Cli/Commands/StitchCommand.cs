@@ -10,9 +10,9 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
         "Writes no picture. Prints the lines that no part holds, as \"part\" takes them; nothing if no line is missing.");
 
     public override string Description =>
-        "Joins the parts of a picture that \"part\" has drawn, here or on many machines. The picture has the same pixels as one that is drawn at once. " +
-        "Refuses parts of different scenes, sizes or program versions, missing lines, and lines that two parts hold (even if they are equal: " +
-        "remove one of the files).";
+        "Joins the parts of a picture that \"part\" has drawn, here or on many machines. The picture has the same pixels as one that " +
+        "is drawn at once. Refuses parts of different scenes, sizes or program versions, missing lines, and lines that two parts hold (even if " +
+        "they are equal: remove one of the files).";
 
     public override IReadOnlyList<(string, string)> Arguments =>
     [
@@ -25,7 +25,8 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
     public override string[] Examples => ["stitch room.part-*.png -o room.png"];
 
     public override string ExitCodes =>
-        "0 done, or with --missing: no line is missing, 1 lines are missing or parts do not belong together, 2 failed, for example because a part is damaged.";
+        "0 done, or with --missing: no line is missing, 1 lines are missing or parts do not belong together, " +
+        "2 failed, for example because a part is damaged.";
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {

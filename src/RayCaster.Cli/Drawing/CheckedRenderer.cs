@@ -1,8 +1,10 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Draws small pictures by the definition, and others with the engine, until a pixel of the engine's differs from the definition. With
-/// <c>--plain</c>, draws every picture by the definition.
+/// Draws small pictures by the definition, and others with the engine, until a pixel of the engine's differs from the definition. In a native
+/// program the engine starts at once and draws small pictures, too. With <c>--plain</c>, draws every picture by the definition.
 /// </summary>
 /// <param name="manyFrames">Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</param>
 internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, bool manyFrames = false)
@@ -11,12 +13,13 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
     /// memory.</summary>
     private const long PixelsAtOnce = 1 << 22;
 
-    /// <summary>With no more rays times models, starting the engine takes longer than drawing by the definition.</summary>
+    /// <summary>With no more rays times models, compiling the engine takes longer than drawing by the definition.</summary>
     private const long SmallWork = 3_000_000;
 
     private readonly Renderer engine = new(scene, threads) { ManyFrames = manyFrames };
     private bool isByDefinition =
-        plain || (!manyFrames && (long)scene.Camera.Width * scene.Camera.Height * scene.ShapeCount <= SmallWork);
+        plain || (!manyFrames && RuntimeFeature.IsDynamicCodeCompiled &&
+            (long)scene.Camera.Width * scene.Camera.Height * scene.ShapeCount <= SmallWork);
 
     public Scene Scene => scene;
 

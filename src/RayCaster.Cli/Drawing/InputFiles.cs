@@ -16,24 +16,16 @@ internal static class InputFiles
             throw new ProblemException($"{output} is one of the files that are read\n  Choose another name with -o.");
     }
 
-    /// <summary>The full path of a file, with links to folders resolved: the same for all names of the file.</summary>
+    /// <summary>The place to which a path leads: the same for all names of the file.</summary>
     private static string PlaceOf(string file)
-    {
-        var path = Path.GetFullPath(file);
-        var folder = Path.GetDirectoryName(path);
-        return folder is null ? path : Path.Combine(Resolved(new(folder)), Path.GetFileName(path));
-    }
-
-    private static string Resolved(DirectoryInfo folder)
     {
         try
         {
-            var real = folder.LinkTarget is null ? folder : folder.ResolveLinkTarget(returnFinalTarget: true) as DirectoryInfo ?? folder;
-            return real.Parent is { } parent ? Path.Combine(Resolved(parent), real.Name) : real.FullName;
+            return FilePlace.Of(file);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return folder.FullName; // a circle of links, or a folder that may not be read
+            return Path.GetFullPath(file); // a circle of links, or a folder that may not be read
         }
     }
 }

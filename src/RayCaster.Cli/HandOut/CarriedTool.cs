@@ -12,14 +12,14 @@ internal static class CarriedTool
         "raycaster.runtimeconfig.json",
     ];
 
-    private static readonly string[] page = ["raycaster-live.dll", "raycaster-live.runtimeconfig.json"];
+    private static readonly string[] page = [LiveProgram.Name, "raycaster-live.runtimeconfig.json"];
 
     public static void Copy(string folder, CancellationToken cancellation)
     {
         Directory.CreateDirectory(folder);
         Copy(files, AppContext.BaseDirectory, folder);
-        if (File.Exists(Path.Combine(AppContext.BaseDirectory, page[0]))) Copy(page, AppContext.BaseDirectory, folder);
-        else if (LiveCommand.ProjectAbove(AppContext.BaseDirectory) is { } project) CopyBuilt(project, folder, cancellation);
+        if (LiveProgram.Beside() is not null) Copy(page, AppContext.BaseDirectory, folder);
+        else if (LiveProgram.Project() is { } project) CopyBuilt(project, folder, cancellation);
     }
 
     private static void Copy(string[] names, string from, string to)
@@ -37,11 +37,16 @@ internal static class CarriedTool
     private static void CopyBuilt(string project, string folder, CancellationToken cancellation)
     {
         var built = Directory.CreateTempSubdirectory().FullName;
-        using var build = Process.Start("dotnet", ["build", project, "-v", "quiet", "-tl:off", "-o", built, "-p:UseAppHost=false"]);
+        var start = new ProcessStartInfo("dotnet", ["build", project, "-v", "quiet", "-tl:off", "-o", built, "-p:UseAppHost=false"])
+        {
+            RedirectStandardOutput = true, // even quietly it says that it has succeeded
+        };
+        using var build = Process.Start(start)!;
         try
         {
-            build.WaitForExitAsync(cancellation).GetAwaiter().GetResult();
-            if (build.ExitCode != 0) throw new ProblemException("the live page cannot be built for the hand-out");
+            var said = build.StandardOutput.ReadToEndAsync(cancellation).GetAwaiter().GetResult();
+            build.WaitForExit();
+            if (build.ExitCode != 0) throw new ProblemException($"the live page cannot be built for the hand-out\n{said.Trim()}");
             Copy(page, built, folder);
         }
         finally

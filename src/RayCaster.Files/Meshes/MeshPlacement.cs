@@ -9,16 +9,19 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     /// double.</summary>
     internal const double MaxCoordinate = 1e100;
 
+    /// <summary>The least size of a mesh that has one: products of a few smaller numbers are 0.</summary>
+    private const double MinSize = 1e-100;
+
     /// <summary>The mesh as a model, without the triangles that have no area where they are placed.</summary>
     /// <param name="data">
     /// The file's vertices and triangles. The model shares the array of vertices if none is moved, and the array of indices if no triangle is
     /// dropped.
     /// </param>
-    /// <exception cref="OverflowException">A placed vertex is farther than 1e100 from the origin.</exception>
+    /// <exception cref="OverflowException">A placed vertex is farther than 1e100 from the origin, or all are less than 1e-100 apart.</exception>
     public Mesh Place(MeshData data, out int dropped)
     {
         var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices);
-        ThrowIfTooFar(vertices);
+        ThrowIfTooFarOrSmall(vertices);
         var indices = WithoutFlat(data.Indices, vertices);
         dropped = (data.Indices.Length - indices.Length) / 3;
         return new Mesh(vertices, indices);
@@ -47,14 +50,18 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private static void ThrowIfTooFar(Vector3[] vertices)
+    private static void ThrowIfTooFarOrSmall(Vector3[] vertices)
     {
+        var size = 0.0;
         for (var i = 0; i < vertices.Length; i++)
         {
             ref readonly var p = ref vertices[i];
             if (!(Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))) <= MaxCoordinate)) // also NaN
                 throw new OverflowException($"vertex {i + 1} is placed at {p}, but coordinates may be from -1e100 to 1e100");
+            var d = p - vertices[0];
+            size = Math.Max(size, Math.Max(Math.Abs(d.X), Math.Max(Math.Abs(d.Y), Math.Abs(d.Z))));
         }
+        if (size is > 0 and < MinSize) throw new OverflowException($"the mesh is placed with a size of {size:R}, but the least size is 1e-100");
     }
 
     /// <summary>The triangles that have an area: the same array where all have.</summary>

@@ -14,13 +14,13 @@ public static class PictureFile
     /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
     /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
-    /// <param name="warn">Gets what is odd about a file that is read all the same, with its name.</param>
+    /// <param name="warn">Gets what is odd about a file that is read all the same, in a line that names the file.</param>
     /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
     public static Picture Read(string path, Action<string>? warn = null) => Open(path, file =>
     {
         try
         {
-            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: {odd}"));
+            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: warning: {odd}"));
         }
         catch (IOException e)
         {
@@ -28,7 +28,7 @@ public static class PictureFile
         }
     });
 
-    /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string)"/> does; the messages name no file.</summary>
+    /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string, Action{string})"/> does; the messages name no file.</summary>
     /// <exception cref="ProblemException">The data are damaged, of another kind, or too large.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     /// <param name="limit">The most bytes that the picture may take in memory, three for each pixel; those of the largest array if left out.</param>
@@ -142,8 +142,10 @@ public static class PictureFile
     {
         if (FileKind.IsUtf16(file)) return InUtf16;
         var text = file.TrimStart(" \t\r\n"u8);
-        if (text is [(byte)'P' or (byte)'p', >= (byte)'1' and <= (byte)'6', ..]) return $"nothing may stand before P{(char)text[1]}, which is a capital letter";
-        return (FileKind.Of(file) is { } kind ? $"it is {kind}"
-            : $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format") + "; PNG, PBM, PGM and PPM can be read";
+        if (text is [(byte)'P' or (byte)'p', >= (byte)'1' and <= (byte)'6', ..])
+            return $"nothing may stand before P{(char)text[1]}, which is a capital letter";
+        var kind = FileKind.Of(file) is { } known ? $"it is {known}"
+            : $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format";
+        return kind + "; PNG, PBM, PGM and PPM can be read";
     }
 }

@@ -63,8 +63,15 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
     private List<WrongProgram> Run(Unfinished[] unfinished, List<WrongProgram> plain)
     {
         var (usual, everySingle) = NearestSingles();
-        var singles = usual;
-        if (!Ranking.IsCertain([.. plain, .. singles])) singles = Ranking.Sorted([.. singles, .. Edits(Unfinished.Nothing)]);
+        var pairs = new PairSearch(pictures, known, Ranking, everySingle);
+        List<WrongProgram> singles = usual, early = [];
+        if (!Ranking.IsCertain([.. plain, .. usual]))
+        {
+            // A search for edits takes as long as all the rest. It is not needed if all shapes show and two known mistakes explain everything.
+            if (!Unfinished.ByColors(pictures, done).Any(way => way.Kinds.Any()))
+                early = Ranking.BestPairs(pairs.WithNearest(usual, PairSearch.Partners));
+            if (!Ranking.IsCertain(early)) singles = Ranking.Sorted([.. usual, .. Edits(Unfinished.Nothing)]);
+        }
         singles = WithoutIdle(singles);
         if (pictures is [var only] && singles.Exists(single => single.Misfit.Unexplained < only.LeastPixels && Ranking.IsCertain([single])))
             return Ranking.Sorted([.. plain, .. singles]);
@@ -76,10 +83,9 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
                where way.Kinds.Any() && single.Variants.All(variant => MayShow(variant, way))
                select single with { Base = way },
         ]);
-        List<WrongProgram> all = [.. plain, .. singles, .. beside];
+        List<WrongProgram> all = [.. plain, .. singles, .. early, .. beside];
         if (Ranking.IsCertain([.. all.Where(candidate => !candidate.Base.Kinds.Any())]) || Ranking.IsDone(all, Nearly)) return Ranking.Sorted(all);
 
-        var pairs = new PairSearch(pictures, known, Ranking, everySingle);
         var isDone = Ranking.IsDone(all);
         if (isDone) all.AddRange(NearestPairs());
         if (isDone && !Ranking.IsDone(plain)) return Ranking.Sorted(all);

@@ -10,7 +10,10 @@ internal sealed class PairSearch(
 {
     /// <summary>How many single mistakes are tried together with every other: of a finished program at first, at last if there is one picture only,
     /// and of an unfinished one.</summary>
-    private const int Partners = 10, MorePartners = 20, UnfinishedPartners = 4;
+    public const int Partners = 10;
+
+    /// <inheritdoc cref="Partners"/>
+    private const int MorePartners = 20, UnfinishedPartners = 4;
 
     /// <summary>For how many of the nearest mistakes the formula that they change is taken to have a second one.</summary>
     private const int Formulas = 6;
@@ -21,6 +24,8 @@ internal sealed class PairSearch(
 
     /// <summary>How many variants of each mistake are tried with all others: its usual one, and the nearest.</summary>
     private const int MaxAlike = 24;
+
+    private readonly Dictionary<(Unfinished, Mistake, bool), List<WrongProgram>> found = []; // by the first mistake, for all rounds of pairs
 
     private List<WrongProgram>? nearestByColors; // of every single mistake, for all rounds of pairs
 
@@ -49,20 +54,30 @@ internal sealed class PairSearch(
     public List<WrongProgram> WithNearest(List<WrongProgram> singles, int partners) => Of(Firsts(singles, partners));
 
     /// <summary>Single mistakes, each with those others that explain most of what it leaves.</summary>
-    private List<WrongProgram> Of(IEnumerable<WrongProgram> firsts) =>
-    [
-        .. from first in firsts.SelectMany(Resampled).Distinct()
-           let left = pictures.Select(picture => new Evidence(picture, first.Draw(picture.Scene))).ToArray()
-           let seconds = ranking.Those(candidate => left.Any(picture => picture.IsHelpedBy(candidate.Draw(picture.Scene))),
-               from other in known
-               where other.Id != first.Variants[0].Id && !(first.OtherSample && other == WrongProgram.Center)
-               from variant in other.Variants
-               select (first with { Variants = [first.Variants[0], variant] }).Canonical)
-           let glanced = ranking.Measured(seconds, CandidateRanking.Glance, left)
-           let nearest = ranking.Measured(glanced[..Math.Min(60, glanced.Count)], 0.03, left)
-           from pair in nearest.Where((pair, i) => i < Seconds || pair.Misfit.Unexplained == nearest[0].Misfit.Unexplained)
-           select pair,
-    ];
+    private List<WrongProgram> Of(IEnumerable<WrongProgram> firsts)
+    {
+        var all = new List<WrongProgram>();
+        foreach (var first in firsts.SelectMany(Resampled).Distinct())
+        {
+            var key = (first.Base, first.Variants[0], first.OtherSample);
+            if (!found.TryGetValue(key, out var pairs)) found[key] = pairs = WithSeconds(first);
+            all.AddRange(pairs);
+        }
+        return all;
+    }
+
+    private List<WrongProgram> WithSeconds(WrongProgram first)
+    {
+        var left = pictures.Select(picture => new Evidence(picture, first.Draw(picture.Scene))).ToArray();
+        var seconds = ranking.Those(candidate => left.Any(picture => picture.IsHelpedBy(candidate.Draw(picture.Scene))),
+            from other in known
+            where other.Id != first.Variants[0].Id && !(first.OtherSample && other == WrongProgram.Center)
+            from variant in other.Variants
+            select (first with { Variants = [first.Variants[0], variant] }).Canonical);
+        var glanced = ranking.Measured(seconds, CandidateRanking.Glance, left);
+        var nearest = ranking.Measured(glanced[..Math.Min(60, glanced.Count)], 0.03, left);
+        return [.. nearest.Where((pair, i) => i < Seconds || pair.Misfit.Unexplained == nearest[0].Misfit.Unexplained)];
+    }
 
     /// <summary>The nearest variant of each mistake.</summary>
     private static WrongProgram[] Nearest(List<WrongProgram> singles, int partners) =>

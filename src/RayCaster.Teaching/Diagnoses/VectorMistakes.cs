@@ -61,7 +61,7 @@ internal static class VectorMistakes
 
     private static Action<Lab> SquareLength => lab => lab.Length.Becomes(length => a => length(a) * length(a));
 
-    /// <summary>A length shows in several formulas at once, in each as it is written there: no edit of the nearest formulas comes near that.</summary>
+    /// <summary>A length is in several formulas at once, in each as it is written there: an edit in one style comes nowhere near.</summary>
     private static IEnumerable<(string Cause, Action<Lab> Deviate)> SquareLengths
     {
         get

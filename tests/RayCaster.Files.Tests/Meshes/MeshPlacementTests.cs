@@ -4,6 +4,19 @@ public class MeshPlacementTests
 {
     private static readonly Vector3 one = new(1, 1, 1);
 
+    /// <summary>Products of a few smaller numbers are 0, so such a mesh would have holes, or not show.</summary>
+    [Fact]
+    public void AMeshThatIsTooSmallIsRefusedWithTheLimit()
+    {
+        MeshData triangle = new([new(0, 0, 0), new(1, 0, 0), new(0, 1, 0)], [0, 1, 2]), point = new([new(1, 1, 1)], [0, 0, 0]);
+        var (small, least) = (new Vector3(1e-160, 1e-160, 1e-160), new Vector3(2e-100, 2e-100, 2e-100));
+        Assert.Equal("the mesh is placed with a size of 1E-160, but the least size is 1e-100",
+            Assert.Throws<OverflowException>(() => new MeshPlacement(small, Vector3.Zero, Vector3.Zero).Place(triangle, out _)).Message);
+        Assert.Equal(1, new MeshPlacement(least, Vector3.Zero, Vector3.Zero).Place(triangle, out _).TriangleCount);
+        new MeshPlacement(small, Vector3.Zero, Vector3.Zero).Place(point, out var dropped); // without any area it draws nothing, which is right
+        Assert.Equal(1, dropped);
+    }
+
     [Theory]
     [InlineData(90, 0, 0, 1, -3, 2)] // y → z → −y
     [InlineData(0, 90, 0, 3, 2, -1)] // z → x → −z

@@ -213,8 +213,8 @@ public class BrokenPictureTests
         var (path, words) = (folder.Write("mine.png", file), new List<string>());
         Assert.Equal([1, 2, 3], PictureFile.Read(path, words.Add).Rgb);
         Assert.Equal(
-            [$"{path}: its chunk tEXt at byte 33 is damaged: the checksum is wrong; the pixels do not need it",
-             $"{path}: its chunk tIME at byte {place} is damaged: the checksum is wrong; the pixels do not need it"], words);
+            [$"{path}: warning: its chunk tEXt at byte 33 is damaged: the checksum is wrong; the pixels do not need it",
+             $"{path}: warning: its chunk tIME at byte {place} is damaged: the checksum is wrong; the pixels do not need it"], words);
     }
 
     /// <summary>Which lines of a whole a part shows is not taken from a damaged text.</summary>

@@ -65,7 +65,7 @@ public sealed class SpoiltPictureTests : IDisposable
         byte[] bytes = [.. colors, (byte)'\n', 1, 2];
         var (picture, words) = Read(Encoding.ASCII.GetBytes(header), bytes[..count]);
         Assert.Equal(colors, picture.Rgb);
-        Assert.Equal(warning is null ? [] : [$"{folder["mine.ppm"]}: {warning}"], words);
+        Assert.Equal(warning is null ? [] : [$"{folder["mine.ppm"]}: warning: {warning}"], words);
     }
 
     [Fact]
@@ -118,7 +118,8 @@ public sealed class SpoiltPictureTests : IDisposable
         Assert.Equal($"cannot read {folder["mine.ppm"]}{message}", Refused("P3 "u8, Encoding.ASCII.GetBytes(text)));
 
     [Theory]
-    [InlineData("P3 1 2 255 1 2 3 4 1 2 3 4", "2 values more than its header promises: it has four values a pixel; a pixel of P3 has red, green and blue, no alpha")]
+    [InlineData("P3 1 2 255 1 2 3 4 1 2 3 4",
+        "2 values more than its header promises: it has four values a pixel; a pixel of P3 has red, green and blue, no alpha")]
     [InlineData("P2 1 2 255 1 2 3 1 2 3", "4 values more than its header promises: P2 is grey, one value a pixel; the header for colours is P3")]
     public void ValuesThatAreTooManyAreExplained(string text, string message) =>
         Assert.Equal($"cannot read {folder["mine.ppm"]}: the file has {message}", Refused(Encoding.ASCII.GetBytes(text), []));
@@ -128,7 +129,7 @@ public sealed class SpoiltPictureTests : IDisposable
     {
         var (picture, words) = Read("P3 1 2 255 1 2 3 1 2 3 # end\n 9\n"u8, []);
         Assert.Equal([1, 2, 3, 1, 2, 3], picture.Rgb);
-        Assert.Equal([$"{folder["mine.ppm"]}: the file has 1 value more than its header promises; they are ignored"], words);
+        Assert.Equal([$"{folder["mine.ppm"]}: warning: the file has 1 value more than its header promises; they are ignored"], words);
     }
 
     [Theory]
@@ -178,7 +179,8 @@ public sealed class SpoiltPictureTests : IDisposable
     [InlineData("\nP3\n1 1 255 1 2 3")]
     [InlineData("p3\n1 1 255 1 2 3")]
     public void WhatStandsBeforeTheHeaderIsNamed(string text) =>
-        Assert.Equal($"cannot read {folder["mine.ppm"]}: nothing may stand before P3, which is a capital letter", Refused(Encoding.ASCII.GetBytes(text), []));
+        Assert.Equal($"cannot read {folder["mine.ppm"]}: nothing may stand before P3, which is a capital letter",
+            Refused(Encoding.ASCII.GetBytes(text), []));
 
     private static byte[] InTextMode(byte[] bytes) => [.. bytes.SelectMany(value => value == 10 ? (byte[])[13, 10] : [value])];
 
