@@ -42,7 +42,8 @@ internal sealed class FileNames
     /// <summary>The names of files or folders in a folder, sorted; without names that are not printable.</summary>
     private static string[] NamesIn(string folder, bool isFolder) =>
     [
-        .. (isFolder ? Directory.EnumerateDirectories(folder) : Directory.EnumerateFiles(folder)).Take(MaxFiles).Select(path => Path.GetFileName(path))
+        .. (isFolder ? Directory.EnumerateDirectories(folder) : Directory.EnumerateFiles(folder)).Take(MaxFiles)
+            .Select(path => Path.GetFileName(path))
             .Where(name => PrintableText.Of(name) == name && !name.Contains('\uFFFD')).Order(StringComparer.Ordinal),
     ];
 }

@@ -55,7 +55,8 @@ internal sealed class MeshBuilder(MeshSource source)
     {
         if (indices.Count == 0)
         {
-            string[] has = [.. others.Prepend((vertices.Count, "vertex")).Where(other => other.Item1 > 0).Select(other => Counted(other.Item1, other.Item2))];
+            string[] has = [.. from other in others.Prepend((Count: vertices.Count, Name: "vertex")) where other.Count > 0
+                               select Counted(other.Count, other.Name)];
             throw source.Error($"the file has no face{(has.Length > 0 ? $", only {string.Join(" and ", has)}" : "")}; a mesh needs at least one");
         }
         foreach (var (index, count, place) in early) Check(index, count, place);

@@ -154,7 +154,7 @@ internal sealed class TextScanner
 
     // Where older C libraries of Windows have written NaN or infinity: 1.#INF, -1.#IND. The # starts no comment there.
     private static bool IsNotFinite(ReadOnlySpan<byte> text, int at) =>
-        text[at] == '#' && at >= 2 && text[(at - 2)..] is [(byte)'1', (byte)'.', _, (byte)'I' or (byte)'Q' or (byte)'S' or (byte)'J' or (byte)'R', ..];
+        text[at] == '#' && at >= 2 && text[(at - 2)..at].SequenceEqual("1."u8) && text.Length > at + 1 && "IQSJR"u8.Contains(text[at + 1]);
 
     private static int CountLines(ReadOnlySpan<byte> text) => text.Count((byte)'\n') + text.Count((byte)'\r') - text.Count("\r\n"u8);
 

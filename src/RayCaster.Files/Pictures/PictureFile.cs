@@ -142,8 +142,10 @@ public static class PictureFile
     {
         if (FileKind.IsUtf16(file)) return InUtf16;
         var text = file.TrimStart(" \t\r\n"u8);
-        if (text is [(byte)'P' or (byte)'p', >= (byte)'1' and <= (byte)'6', ..]) return $"nothing may stand before P{(char)text[1]}, which is a capital letter";
-        return (FileKind.Of(file) is { } kind ? $"it is {kind}"
-            : $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format") + "; PNG, PBM, PGM and PPM can be read";
+        if (text is [(byte)'P' or (byte)'p', >= (byte)'1' and <= (byte)'6', ..])
+            return $"nothing may stand before P{(char)text[1]}, which is a capital letter";
+        var kind = FileKind.Of(file) is { } known ? $"it is {known}"
+            : $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format";
+        return kind + "; PNG, PBM, PGM and PPM can be read";
     }
 }

@@ -16,7 +16,8 @@ internal sealed class PngChunkReader
         if (Fill(frame) == 0) throw new ProblemException("the file is empty");
         if (frame[0] != PngChunk.Signature[0]) throw new ProblemException("it is not a PNG");
         if (!frame.AsSpan().SequenceEqual(PngChunk.Signature))
-            throw new ProblemException("it begins like a PNG, but its first eight bytes are damaged; was it written or transferred as text? Open the file in binary mode");
+            throw new ProblemException(
+                "it begins like a PNG, but its first eight bytes are damaged; was it written or transferred as text? Open the file in binary mode");
     }
 
     /// <summary>The chunk's four letters.</summary>

@@ -211,7 +211,8 @@ internal sealed class PnmReader
         var text = $"the file has {more:N0} value{(more == 1 ? "" : "s")} more than its header promises";
         var perPixel = (Samples + more) / ((double)width * height);
         if (kind == 2 && perPixel == 3) throw new ProblemException($"{text}: P2 is grey, one value a pixel; the header for colours is P3");
-        if (kind == 3 && perPixel == 4) throw new ProblemException($"{text}: it has four values a pixel; a pixel of P3 has red, green and blue, no alpha");
+        if (kind == 3 && perPixel == 4)
+            throw new ProblemException($"{text}: it has four values a pixel; a pixel of P3 has red, green and blue, no alpha");
         warn($"{text}; they are ignored");
     }
 

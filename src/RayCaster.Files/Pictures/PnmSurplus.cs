@@ -14,9 +14,12 @@ internal readonly struct PnmSurplus(int kind, int width, int height, int maxval,
     {
         isHarmless = false;
         if (kind < 4)
-            return data.ContainsAnyInRange((byte)0, (byte)8) || data.ContainsAnyInRange((byte)14, (byte)31) || data.ContainsAnyInRange((byte)127, (byte)255)
-                ? $"bytes follow the header, and P{kind} announces a text; the header for bytes is P{kind + 3}" : null;
-        if (data.Length > 1 && !data.ContainsAnyExcept("0123456789 \t\r\n"u8) && data.ContainsAny(" \t\r\n"u8) && data.ContainsAnyInRange((byte)'0', (byte)'9'))
+        {
+            var hasBytes = data.ContainsAnyInRange((byte)0, (byte)8) || data.ContainsAnyInRange((byte)14, (byte)31)
+                || data.ContainsAnyInRange((byte)127, (byte)255);
+            return hasBytes ? $"bytes follow the header, and P{kind} announces a text; the header for bytes is P{kind + 3}" : null;
+        }
+        if (!data.ContainsAnyExcept("0123456789 \t\r\n"u8) && data.ContainsAny(" \t\r\n"u8) && data.ContainsAnyInRange((byte)'0', (byte)'9'))
             return $"the pixels are a text, and P{kind} announces bytes; the header for a text is P{kind - 3}";
         if (data.Length < due)
             return maxval > 255 && 2 * data.Length == due ? $"maxval is {maxval}, and above 255 a value takes two bytes: write 255"
@@ -37,7 +40,8 @@ internal readonly struct PnmSurplus(int kind, int width, int height, int maxval,
         var rest = data[(int)due..];
         isHarmless = rest is [(byte)'P', >= (byte)'1' and <= (byte)'6', ..] || (rest.Length <= 2 && rest.IndexOfAnyExcept(" \t\r\n"u8) < 0);
         if (isHarmless) return null; // another picture, or a line end
-        if (Utf8.IsValid(body) && Encoding.UTF8.GetCharCount(body) - splits is var letters && letters < body.Length - splits && (letters == due || letters + splits == due))
+        var letters = Utf8.IsValid(body) ? Encoding.UTF8.GetCharCount(body) : body.Length;
+        if (letters < body.Length && (letters == due || letters - splits == due))
             return "each byte above 127 has become two or more: write bytes to a stream, not characters or a redirected text";
         if (maxval > 255) return null;
         var (pixels, sample) = ((long)width * height, kind == 6 ? 3 : 1);
@@ -47,9 +51,12 @@ internal readonly struct PnmSurplus(int kind, int width, int height, int maxval,
             (5, 3) => "P5 is grey, one byte a pixel; the header for colours is P6",
             (6, 4) => "it has four bytes a pixel; a pixel of P6 has red, green and blue, no alpha",
             (not 4, > 0) => $"it has {perPixel} bytes a pixel; a pixel of P{kind} has {sample}",
-            (not 4, _) when data.Length == (sample * width + 3) / 4 * 4 * (long)height => "each line is filled up to a multiple of 4 bytes; a line of PPM is not",
-            (not 4, _) when data.Length == sample * (width + 1L) * height => "as many as one column more takes: does the loop over columns run once too often?",
-            (not 4, _) when data.Length == sample * (width + 1L) * (height + 1) => "as many as one line and one column more take: do the loops run once too often?",
+            (not 4, _) when data.Length == (sample * width + 3) / 4 * 4 * (long)height =>
+                "each line is filled up to a multiple of 4 bytes; a line of PPM is not",
+            (not 4, _) when data.Length == sample * (width + 1L) * height =>
+                "as many as one column more takes: does the loop over columns run once too often?",
+            (not 4, _) when data.Length == sample * (width + 1L) * (height + 1) =>
+                "as many as one line and one column more take: do the loops run once too often?",
             _ => null,
         };
     }

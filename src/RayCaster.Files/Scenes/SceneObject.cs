@@ -101,7 +101,8 @@ internal sealed class SceneObject
         {
             var before = triangles.Count;
             AddTriangles(face, $"{key}[{i}]", limits, triangles);
-            if (IsSound && vertices.Length > 0 && triangles.Count > before + 3 && Fan.IsFolded(CollectionsMarshal.AsSpan(triangles)[before..], vertices))
+            if (IsSound && vertices.Length > 0 && triangles.Count > before + 3
+                && Fan.IsFolded(CollectionsMarshal.AsSpan(triangles)[before..], vertices))
                 Report(false, face, $"{key}[{i}]", " " + Fan.Warning);
             i++;
         }
