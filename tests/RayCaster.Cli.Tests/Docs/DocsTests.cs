@@ -100,5 +100,27 @@ public class DocsTests
         byte[] Drawn(Model model) => ScalarRenderer.Render(new(camera, [model], new(0, 0, 1))).Rgb;
     }
 
+    [Theory]
+    [InlineData("src/RayCaster.Lab/Sphere.cs")]
+    [InlineData("src/RayCaster/Shapes/Sphere.cs")]
+    public void TheSphereIsShownAsItIsWritten(string file)
+    {
+        var code = Read(file).Split('\n').Select(line => line.Split("//")[0].Trim()).ToHashSet();
+        var blocks = Regex.Matches(Read("docs/lab-to-library.md"), @"```csharp\n(.*?)```", RegexOptions.Singleline);
+        var shown = blocks[file.Contains("Lab", StringComparison.Ordinal) ? 0 : 1].Groups[1].Value;
+        Assert.All(shown.Split('\n'), line => Assert.Contains(line.Trim(), code));
+    }
+
+    /// <summary>The table of slides names members of the file that it links to.</summary>
+    [Fact]
+    public void TheFormulasOfTheSlidesAreWhereThePageSays()
+    {
+        var named = Regex.Matches(Read("docs/slides-to-code.md"), @"\]\(\.\./(src/[^)]+\.cs)\): ([^|\[\n]+)");
+        Assert.NotEmpty(named);
+        foreach (Match place in named)
+            foreach (Match member in Regex.Matches(place.Groups[2].Value, @"`(\w+)`"))
+                Assert.Matches($@"\b{member.Groups[1].Value}\b", Read(place.Groups[1].Value));
+    }
+
     private static string Read(string file) => File.ReadAllText(ProjectFolder.PathOf(file)).ReplaceLineEndings("\n");
 }
