@@ -1,23 +1,75 @@
+using System.Runtime.InteropServices;
+
 namespace RayCaster.Cli;
 
+/// <summary>Ends a command's work on a signal, whatever it reads, waits for or computes.</summary>
 internal static class Interruption
 {
-    private static readonly TimeSpan GracePeriod = TimeSpan.FromSeconds(0.5);
+    /// <summary>The signal for a file that is larger than "ulimit -f" allows; the same number on Linux and macOS.</summary>
+    private const PosixSignal FileTooLarge = (PosixSignal)25;
 
-    /// <summary>Deletes unfinished files, and says in one line what was finished, and how to continue. Does not wait if standard error is a pipe
-    /// that no program reads.</summary>
-    public static void Tell(string[] arguments)
+    private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50);
+    private static readonly TimeSpan WorkGracePeriod = TimeSpan.FromMilliseconds(200), MessageGracePeriod = TimeSpan.FromSeconds(0.5);
+
+    private static PosixSignalRegistration? tooLarge; // until the end: the signal may come at any time
+
+    /// <summary>Runs a command's work on a thread of its own, so that work that does not end soon after a signal can be left unfinished.</summary>
+    /// <param name="work">Returns the exit code.</param>
+    public static int Run(Command command, Func<CancellationToken, int> work)
     {
-        WrittenFiles.GiveUp();
-        var command = Command.NameIn(arguments) is { } name ? Command.All[name] : null;
-        var resumes = WrittenFiles.Count > 0 && command?.Takes(Option.Resume) == true;
-        var end = command is LiveCommand ? "the page's server has stopped" : $"{WhatIsThere()}{(resumes ? "; --resume continues" : "")}";
-        var telling = new Thread(() => StandardStreams.WriteError($"raycaster: interrupted; {end}")) { IsBackground = true };
-        telling.Start();
-        telling.Join(GracePeriod);
+        using var cancellation = new CancellationTokenSource();
+        var codeOfSignal = ExitCode.Interrupted;
+        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
+        using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Cancel); // the terminal window was closed
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
+        // By default it ends the process. Ignored, the write fails with a message.
+        if (!OperatingSystem.IsWindows()) tooLarge ??= PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
+
+        int? exitCode = null;
+        var thread = new Thread(Work) { IsBackground = true };
+        thread.Start();
+        while (!cancellation.IsCancellationRequested && !thread.Join(PollInterval)) ;
+        thread.Join(WorkGracePeriod);
+        if (exitCode is { } code) return code;
+        WrittenFiles.GiveUp(); // deletes unfinished files
+        Tell(command);
+        return codeOfSignal;
+
+        void Work()
+        {
+            try
+            {
+                exitCode = work(cancellation.Token);
+            }
+            catch (Exception) when (cancellation.IsCancellationRequested)
+            {
+            }
+        }
+
+        void Cancel(PosixSignalContext context)
+        {
+            context.Cancel = true; // the default would end the process and leave the temporary file
+            codeOfSignal = context.Signal switch
+            {
+                PosixSignal.SIGHUP => ExitCode.HungUp,
+                PosixSignal.SIGTERM => ExitCode.Terminated,
+                _ => ExitCode.Interrupted,
+            };
+            cancellation.Cancel();
+        }
     }
 
-    private static string WhatIsThere() => (WrittenFiles.Count, WrittenFiles.Last) switch
+    /// <summary>Says in one line what was finished, and how to continue. Does not wait if standard error is a pipe that no program reads.</summary>
+    private static void Tell(Command command)
+    {
+        var resumes = WrittenFiles.Count > 0 && command.Options.Contains(PartCommand.Resume);
+        var end = command is LiveCommand ? "the page's server has stopped" : $"{Written()}{(resumes ? "; --resume continues" : "")}";
+        var telling = new Thread(() => StandardStreams.WriteError($"raycaster: interrupted; {end}")) { IsBackground = true };
+        telling.Start();
+        telling.Join(MessageGracePeriod);
+    }
+
+    private static string Written() => (WrittenFiles.Count, WrittenFiles.Last) switch
     {
         (0, _) when StandardStreams.HasOutput => "standard output is incomplete",
         (0, _) => "nothing was written",

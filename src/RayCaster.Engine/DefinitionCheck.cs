@@ -9,6 +9,7 @@ internal sealed class DefinitionCheck
     private readonly Scene scene;
     private readonly List<(int Column, int Line)> pixels = []; // lines count from the picture's top
     private readonly byte[] drawn;
+    private (byte R, byte G, byte B)[]? right;
     private int nextLine;
 
     /// <summary>Chooses the pixels.</summary>
@@ -32,8 +33,8 @@ internal sealed class DefinitionCheck
         var random = new Random(1); // the same pixels in each run
         for (var i = 0; i < RandomPixels; i++) Add(random.Next(width), random.Next(first, end));
 
-        // One crossing for sixteen pixels takes a small part of the time of drawing them.
-        var count = Math.Max(minPixels, (long)width * (end - first) / 16 / Math.Max(1, scene.ShapeCount));
+        // A crossing takes up to ten times as long as drawing a pixel, so this is at most 5 % of the drawing.
+        var count = Math.Max(minPixels, (long)width * (end - first) / 200 / Math.Max(1, scene.ShapeCount));
         if (pixels.Count > count) pixels.RemoveRange((int)count, pixels.Count - (int)count);
         drawn = new byte[3 * pixels.Count];
 
@@ -51,19 +52,24 @@ internal sealed class DefinitionCheck
         nextLine += lines;
     }
 
+    /// <summary>Draws while another thread, if there is one, computes the pixels by the definition.</summary>
+    public void Beside(Action draw, int threads)
+    {
+        if (threads > 1) ThreadTeam.Help(1, Compute, draw);
+        else draw();
+        if (right is null) Compute();
+    }
+
+    private void Compute() => right = [.. pixels.Select(pixel => ScalarRenderer.Pixel(scene, pixel.Column, pixel.Line))];
+
     /// <summary>The first pixel whose bytes differ from the definition's, once all lines are taken, as a message; null if all are equal.</summary>
     public string? Difference()
     {
-        var pixel = new Picture(1, 1);
         for (var i = 0; i < pixels.Count; i++)
         {
             var (column, line) = pixels[i];
-            ScalarRenderer.Render(scene, pixel, column, line);
-            var fast = drawn.AsSpan(3 * i, 3);
-            var right = pixel.Rgb;
-            if (!fast.SequenceEqual(right))
-                return $"column {column}, line {line}: the engine gives ({fast[0]}, {fast[1]}, {fast[2]}), " +
-                    $"ScalarRenderer ({right[0]}, {right[1]}, {right[2]})";
+            var fast = (drawn[3 * i], drawn[3 * i + 1], drawn[3 * i + 2]);
+            if (fast != right![i]) return $"column {column}, line {line}: the engine gives {fast}, ScalarRenderer {right[i]}";
         }
         return null;
     }

@@ -47,8 +47,9 @@ public sealed class Renderer
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
         var check = new DefinitionCheck(scene, 0, camera.Height, minPixels: 0);
-        using (var frame = Frame.Of(scene, Plan, cancellation))
+        check.Beside(() =>
         {
+            using var frame = Frame.Of(scene, Plan, cancellation);
             var shader = frame.Shader; // before other threads need it
             Cast(frame, cancellation, () =>
             {
@@ -56,7 +57,7 @@ public sealed class Renderer
                 consumer.Enter(picture.Rgb, picture.Height - 1);
                 return consumer;
             });
-        }
+        }, threadCount);
         check.Take(picture.Rgb);
         if (!Agrees(check.Difference())) ScalarRenderer.Render(scene, picture);
     }
@@ -88,14 +89,15 @@ public sealed class Renderer
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
         var check = new DefinitionCheck(scene, first, end, minPixels: 1);
-        using (var frame = Frame.Of(scene, Plan, cancellation))
+        check.Beside(() =>
         {
+            using var frame = Frame.Of(scene, Plan, cancellation);
             new BandQueue(frame, first, end, threadCount, linesDone, cancellation).WriteAll(lines =>
             {
                 check.Take(lines);
                 write(lines);
             });
-        }
+        }, threadCount);
         if (check.Difference() is { } difference) throw new EngineDisagreesException(difference);
     }
 

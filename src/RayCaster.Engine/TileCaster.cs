@@ -117,7 +117,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         foreach (var candidate in whole)
         {
             ref var extent = ref extents[candidate.Index];
-            var ranges = views[candidate.Index].Narrow(parts, candidate.Range);
+            var ranges = frame.Plan.UsesIntervals ? views[candidate.Index].Narrow(parts, candidate.Range) : new(candidate.Range);
             for (var i = 0; i < EightParts.Count; i++)
             {
                 if (!extent.Overlaps(parts[i])) continue;

@@ -20,8 +20,8 @@ internal sealed class FileNames
         try
         {
             var folder = Path.GetDirectoryName(full)!;
-            if (!Directory.Exists(folder)) return $"{sought}; there is no folder {PrintableText.Of(folder)}";
-            var names = NamesIn(folder);
+            if (!Directory.Exists(folder)) return $"{sought}; there is no folder {PrintableText.Of(folder)}{FolderHint(folder)}";
+            var names = NamesIn(folder, isFolder: false);
             var completed = Path.GetFileName(path) + extension;
             if (extension.Length > 0 && Array.IndexOf(names, completed) >= 0) return $"{sought}; did you mean \"{completed}\"?";
             return sought + Spelling.DidYouMean(Path.GetFileName(path), names);
@@ -32,10 +32,18 @@ internal sealed class FileNames
         }
     }
 
-    /// <summary>The names in a folder, sorted; without names that are not printable.</summary>
-    private static string[] NamesIn(string folder) =>
+    /// <summary>A folder whose name is similar to that of the first folder of a path that is missing.</summary>
+    private static string FolderHint(string folder)
+    {
+        while (Path.GetDirectoryName(folder) is { } parent && !Directory.Exists(parent)) folder = parent;
+        return Spelling.DidYouMean(Path.GetFileName(folder), NamesIn(Path.GetDirectoryName(folder)!, isFolder: true));
+    }
+
+    /// <summary>The names of files or folders in a folder, sorted; without names that are not printable.</summary>
+    private static string[] NamesIn(string folder, bool isFolder) =>
     [
-        .. Directory.EnumerateFiles(folder).Take(MaxFiles).Select(path => Path.GetFileName(path))
+        .. (isFolder ? Directory.EnumerateDirectories(folder) : Directory.EnumerateFiles(folder)).Take(MaxFiles)
+            .Select(path => Path.GetFileName(path))
             .Where(name => PrintableText.Of(name) == name && !name.Contains('\uFFFD')).Order(StringComparer.Ordinal),
     ];
 }

@@ -6,13 +6,18 @@ namespace RayCaster.Files;
 public sealed class ProblemException(string message, Exception? cause = null) : Exception(message, cause)
 {
     private const int NoSpaceOnUnix = 28, QuotaOnLinux = 122, QuotaOnMac = 69;
-    private const int DiskFullOnWindows = unchecked((int)0x80070070);
+    private const int DiskFullOnWindows = unchecked((int)0x80070070), SharingViolation = unchecked((int)0x80070020);
+
+    internal const string OpenElsewhere = "another program has it open; close it there";
 
     /// <summary>Whether the command line is wrong: then the command's usage is printed, too.</summary>
     public bool IsUsage { get; private init; }
 
     /// <summary>Whether the message names the file.</summary>
     internal bool NamesFile { get; init; }
+
+    /// <summary>The line of a text at which the message belongs behind the file's name; 0 for none.</summary>
+    internal int Line { get; init; }
 
     /// <summary>A problem in the command line.</summary>
     public static ProblemException Usage(string message) => new(message) { IsUsage = true };
@@ -27,6 +32,7 @@ public sealed class ProblemException(string message, Exception? cause = null) : 
     {
         if (e is UnauthorizedAccessException) return "access is denied";
         if (e is FileNotFoundException or DirectoryNotFoundException) return "the file or its folder does not exist";
+        if (e.HResult == SharingViolation) return OpenElsewhere;
         if (e is PathTooLongException) return "the name is too long";
         if (e.HResult is NoSpaceOnUnix or DiskFullOnWindows) return "the disk is full";
         if (e is ArgumentOutOfRangeException) return "the file is larger than the system allows";

@@ -6,16 +6,41 @@ public static class Spelling
     /// <summary>The words of other programs, and of British English, for words of the scene file.</summary>
     private static readonly (string Other, string Ours)[] Synonyms =
     [
-        ("eye", "position"), ("from", "position"), ("origin", "position"), ("location", "position"), ("pos", "position"),
-        ("lookat", "target"), ("look_at", "target"), ("at", "target"), ("to", "target"), ("center", "target"), ("direction", "target"),
-        ("fov", "fovY"), ("fieldofview", "fovY"), ("angle", "fovY"), ("near", "zNear"), ("far", "zFar"), ("epsilon", "bias"),
-        ("r", "radius"), ("c", "center"), ("position", "center"), ("centre", "center"), ("n", "normal"), ("p", "point"), ("q", "point"),
-        ("position", "point"), ("position", "translate"), ("rotation", "rotate"), ("translation", "translate"), ("size", "scale"),
-        ("path", "file"), ("filename", "file"), ("kind", "type"), ("id", "name"),
-        ("objects", "models"), ("shapes", "models"), ("primitives", "models"), ("colour", "color"), ("backgroundcolor", "background"),
-        ("box", "aabb"), ("cube", "aabb"), ("cuboid", "aabb"), ("ball", "sphere"), ("disc", "circle"), ("disk", "circle"), ("tri", "triangle"),
-        ("obj", "mesh"), ("middle", "center"),
+        .. Of("position", "eye from origin location pos lookfrom look_from viewpoint camera_position eyepos"),
+        .. Of("target", "lookat look_at look view interest focus at to center direction"),
+        .. Of("up", "vup upvector up_vector view_up updir"),
+        .. Of("width", "image_width imagewidth xres xresolution columns w"),
+        .. Of("height", "image_height imageheight yres yresolution rows h"),
+        .. Of("fovY", "fov vfov yfov fov_y field_of_view vertical_fov fieldofview angle"),
+        .. Of("zNear", "near near_clip clip_near hither"),
+        .. Of("zFar", "far far_clip clip_far yon"),
+        .. Of("bias", "epsilon"),
+        .. Of("radius", "r"),
+        .. Of("center", "c position centre middle"),
+        .. Of("normal", "n"),
+        .. Of("point", "p q position"),
+        .. Of("translate", "position translation"),
+        .. Of("rotate", "rotation"),
+        .. Of("color", "albedo diffuse diffusecolor kd rgb material colour"),
+        .. Of("min", "lower pmin"),
+        .. Of("max", "upper pmax"),
+        .. Of("a", "p0 v0"),
+        .. Of("b", "p1 v1"),
+        .. Of("c", "p2 v2"),
+        .. Of("scale", "size"),
+        .. Of("file", "path filename"),
+        .. Of("type", "kind"),
+        .. Of("name", "id"),
+        .. Of("models", "objects shapes primitives world geometry"),
+        .. Of("background", "backgroundcolor background_color bg sky"),
+        .. Of("aabb", "box cube cuboid"),
+        .. Of("sphere", "ball"),
+        .. Of("circle", "disc disk"),
+        .. Of("triangle", "tri"),
+        .. Of("mesh", "obj"),
     ];
+
+    private static IEnumerable<(string, string)> Of(string ours, string others) => others.Split(' ').Select(other => (other, ours));
 
     /// <summary>The most likely right word, or null.</summary>
     /// <remarks>

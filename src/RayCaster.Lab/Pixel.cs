@@ -16,18 +16,17 @@ public static class Pixel
     /// <summary>The calls of the bodies for a pixel, by the names of their results.</summary>
     public static IEnumerable<(string, Func<object>)> Calls(RayCaster.Scene from, int c, int r)
     {
-        Vector3 a = new(1, 2, 3), b = new(4, -5, 6);
         Scene scene = null;
         Ray ray = null;
         return
         [
-            ("a + b", () => Of(a + b)), ("a − b", () => Of(a - b)), ("2 a", () => Of(2 * a)), ("a × b", () => Of(a % b)),
-            ("a · b", () => a * b), ("|a|", () => a.Length),
+            .. CallsOf("a + b", (a, b) => Of(a + b)), .. CallsOf("a − b", (a, b) => Of(a - b)), .. CallsOf("2 a", (a, _) => Of(2 * a)),
+            .. CallsOf("a × b", (a, b) => Of(a % b)), .. CallsOf("a · b", (a, b) => a * b), .. CallsOf("|a|", (a, _) => a.Length),
             ("W", () => Of((scene = SceneFile.Of(from)).Camera.W)),
             ("U", () => Of(scene.Camera.U)), ("V", () => Of(scene.Camera.V)),
             ("h", () => scene.Camera.h), ("w", () => scene.Camera.w),
             ("d", () => Of((ray = scene.Camera.RayThrough(c, r)).Direction)),
-            .. from.Models.Select((model, i) => ($"{i}", (Func<object>)(() => HitsOf(model, ray)))),
+            .. from.Models.SelectMany((model, i) => CallsOf($"{i}", model, () => ray)),
             ("hit", () =>
             {
                 var hit = -1;
@@ -47,11 +46,25 @@ public static class Pixel
 
     private static object Of(Vector3 v) => (v.X, v.Y, v.Z);
 
-    /// <summary>Each t with which a model calls Hit, and whether it counts.</summary>
-    private static (double, bool)[] HitsOf(RayCaster.Model model, Ray ray)
+    /// <summary>What an operator makes of two vectors, and what these are afterwards.</summary>
+    private static IEnumerable<(string, Func<object>)> CallsOf(string name, Func<Vector3, Vector3, object> compute)
+    {
+        Vector3 a = new(1, 2, 3), b = new(4, -5, 6); // new ones for each operator, in case that it changes them
+        return [(name, () => compute(a, b)), ($"a after {name}", () => Of(a)), ($"b after {name}", () => Of(b))];
+    }
+
+    /// <summary>Each t with which a model calls Hit, and whether it counts; of a sphere by both solutions.</summary>
+    private static IEnumerable<(string, Func<object>)> CallsOf(string name, RayCaster.Model model, Func<Ray> ray)
+    {
+        yield return (name, () => HitsOf(model, ray(), part => part.Intersect));
+        if (model is RayCaster.Model<RayCaster.Sphere>)
+            yield return ($"{name} analytical", () => HitsOf(model, ray(), part => ((Sphere)part).AnalyticalSolution));
+    }
+
+    private static (double, bool)[] HitsOf(RayCaster.Model model, Ray ray, Func<Model, Action<Ray>> intersect)
     {
         var watched = new WatchedRay(ray);
-        foreach (var part in SceneFile.PartsOf(model)) part.Intersect(watched);
+        foreach (var part in SceneFile.PartsOf(model)) intersect(part)(watched);
         return [.. watched.Hits];
     }
 

@@ -3,9 +3,10 @@ using Lab;
 using RayCaster.Files;
 
 if (args.Length == 0) args = DrawTheRoom(); // as an editor's F5 does
+if (args is [var scene]) args = [scene, Path.ChangeExtension(Path.GetFileName(scene), "png")]; // room.png, in this folder
 if (args is not ([_, _] or [_, "--pixel", ..]))
 {
-    Console.Error.WriteLine("Draws a scene. Tell it the scene's file and the picture's, as in: scenes/room.json room.png\n" +
+    Console.Error.WriteLine("Draws a scene, for example: scenes/room.json, which writes room.png, or: scenes/room.json other.png\n" +
         "Or shows your numbers of the pixel in a column and a line from the top: scenes/room.json --pixel 325 359");
     return 2;
 }

@@ -12,13 +12,13 @@ internal static class MapDrawing
     }
 
     /// <summary>The legend's colours: those that <see cref="MapPicture"/> gives to a map of equidistant numbers, or of all models.</summary>
-    /// <param name="range">The least and the greatest number; null for vectors, and if no ray hits anything.</param>
+    /// <param name="range">The least and the greatest number; null if no ray hits anything.</param>
     private static byte[] LegendOf(MapKind kind, (float Least, float Greatest)? range, int models)
     {
         var isRamp = kind is MapKind.T or MapKind.Depth && range is not null;
         var (least, greatest) = isRamp ? range!.Value : default;
-        var sample = new NumberMap(isRamp ? Steps : Math.Clamp(models, 1, Messages.MaxModels), 1, 1);
-        for (var i = 0; i < sample.Width; i++) sample[i, 0][0] = isRamp ? least + (greatest - least) * i / (Steps - 1) : i;
+        var sample = new NumberMap(isRamp ? Steps : Math.Clamp(models, 1, Messages.MaxModels), 1);
+        for (var i = 0; i < sample.Width; i++) sample[i, 0] = isRamp ? least + (greatest - least) * i / (Steps - 1) : i;
         var colors = MapPicture.Draw(sample, isRamp ? kind : MapKind.Model);
         return Messages.Of(new
         {

@@ -1,4 +1,3 @@
-using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Serialization;
@@ -78,13 +77,19 @@ internal static class Messages
         });
     }
 
-    /// <summary>The explanation of a pixel, with the drawing of its ray.</summary>
+    /// <summary>The text of a pixel's explanation, section by section, and the drawing of its ray.</summary>
     public static byte[] OfExplanation(Scene scene, int column, int line, Picture? mine)
     {
         var pixel = new PixelExplanation(scene, column, line);
-        var text = ExplanationJson.Of(pixel, mine is null ? null : ReferenceExplanation.Of(pixel, mine));
-        var section = JsonSerializer.Serialize(RaySection.Of(pixel), options);
-        return Encoding.UTF8.GetBytes($$"""{"kind":"explanation","pixel":{{text}},"section":{{section}}}""");
+        return Of(new
+        {
+            Kind = "explanation",
+            Column = column,
+            Line = line,
+            Color = Hex(pixel.Bytes),
+            Sections = ExplanationText.Sections(pixel, mine is null ? null : ReferenceExplanation.Of(pixel, mine)),
+            Drawing = RaySection.Of(pixel),
+        });
     }
 
     /// <summary>The ledger: in how many pixels each model shows, or why it does not.</summary>

@@ -6,7 +6,7 @@ internal sealed class Studio
     private readonly SemaphoreSlim turn = new(1, 1);
 
     public Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation) =>
-        DoAsync(() => Draw(view.Of(scene), view, cancellation), cancellation);
+        DoAsync(() => Draw(view.Of(scene), cancellation), cancellation);
 
     /// <summary>Does work that takes all cores, after the work before it.</summary>
     public async Task<T> DoAsync<T>(Func<T> work, CancellationToken cancellation)
@@ -22,10 +22,8 @@ internal sealed class Studio
         }
     }
 
-    private static Frame Draw(Scene scene, View view, CancellationToken cancellation)
+    private static Frame Draw(Scene scene, CancellationToken cancellation)
     {
-        var model = view.Model < scene.Models.Count ? view.Model : -1; // it may have been deleted in the file
-        if (view.Look != Look.Plain) return Frame.Of(ModelPicture.Draw(scene, view.Look, model, cancellation));
         var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
         new Renderer(scene) { ManyFrames = true }.DrawInto(picture, cancellation);
         return Frame.Of(picture);

@@ -56,12 +56,6 @@ internal sealed partial class Tab
                 case "camera":
                     SeeThrough(value);
                     break;
-                case "hidden":
-                    Look(view with { Hidden = string.Join(',', value.EnumerateArray().Select(place => place.GetUInt16())) });
-                    break;
-                case "look":
-                    Look(view with { Look = Named<Look>(value[0]), Model = value[1].GetInt32() });
-                    break;
                 case "hover":
                     hover = new(value[0].GetInt32(), value[1].GetInt32());
                     pending |= Pending.Hover;
@@ -125,23 +119,14 @@ internal sealed partial class Tab
     /// <summary>Restores a camera that the page remembers, or with null the scene's own.</summary>
     private void SeeThrough(JsonElement value)
     {
-        var camera = IsNull(value) || server.Scene.State.Scene is not { } scene ? null : scene.Camera with
-        {
-            Position = VectorOf(value.GetProperty("position")),
-            Target = VectorOf(value.GetProperty("target")),
-        };
-        Look(view with { Camera = camera?.ValidationError is null ? camera : null });
+        var camera = IsNull(value) || server.Scene.State.Scene is not { } scene ? null : scene.Camera.With(
+            position: VectorOf(value.GetProperty("position")), target: VectorOf(value.GetProperty("target")));
+        view = view with { Camera = camera?.ValidationError is null ? camera : null };
+        outdated.Cancel();
         Rest();
     }
 
     private static Vector3 VectorOf(JsonElement value) => new(Finite(value[0]), Finite(value[1]), Finite(value[2]));
-
-    private void Look(View other)
-    {
-        view = other;
-        Refresh();
-        outdated.Cancel();
-    }
 
     /// <summary>Writes the camera into the scene file, unless the file has changed since the version that the page knows.</summary>
     private void WriteCamera(int version)

@@ -137,7 +137,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     {
         if (sent - shown >= MaxUnseen || !Takes(Pending.Frame)) return;
         var moves = isMoving;
-        var wanted = moves ? view with { Divisor = divisor, Look = Live.Look.Plain } : view;
+        var wanted = moves ? view with { Divisor = divisor } : view;
         var frame = await server.Studio.DrawAsync(state.Scene!, wanted, moves ? end.Token : Outdated());
         await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
         if (hasFault) await SendAsync(Messages.OfFault(null));
@@ -174,7 +174,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private async Task TellMapAsync(SceneState state)
     {
         if (isMoving || !Takes(Pending.Map) || map is not { } kind) return;
-        var scene = (view with { Look = Live.Look.Plain, Model = -1 }).Of(state.Scene!);
+        var scene = view.Of(state.Scene!);
         var (legend, frame) = await server.Studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
         await SendAsync(legend);
         await SendFrameAsync(frame, Layer.Map, state.Version, isFinal: true);

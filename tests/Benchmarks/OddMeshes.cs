@@ -28,7 +28,7 @@ internal static class OddMeshes
     }
 
     private static Camera CameraInside(int width, int height) =>
-        new(new(0, 0.001, 0.002), new(-1, 0, 0)) { Width = width, Height = height, ZNear = 0.125, ZFar = 65536 };
+        new(new(0, 0.001, 0.002), new(-1, 0, 0), width: width, height: height, zNear: 0.125, zFar: 65536);
 
     /// <summary>A mesh and smaller and smaller copies in it, each in another direction, down to half of its size.</summary>
     private static MeshData Nested(MeshData one)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What is read is what draws: edits lines that README shows, one at a time, in a copy of the project, builds, and draws scenes/room.json small, by
 # the definition, and large, by the engine. Of each the picture must change, or a message must say why not. An edit of the engine must be noticed,
-# and not change the picture. The JSON of diagnose, compare and check warns of an edit of the course, too.
+# and not change the picture. The JSON of diagnose warns of an edit of the course, too.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1
@@ -14,11 +14,11 @@ passed=0 failed=0
 
 raycaster() { dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll "$@"; }
 
-draw() { # options; draws small.png and large.png; the messages, if there are any, are in small.txt and large.txt
+draw() { # draws small.png and large.png; the messages, if there are any, are in small.txt and large.txt
     rm -f small.* large.*
     dotnet build src/RayCaster.Cli -v quiet --no-restore >build.txt 2>&1 || { cat build.txt; echo "does not build"; return 1; }
-    raycaster scenes/room.json -o small.png "$@" 2>&1 | grep -v 'rays per second' >small.txt || true
-    raycaster scenes/room.json -o large.png --size 1200x1200 "$@" 2>&1 | grep -v 'rays per second' >large.txt || true
+    raycaster scenes/room.json -o small.png 2>&1 | grep -v 'rays per second' >small.txt || true
+    raycaster scenes/room.json -o large.png --size 1200x1200 2>&1 | grep -v 'rays per second' >large.txt || true
 }
 
 changed() { # small or large: whether there is a message or another picture
@@ -49,31 +49,31 @@ mv small.png right-small.png
 mv large.png right-large.png
 
 course=src/RayCaster
-edit "upside down"               $course/Rendering/ScalarRenderer.cs 's/scene.Camera.Height - 1 - (top + y)/top + y/'
-edit "the last hit wins"         $course/Models/Ray.cs               's/ || IsNearer<Scalar>(t, HitParameter).Value == 0//'
-edit "the farthest hit wins"     $course/Models/Ray.cs               's/=> t < nearest;/=> t > nearest;/'
-edit "half the light"            $course/Rendering/Scene.cs \
+edit "upside down"               $course/Scene/ScalarRenderer.cs 's/scene.Camera.Height - 1 - line/line/'
+edit "the last hit wins"         $course/Rays/Ray.cs               's/ && IsNearer<Scalar>(t, HitParameter).Holds//'
+edit "the farthest hit wins"     $course/Rays/Ray.cs               's/=> t < nearest;/=> t > nearest;/'
+edit "half the light"            $course/Scene/Scene.cs \
     's/: Attenuation<Scalar>(t) \* model.Color/: 0.5 * Attenuation<Scalar>(t) * model.Color/'
-edit "attenuation"               $course/Rendering/Scene.cs          's|1 - t / Camera.FadeDistance|1 - t / (2 * Camera.FadeDistance)|'
-edit "red and blue swapped"      $course/Models/Color.cs             's/(ToByte(R), ToByte(G), ToByte(B))/(ToByte(B), ToByte(G), ToByte(R))/'
-edit "colour times number"       $course/Models/Color.cs             's/attenuation \* color.G/color.G/'
-edit "truncated, not rounded"    $course/Models/Color.cs             's/ \* 255 + 0.5/ * 255/'
-edit "the picture's indexer"     $course/Rendering/Picture.cs \
+edit "attenuation"               $course/Scene/Scene.cs          's|1 - t / Camera.FadeDistance|1 - t / (2 * Camera.FadeDistance)|'
+edit "red and blue swapped"      $course/Vectors/Color.cs             's/(ToByte(R), ToByte(G), ToByte(B))/(ToByte(B), ToByte(G), ToByte(R))/'
+edit "colour times number"       $course/Vectors/Color.cs             's/attenuation \* color.G/color.G/'
+edit "truncated, not rounded"    $course/Vectors/Color.cs             's/ \* 255 + 0.5/ * 255/'
+edit "the picture's indexer"     $course/Scene/Picture.cs \
     's/(Rgb\[i\], Rgb\[i + 1\], Rgb\[i + 2\]) = value/(Rgb[i + 2], Rgb[i + 1], Rgb[i]) = value/'
-edit "h without the 2"           $course/Camera/Camera.cs            's/PlaneHeight = 2 \* Math.Tan/PlaneHeight = Math.Tan/'
-edit "the ray of a pixel"        $course/Camera/Camera.cs            's/Direction<Scalar>(column, row);/Direction<Scalar>(column, row + 1);/'
-edit "the clip range"            $course/Models/ClipRange.cs         's/z >= zNear;/z <= zNear;/'
-edit "dot product"               $course/Mathematics/Vector3OfN.cs   's/a.X \* b.X + a.Y \* b.Y/a.X * b.X - a.Y * b.Y/'
-edit "cross product"             $course/Mathematics/Vector3.cs      's/a.Z \* b.X - a.X \* b.Z/a.X * b.Z - a.Z * b.X/'
-edit "plane"                     $course/Models/Plane.cs             's/(Point - ray.Origin) \* Normal/(ray.Origin - Point) * Normal/'
-edit "sphere"                    $course/Models/Sphere.cs            's/Radius \* Radius - D \* D/Radius - D * D/'
-edit "box"                       $course/Models/Aabb.cs              's/var hit = tMin <= tMax/var hit = tMin >= tMax/'
-edit "circle"                    $course/Models/Circle.cs            's/Radius \* Radius/Radius/'
-edit "triangle"                  $course/Models/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
-edit "the models' first hit"     $course/Models/Model.cs \
-    's/ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT)/0.5 * ray.ClipRange.First<Scalar>(crossings, ray.DepthPerT)/'
-edit "the scene's reader"        src/RayCaster.Files/SceneFiles/SceneReader.cs 's/"width"/"wide"/'
-edit "the picture's writer"      src/RayCaster.Files/PictureFiles/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
+edit "h without the 2"           $course/Scene/Camera.cs            's/PlaneHeight = 2 \* Math.Tan/PlaneHeight = Math.Tan/'
+edit "the ray of a pixel"        $course/Scene/Camera.cs            's/Direction<Scalar>(column, row);/Direction<Scalar>(column, row + 1);/'
+edit "the clip range"            $course/Rays/ClipRange.cs         's/z >= zNear;/z <= zNear;/'
+edit "dot product"               $course/Vectors/Vector3OfN.cs   's/a.X \* b.X + a.Y \* b.Y/a.X * b.X - a.Y * b.Y/'
+edit "cross product"             $course/Vectors/Vector3.cs      's/a.Z \* b.X - a.X \* b.Z/a.X * b.Z - a.Z * b.X/'
+edit "plane"                     $course/Shapes/Plane.cs             's/(Point - ray.Origin) \* Normal/(ray.Origin - Point) * Normal/'
+edit "sphere"                    $course/Shapes/Sphere.cs            's/Radius \* Radius - D \* D/Radius - D * D/'
+edit "box"                       $course/Shapes/Aabb.cs              's/var hit = tMin <= tMax/var hit = tMin >= tMax/'
+edit "circle"                    $course/Shapes/Circle.cs            's/Radius \* Radius/Radius/'
+edit "triangle"                  $course/Shapes/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
+edit "the models' first hit"     $course/Rays/Model.cs \
+    's/return crossings.Near;/return 0.5 * crossings.Near;/'
+edit "the scene's reader"        src/RayCaster.Files/Scenes/SceneReader.cs 's/"width"/"wide"/'
+edit "the picture's writer"      src/RayCaster.Files/Pictures/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
 
 cp -r src/RayCaster.Engine/Numbers kept
 sed -i 's/a.Lanes + b.Lanes/a.Lanes - b.Lanes/' src/RayCaster.Engine/Numbers/*Packet.cs
@@ -86,23 +86,21 @@ cmp -s large.png right-large.png && result=0 || result=1
 verdict "and is right" $result "it differs"
 cp kept/* src/RayCaster.Engine/Numbers
 
-sed -i 's/Radius \* Radius - D \* D/Radius - D * D/' $course/Models/Sphere.cs
+sed -i 's/Radius \* Radius - D \* D/Radius - D * D/' $course/Shapes/Sphere.cs
 draw
-for command in "diagnose scenes/room.json right-small.png" "compare small.png right-small.png --scene scenes/room.json" "check scenes/room.json"; do
-    # shellcheck disable=SC2086 # the words of a command
-    raycaster $command --json >said.json 2>/dev/null || true
-    grep -q '"warning": "src/RayCaster has been changed' said.json && result=0 || result=1
-    verdict "${command%% *} --json says that src/RayCaster was changed" $result "$(head -3 said.json)"
-done
+raycaster diagnose scenes/room.json right-small.png --json >said.json 2>/dev/null || true
+grep -q '"warning": "src/RayCaster has been changed' said.json && result=0 || result=1
+verdict "diagnose --json says that src/RayCaster was changed" $result "$(head -3 said.json)"
 
-sed -i 's/return new(tca - thc/if (Radius < 9) throw new Exception("boom"); &/' $course/Models/Sphere.cs
+sed -i 's/return new(tca - thc/if (Radius < 9) throw new Exception("boom"); &/' $course/Shapes/Sphere.cs
 draw
 # "in Model" where the runtime has inlined the formula
 grep -qE 'Exception in (Sphere|Model): boom' small.txt && grep -qE 'Exception in (Sphere|Model): boom' large.txt && result=0 || result=1
 verdict "a formula's exception is shown" $result "$(cat small.txt large.txt)"
-sed -i 's/if (Radius < 9) throw[^;]*;/return new(N.Sqrt(-1));/' $course/Models/Sphere.cs
-draw --ledger
-grep -q "ball does not show: it is missed by every ray" small.txt && result=0 || result=1
-verdict "the ledger says that every ray misses" $result "$(cat small.txt)"
+sed -i 's/if (Radius < 9) throw[^;]*;/return new(N.Sqrt(-1));/' $course/Shapes/Sphere.cs
+draw
+raycaster models scenes/room.json >said.txt
+grep -q "ball does not show: it is missed by every ray" said.txt && result=0 || result=1
+verdict "models says that every ray misses" $result "$(cat said.txt)"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

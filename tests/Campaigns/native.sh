@@ -20,7 +20,7 @@ for scene in "$OLDPWD"/scenes/*.json "$OLDPWD"/scenes/*/*.json; do
     case $scene in *.schema.json) continue ;; esac
     for program in built native; do
         "$program/raycaster" "$scene" -q -o "$program.png"
-        "$program/raycaster" "$scene" -q --map t -o "$program.t.pfm"
+        "$program/raycaster" map "$scene" t -q -o "$program.t.pfm"
     done
     for what in png t.pfm; do
         cmp "built.$what" "native.$what" || { echo "the native program draws $scene otherwise"; exit 1; }
@@ -31,4 +31,4 @@ echo "$drawn scenes, the same to the bit"
 [ "$drawn" -gt 0 ]
 
 cd "$OLDPWD"
-RAYCASTER_APP="$work/native/raycaster" dotnet test tests/RayCaster.Cli.Tests
+RAYCASTER_APP="$work/native/raycaster" dotnet test --project tests/RayCaster.Cli.Tests

@@ -20,8 +20,9 @@ follow() { # runs a command of README
     expected=0
     case $1 in
         *" -- scenes/first.json") edit scenes/first.json '"radius"' '"raduis"'; expected=2 ;;
-        *"-o small-ball.png") edit src/RayCaster/Models/Sphere.cs 'Radius \* Radius' 'Radius' ;;
-        *"--filter SphereTests" | *" diagnose "* | *" compare "*) expected=1 ;;
+        *"RayCaster.Lab -- scenes/room.json") edit src/RayCaster.Lab/Sphere.cs 'Math.Sqrt(R \* R' 'Math.Sqrt(R' ;;
+        *"-o small-ball.png") edit src/RayCaster/Shapes/Sphere.cs 'Radius \* Radius' 'Radius' ;;
+        *"--filter step=8" | *"--filter SphereTests" | *" diagnose "* | *" compare "*) expected=1 ;;
     esac
     echo "== $1"
     commands=$((commands + 1))
@@ -36,7 +37,7 @@ while IFS= read -r line; do
     case $line in
         '```') [ -z "$fenced" ] && fenced=yes || fenced= ;;
         '```'*) fenced=other ;;
-        '    dotnet test') ;; # all tests: .ci/run does that
+        '    dotnet test -c Release') ;; # all tests: .ci/run does that
         '    dotnet '*) [ -z "$fenced" ] && follow "${line#    }" ;;
         '$ '*) [ "$fenced" = yes ] && follow "${line#$ }" ;;
         ... | '') ;;

@@ -46,7 +46,7 @@ internal static class Gallery
                 dotnet run --project src/RayCaster.Cli -- diagnose scenes/mistakes/generic.json mine.png
 
             `--hint question` (the default) or `--hint answer` says more than this page ([how it works](diagnosis.md)).
-            `dotnet run --project src/RayCaster.Cli -- scenes/room.json --mistake rows+bgr` draws a wrong picture.
+            `dotnet run --project src/RayCaster.Cli -- wrong scenes/room.json rows+bgr` draws a wrong picture.
 
             The letters behind a mistake's name are the scenes of [scenes/mistakes](../scenes/mistakes) in which at least 20 pixels change by more
             than 2 levels: **g**eneric, **p**ortrait, **i**nside, **a**xis, **b**ubble. If your program draws all five right, it has none of these
@@ -98,8 +98,26 @@ internal static class Gallery
     private static Picture Thumb(Picture tile)
     {
         var scale = Math.Max((double)tile.Width / ThumbWidth, (double)tile.Height / ThumbHeight);
-        var thumb = new SmallPicture(tile.Width, tile.Height, (int)(tile.Width / scale), (int)(tile.Height / scale));
-        thumb.Take(tile.Rgb);
-        return thumb.Picture;
+        var (width, height) = ((int)(tile.Width / scale), (int)(tile.Height / scale));
+        return Picture.Of(width, height, (x, y) => Mean(tile,
+            x * tile.Width / width, (x + 1) * tile.Width / width, y * tile.Height / height, (y + 1) * tile.Height / height));
+    }
+
+    /// <summary>The mean colour of some columns and lines, of one at least.</summary>
+    private static (byte, byte, byte) Mean(Picture picture, int left, int right, int top, int bottom)
+    {
+        (right, bottom) = (Math.Max(left + 1, right), Math.Max(top + 1, bottom));
+        var (count, r, g, b) = ((right - left) * (bottom - top), 0, 0, 0);
+        for (var y = top; y < bottom; y++)
+            for (var x = left; x < right; x++)
+            {
+                var color = picture[x, y];
+                r += color.R;
+                g += color.G;
+                b += color.B;
+            }
+        return (Rounded(r), Rounded(g), Rounded(b));
+
+        byte Rounded(int sum) => (byte)((sum + count / 2) / count);
     }
 }

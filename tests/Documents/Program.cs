@@ -2,10 +2,10 @@
 // that was out of date; the exit code is 1 if there was one.
 using RayCaster;
 using RayCaster.Documents;
-using RayCaster.Files.Tests.MeshFiles;
-using RayCaster.Files.Tests.SceneFiles;
+using RayCaster.Files.Tests.Meshes;
+using RayCaster.Files.Tests.Scenes;
+using RayCaster.Marks.Tests;
 using RayCaster.Teaching.Tests.Explanations;
-using RayCaster.Teaching.Tests.Marks;
 using RayCaster.Teaching.Tests.Mistakes;
 
 var written = 0;

@@ -7,8 +7,6 @@ public sealed class AttackTests : CommandTests
 {
     [Theory]
     [InlineData("stitch", "", "-o", "x.png")]
-    [InlineData("sheet", "", "-o", "x.png")]
-    [InlineData("animate", "", "-o", "x.png")]
     [InlineData("compare", "a.png", "")]
     [InlineData("compare", "-o", "", "a.png", "a.png")]
     [InlineData("orbit", "--frames", "2", "")]
@@ -39,21 +37,21 @@ public sealed class AttackTests : CommandTests
         }
     }
 
-    [SkippableFact]
+    [Fact]
     public void ANameInAFolderThatCouldForgeALineIsRefused()
     {
-        Skip.If(OperatingSystem.IsWindows(), "has no such names");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "has no such names");
         Directory.CreateDirectory(raycaster.PathOf("frames"));
-        raycaster.Write("frames/a\nb.png", "x").Run("sheet", "frames", "-o", "x.png");
+        raycaster.Write("frames/a\nb.png", "x").Run("stitch", "frames", "-o", "x.png");
         Assert.Equal(
             (2, "raycaster: 'a\uFFFDb.png' holds the invisible character U+000A: rename the file, or type the name again if it was copied\n"),
             (raycaster.ExitCode, raycaster.Error));
     }
 
-    [SkippableFact]
+    [Fact]
     public void ANameThatIsNotUtf8IsRefused()
     {
-        Skip.If(!OperatingSystem.IsLinux(), "names are text elsewhere");
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "names are text elsewhere");
         raycaster.RunInShell("raycaster \"$(printf 'a\\377.json')\"");
         Assert.Equal((2, "raycaster: the name 'a\uFFFD.json' is not UTF-8: rename the file\n"), (raycaster.ExitCode, raycaster.Error));
     }
@@ -65,7 +63,7 @@ public sealed class AttackTests : CommandTests
             { "camera": { "position": [9, 0, 0], "target": [0, 0, 0], "width": 9, "height": 9 },
               "models": [ { "type": "sphere", "center": [0, 0, 0], "radius": 2, "name": "ball\r\nNothing odd\u202Edne\u001B[2J" } ] }
             """);
-        foreach (var arguments in (string[][])[["a.json", "--ledger"], ["explain", "a.json", "4", "4"], ["explain", "a.json", "4", "4", "--json"]])
+        foreach (var arguments in (string[][])[["models", "a.json"], ["explain", "a.json", "4", "4"]])
         {
             raycaster.Run(arguments);
             Assert.Equal(0, raycaster.ExitCode);
@@ -77,57 +75,56 @@ public sealed class AttackTests : CommandTests
         }
     }
 
-    [SkippableFact]
+    [Fact]
     public void APipeWhereAFileIsNeededIsRefused()
     {
-        Skip.If(OperatingSystem.IsWindows(), "no sh there");
-        foreach (var command in (string[])["sheet", "animate"])
-        {
-            raycaster.RunInShell($"raycaster -q '{Room}' -s 9x9 -o a.png; cat a.png | raycaster {command} /dev/stdin -o x.png");
-            Assert.Equal((2, "raycaster: cannot read /dev/stdin: it is a pipe or a device; name a file\n"), (raycaster.ExitCode, raycaster.Error));
-        }
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no sh there");
+        raycaster.RunInShell($"raycaster -q '{Room}' -s 9x9 -o a.png; cat a.png | raycaster stitch /dev/stdin -o x.png");
+        Assert.Equal((2, "raycaster: cannot read /dev/stdin: it is a pipe or a device; name a file\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [SkippableFact]
+    [Fact]
     [UnsupportedOSPlatform("windows")] // rights are others there
     public void AFolderThatMayNotBeListedIsNamed()
     {
-        Skip.If(Environment.IsPrivilegedProcess, "such a user may list every folder");
+        Assert.SkipWhen(Environment.IsPrivilegedProcess, "such a user may list every folder");
         Directory.CreateDirectory(raycaster.PathOf("locked"), UnixFileMode.UserWrite | UnixFileMode.UserExecute);
         raycaster.Run("stitch", "locked", "-o", "x.png");
         Assert.Equal((2, "raycaster: cannot list the folder locked: you may not read it\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [SkippableFact]
+    [Fact]
     public void ADeletedCurrentFolderIsReported()
     {
-        Skip.If(OperatingSystem.IsWindows(), "a current folder cannot be deleted there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "a current folder cannot be deleted there");
         raycaster.RunInShell("mkdir gone; cd gone; rmdir ../gone; raycaster nosuch.json");
         Assert.Equal((2, "raycaster: the current folder was deleted\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
     /// <summary>This holds for every command, and for every path that leads to the file.</summary>
-    [SkippableFact]
+    [Fact]
     public void WhatIsReadIsNotReplaced()
     {
-        Skip.If(OperatingSystem.IsWindows(), "links need rights there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "links need rights there");
         raycaster.Write("cube.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
         raycaster.Write(
             "t.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [ { "type": "mesh", "file": "cube.obj" } ] }""");
         Directory.CreateSymbolicLink(raycaster.PathOf("link"), raycaster.Folder);
-        raycaster.Run("t.json", "-s", "8x8", "--rows", "0..7", "-o", "a.png", "-q");
+        File.CreateSymbolicLink(raycaster.PathOf("alias.json"), "t.json");
+        raycaster.Run("part", "t.json", "0..7", "-s", "8x8", "-o", "a.png", "-q");
         var before = Content();
         string[] commands =
         [
             "t.json -o t.json --format png",
             "t.json -o link/t.json --format png",
+            "t.json -o alias.json --format png",
+            "alias.json -o t.json --format png",
             "t.json -o cube.obj --format ppm",
-            "t.json --rows 0..3 -o t.json --format png",
+            "wrong t.json rows -o cube.obj --format png",
             "compare a.png a.png -o link/a.png",
             "compare a.png a.png --scene t.json -o a.png",
-            "sheet a.png -o link/a.png",
-            "animate a.png -o ./a.png",
             "stitch a.png -o a.png",
+            "stitch a.png -o link/a.png",
         ];
         Assert.All(commands, command =>
         {
@@ -143,10 +140,11 @@ public sealed class AttackTests : CommandTests
     [Fact]
     public void APictureThatDoesNotSayWhatItIsIsDrawnAnewWithAReason()
     {
-        raycaster.Run(Room, "-s", "9x9", "-q").Run(Room, "-s", "9x9", "--resume");
-        Assert.StartsWith("room.png is drawn again: it does not say which scene it shows; only pictures drawn with --rows or --resume do\n",
+        string[] part = ["part", Room, "1/1", "-s", "9x9", "-o", "room.png", "--resume"];
+        raycaster.Run(Room, "-s", "9x9", "-q").Run(part);
+        Assert.StartsWith("room.png is drawn again: it does not say which scene it shows; only parts and the frames of an orbit do\n",
             raycaster.Error);
-        raycaster.Run(Room, "-s", "9x9", "--resume");
+        raycaster.Run(part);
         Assert.Equal("room.png: exists already\n", raycaster.Error);
     }
 
@@ -155,16 +153,16 @@ public sealed class AttackTests : CommandTests
     [InlineData("1x100000")]
     public void TheLedgerOfAPictureOfOneLineCountsRays(string size)
     {
-        raycaster.Run(Room, "-s", size, "--ledger", "-o", "line.png");
-        Assert.DoesNotContain("0 of 0 rays", raycaster.Error);
-        Assert.Matches("What became of", raycaster.Error);
+        raycaster.Run("models", Room, "-s", size);
+        Assert.DoesNotContain("0 of 0 rays", raycaster.OutputText);
+        Assert.Matches("What became of", raycaster.OutputText);
     }
 
     [Fact]
     public void AnAngleInRadiansIsNotExplainedByNearness()
     {
         raycaster.Write("room.json", File.ReadAllText(Room).Replace("\"fovY\": 45", "\"fovY\": 0.785"));
-        raycaster.Run("room.json", "-s", "20x20", "--ledger");
-        Assert.DoesNotContain("so near", raycaster.Error);
+        raycaster.Run("models", "room.json", "-s", "20x20");
+        Assert.DoesNotContain("so near", raycaster.OutputText);
     }
 }

@@ -43,20 +43,20 @@ public sealed class DrawTests : CommandTests
         Assert.StartsWith("P3\n4 2\n255\n", File.ReadAllText(raycaster.PathOf("a.ppm")));
     }
 
-    [SkippableFact]
+    [Fact]
     public void WhatOthersWriteToTheSameOutputStandsBeforeAndBehindThePicture()
     {
-        Skip.If(OperatingSystem.IsWindows(), "no shell that shares a file");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no shell that shares a file");
         raycaster.RunInShell($"""(echo before; raycaster '{Room}' -s 4x2 -o -; echo behind) >all 2>&1""");
         var all = Encoding.Latin1.GetString(File.ReadAllBytes(raycaster.PathOf("all")));
         Assert.StartsWith("before\nP6\n4 2\n255\n", all);
         Assert.Matches(@"^standard output: 4 x 2 pixels, .*\nbehind\n$", all[("before\n".Length + 11 + 4 * 2 * 3)..]);
     }
 
-    [SkippableFact]
+    [Fact]
     public void ThePictureIsDrawnWhereNobodyReadsTheMessages()
     {
-        Skip.If(OperatingSystem.IsWindows(), "no POSIX shell and signals there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no POSIX shell and signals there");
         raycaster.RunInShell($"raycaster '{Room}' -s 4x2 -o closed.png 2>&-; raycaster '{Room}' -s 4x2 -o full.png 2>/dev/full");
         Assert.Equal(["closed.png", "full.png"], raycaster.Files);
     }
@@ -93,13 +93,13 @@ public sealed class DrawTests : CommandTests
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("ball.png")));
     }
 
-    [SkippableTheory]
+    [Theory]
     [InlineData("HUP", 129)]
     [InlineData("INT", 130)]
     [InlineData("TERM", 143)]
     public void ASignalLeavesTheOldPictureAndNothingElse(string signal, int exitCode)
     {
-        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no kill command there");
         raycaster.Write("room.png", "the old picture");
         using var process = raycaster.Start(Room, "--size", "20000x20000");
         WaitForTemporaryFile(process);
@@ -108,10 +108,10 @@ public sealed class DrawTests : CommandTests
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("room.png")));
     }
 
-    [SkippableFact]
+    [Fact]
     public void WaitingForASceneCanBeInterrupted()
     {
-        Skip.If(OperatingSystem.IsWindows(), "no kill command there");
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no kill command there");
         using var process = raycaster.Start("-");
         Thread.Sleep(300); // it reads by now; where it does not, the runtime's own answer to the signal is the same
         Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));

@@ -1,5 +1,3 @@
-using System.Text.Json;
-
 namespace RayCaster.Cli.Tests;
 
 /// <summary>The console app's explain.</summary>
@@ -11,14 +9,6 @@ public sealed class ExplainTests : CommandTests
         raycaster.Run("explain", Room, "250", "380");
         Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.Error));
         Assert.StartsWith("Column 250, line 380 from the top (row r = 119 from the bottom) of 500 × 500 pixels:\n", raycaster.OutputText);
-    }
-
-    [Fact]
-    public void JsonCanBeRead()
-    {
-        raycaster.Run("explain", Room, "10", "5", "--json", "--size", "20x10");
-        Assert.Equal(0, raycaster.ExitCode);
-        Assert.Equal(4, JsonDocument.Parse(raycaster.OutputText).RootElement.GetProperty("pixel").GetProperty("row").GetInt32());
     }
 
     [Fact]

@@ -5,7 +5,7 @@ public sealed class MapTests : CommandTests
     [Fact]
     public void AMapIsNumbersAndAPictureNamedAfterSceneAndKind()
     {
-        raycaster.Run(Room, "--map", "t", "-s", "30x20");
+        raycaster.Run("map", Room, "t", "-s", "30x20");
         Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.OutputText));
         Assert.Equal(["room.t.pfm", "room.t.png"], raycaster.Files);
         Assert.Matches(@"^room\.t\.pfm, room\.t\.png: 30 x 20 pixels, t from \d+\.\d+ to \d+\.\d+\n$", raycaster.Error);
@@ -17,8 +17,8 @@ public sealed class MapTests : CommandTests
     [Fact]
     public void OutputNamesBothFiles()
     {
-        raycaster.Run(Room, "--map=normal", "-s", "30x20", "-o", "n.pfm", "-q");
+        raycaster.Run("map", Room, "depth", "-s", "30x20", "-o", "n.pfm", "-q");
         Assert.Equal("", raycaster.Error);
-        Assert.Equal(["n.normal.png", "n.pfm"], raycaster.Files);
+        Assert.Equal(["n.depth.png", "n.pfm"], raycaster.Files);
     }
 }

@@ -14,9 +14,6 @@ internal sealed class RayCasterProcess : IDisposable
 
     private readonly TemporaryFolder folder = new();
 
-    /// <summary>What the app keeps for its user is in a folder for temporary files.</summary>
-    static RayCasterProcess() => Environment.SetEnvironmentVariable("XDG_DATA_HOME", Path.Combine(Path.GetTempPath(), "raycaster-tests"));
-
     /// <summary>The project's scenes.</summary>
     public static string Scenes { get; } = ProjectFolder.PathOf("scenes");
 

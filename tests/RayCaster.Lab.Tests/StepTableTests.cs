@@ -71,5 +71,12 @@ public sealed class StepTableTests : IDisposable
             $"Stack overflow.\n   at Lab.Vector3.op_Multiply(Lab.Vector3, Lab.Vector3)\n   at {Vectors}()\n   at System.Reflection.Invoke()"));
 
     [Fact]
+    public void OfAFailuresStackTheLabsOwnCallsAreTold() => Assert.Equal(
+        $"   at Lab.Sphere.GeometricSolution(Ray ray) in Sphere.cs:line 18\n   at {Sphere}() in Step08Sphere.cs:line 43",
+        StoppedTests.OwnCalls("   at Lab.Sphere.GeometricSolution(Ray ray) in Sphere.cs:line 18\n" +
+            $"   at {Sphere}() in Step08Sphere.cs:line 43\n" +
+            "   at System.Reflection.MethodBaseInvoker.InvokeWithNoArgs(Object obj, BindingFlags invokeAttr) in MethodBaseInvoker.cs:line 57"));
+
+    [Fact]
     public void ARunThatWasStoppedIsAnErrorEvenIfNoTestIsKnown() => Assert.Single(StoppedTests.Of([], []));
 }

@@ -137,8 +137,6 @@ public class AttackTests
     [InlineData("""{"turn":[]}""")]
     [InlineData("""{"camera":{"position":[0,0,0]}}""")]
     [InlineData("""{"open":"/etc/passwd"}""")]
-    [InlineData("""{"look":["sideways",1]}""")]
-    [InlineData("""{"look":["99",0]}""")]
     [InlineData("""{"hint":"99"}""")]
     [InlineData("""{"map":"x"}""")]
     [InlineData("""{"diagnose":1}""")]
@@ -151,13 +149,13 @@ public class AttackTests
         await page.FrameAsync();
     }
 
-    [SkippableTheory]
+    [Theory]
     [InlineData("127.0.0.1")]
     [InlineData("localhost")]
     [InlineData("[::1]")]
     public async Task ThisMachineReachesThePageByEachOfItsNames(string name)
     {
-        Skip.If(name == "[::1]" && !Socket.OSSupportsIPv6, "no IPv6 here");
+        Assert.SkipWhen(name == "[::1]" && !Socket.OSSupportsIPv6, "no IPv6 here");
         await using var page = await LivePage.OpenAsync();
         var answer = await client.GetAsync($"http://{name}:{page.Server.Port}/");
         Assert.Equal(HttpStatusCode.OK, answer.StatusCode);

@@ -1,28 +1,20 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// The files of a hand-out that are the same for all courses or are made from the lab's source. They are embedded in this program, and the scenes
-/// lie beside it, so it needs no clone of the repository; the project file lists them.
+/// The files of a hand-out that are the same for all courses or are made from the lab's source. They lie beside this program, so it needs no clone
+/// of the repository; the project file lists them.
 /// </summary>
 internal static class HandOutFiles
 {
-    private const string Prefix = "handout/", Source = "src/Lab/";
+    private const string Source = "src/Lab/";
 
     /// <summary>All files: their paths in the hand-out's folder, and their content.</summary>
     public static IEnumerable<(string Path, byte[] Content)> All()
     {
-        var assembly = typeof(HandOutFiles).Assembly;
-        foreach (var name in assembly.GetManifestResourceNames().Order(StringComparer.Ordinal))
-        {
-            if (!name.Replace('\\', '/').StartsWith(Prefix)) continue;
-            using var stream = assembly.GetManifestResourceStream(name)!;
-            var content = new byte[stream.Length];
-            stream.ReadExactly(content);
-            yield return (name.Replace('\\', '/')[Prefix.Length..], content);
-        }
-        var folder = Path.Combine(AppContext.BaseDirectory, Prefix);
+        var folder = Path.Combine(AppContext.BaseDirectory, "handout");
         if (!Directory.Exists(folder))
-            throw new ProblemException($"the folder {Prefix} is not beside this program: publish it as a whole");
+            throw new ProblemException("the folder handout is not beside this program, which may be a hand-out's own\n" +
+                "  Make a hand-out with a clone of the project, or with the installed tool.");
         foreach (var file in Directory.GetFiles(folder, "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
             yield return (Path.GetRelativePath(folder, file).Replace('\\', '/'), File.ReadAllBytes(file));
     }

@@ -3,9 +3,6 @@ namespace RayCaster.Cli;
 /// <summary>Writes a hand-out: a folder that is a course's repository. The folder is written completely or not at all.</summary>
 internal static class HandOutFolder
 {
-    /// <summary>The assemblies of this program that the lab and its tests use.</summary>
-    private static readonly string[] libraries = ["RayCaster.Library", "RayCaster.Files", "RayCaster.Engine", "RayCaster.Teaching"];
-
     public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)
     {
         var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
@@ -22,19 +19,9 @@ internal static class HandOutFolder
                 Directory.CreateDirectory(Path.GetDirectoryName(file)!);
                 File.WriteAllBytes(file, content);
             }
-            foreach (var library in libraries) CopyLibrary(library, Path.Combine(made, "lib"));
+            CarriedTool.Copy(Path.Combine(made, "lib"), cancellation);
             WritePictures(Path.Combine(made, "scenes"), cancellation);
         });
-    }
-
-    private static void CopyLibrary(string name, string folder)
-    {
-        Directory.CreateDirectory(folder);
-        var file = Path.Combine(AppContext.BaseDirectory, name + ".dll");
-        if (!File.Exists(file))
-            throw new ProblemException($"{name}.dll is not beside this program, " +
-                "so it cannot be copied into a hand-out\n  Publish raycaster as separate files, not as one.");
-        File.Copy(file, Path.Combine(folder, name + ".dll"));
     }
 
     /// <summary>A hand-out judges students by the pictures of this build: in a clone they must be the stored references.</summary>

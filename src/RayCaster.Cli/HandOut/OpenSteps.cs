@@ -33,7 +33,7 @@ internal static partial class OpenSteps
     [GeneratedRegex("^## How to work", RegexOptions.Multiline)]
     private static partial Regex HowToWork();
 
-    /// <summary>Of the classroom's workflow, what a step runs, up to an empty line, and where its result goes.</summary>
-    [GeneratedRegex(@"^ +- id: step\{step\}\n(?:.+\n)+\n|^ +STEP\{step\}_RESULTS: .*\n", RegexOptions.Multiline)]
+    /// <summary>Of the classroom's workflow, what a step runs, up to an empty line, and where its result goes; of README.md, its points.</summary>
+    [GeneratedRegex(@"^ +- id: step\{step\}\n(?:.+\n)+\n|^ +STEP\{step\}_RESULTS: .*\n|^\| \{step\} .*\n", RegexOptions.Multiline)]
     private static partial Regex OfEachStep();
 }

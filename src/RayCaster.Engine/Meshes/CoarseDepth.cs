@@ -2,6 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>A coarse depth buffer: for each cell of 8 × 8 pixels the least inverse depth that their hits certainly have. What lies behind is
 /// hidden.</summary>
+/// <remarks>No inverse depth that a hit certainly has is NaN, so native minima are the same on all processors.</remarks>
 internal sealed class CoarseDepth
 {
     /// <summary>The side of a cell in pixels.</summary>

@@ -163,10 +163,10 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
         var (minX, maxX) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
         var (minY, maxY) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
-        var left = Vector256.MaxNative(Vector256.Ceiling(minX - margin), column);
-        var right = Vector256.MinNative(Vector256.Floor(maxX + margin), column + Vector256.Create(tile.Width - 1f));
-        var bottom = Vector256.MaxNative(Vector256.Ceiling(minY - margin), row);
-        var top = Vector256.MinNative(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
+        var left = Lanes.Greater(Vector256.Ceiling(minX - margin), column);
+        var right = Lanes.Lesser(Vector256.Floor(maxX + margin), column + Vector256.Create(tile.Width - 1f));
+        var bottom = Lanes.Greater(Vector256.Ceiling(minY - margin), row);
+        var top = Lanes.Lesser(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
         var isSingle = Vector256.Equals(left, right) & Vector256.Equals(bottom, top);
         var isOutside = TriangleSetUp.IsOutside(t, left, bottom, maxX - minX + (maxY - minY), margin);
         var shows = Vector256.AndNot(Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top), isSingle & isOutside)

@@ -36,10 +36,10 @@ internal sealed class TriangleBinner(ScreenSpace screen, Corners corners, Duplic
             var size = right - left + (top - bottom);
 
             // The samples in the triangle's box. A picture's columns and rows are exact in floats.
-            var column0 = Vector256.MaxNative(Vector256.Ceiling(left - margin), zero);
-            var column1 = Vector256.MinNative(Vector256.Floor(right + margin), lastColumn);
-            var row0 = Vector256.MaxNative(Vector256.Ceiling(bottom - margin), zero);
-            var row1 = Vector256.MinNative(Vector256.Floor(top + margin), lastRow);
+            var column0 = Lanes.Greater(Vector256.Ceiling(left - margin), zero);
+            var column1 = Lanes.Lesser(Vector256.Floor(right + margin), lastColumn);
+            var row0 = Lanes.Greater(Vector256.Ceiling(bottom - margin), zero);
+            var row1 = Lanes.Lesser(Vector256.Floor(top + margin), lastRow);
             var fit = screen.IsFit(t.A) & screen.IsFit(t.B) & screen.IsFit(t.C);
             var shows = Vector256.LessThanOrEqual(column0, column1) & Vector256.LessThanOrEqual(row0, row1);
 

@@ -89,12 +89,12 @@ internal sealed class TriangleBoxes
         {
             var (first, end) = TrianglesOf(cluster);
             var (low, high) = Around(first, end);
-            (least, most) = (Vector256.MinNative(low, least), Vector256.MaxNative(high, most));
+            (least, most) = (Lanes.Lesser(low, least), Lanes.Greater(high, most));
             (low, high) = ((low - middle) * perUnit, (high - middle) * perUnit);
             Set(0, cluster, low - Padding(low));
             Set(3, cluster, high + Padding(high));
         }
-        lock (numbers) (this.least, this.most) = (Vector256.MinNative(least, this.least), Vector256.MaxNative(most, this.most));
+        lock (numbers) (this.least, this.most) = (Lanes.Lesser(least, this.least), Lanes.Greater(most, this.most));
 
         // Rounding to a float changes a number by at most 2⁻²⁴ of itself.
         static Vector256<double> Padding(Vector256<double> number) => Vector256.Create(1e-7) * (Vector256.Abs(number) + Vector256<double>.One);
@@ -132,10 +132,10 @@ internal sealed class TriangleBoxes
             // A vertex's three numbers and the next vertex's first.
             var (a, b) = (numbers.Load256((nint)3 * vertexIndices[i]), numbers.Load256((nint)3 * vertexIndices[i + 1]));
             var c = numbers.Load256((nint)3 * vertexIndices[i + 2]);
-            (lowA, lowB, lowC) = (Vector256.MinNative(a, lowA), Vector256.MinNative(b, lowB), Vector256.MinNative(c, lowC));
-            (highA, highB, highC) = (Vector256.MaxNative(a, highA), Vector256.MaxNative(b, highB), Vector256.MaxNative(c, highC));
+            (lowA, lowB, lowC) = (Lanes.Lesser(a, lowA), Lanes.Lesser(b, lowB), Lanes.Lesser(c, lowC));
+            (highA, highB, highC) = (Lanes.Greater(a, highA), Lanes.Greater(b, highB), Lanes.Greater(c, highC));
         }
-        return (Vector256.MinNative(Vector256.MinNative(lowA, lowB), lowC), Vector256.MaxNative(Vector256.MaxNative(highA, highB), highC));
+        return (Lanes.Lesser(Lanes.Lesser(lowA, lowB), lowC), Lanes.Greater(Lanes.Greater(highA, highB), highC));
     }
 
     /// <summary>The same with checks: for a cluster that is shorter than the others, that has the last vertex, behind which there is no number, or a
@@ -148,7 +148,7 @@ internal sealed class TriangleBoxes
         for (var i = 3 * first; i < 3 * end; i++)
         {
             var corner = CornerAt(i);
-            (low, high) = (Vector256.MinNative(corner, low), Vector256.MaxNative(corner, high));
+            (low, high) = (Lanes.Lesser(corner, low), Lanes.Greater(corner, high));
         }
         return (low, high);
     }

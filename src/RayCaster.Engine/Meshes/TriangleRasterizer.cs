@@ -2,6 +2,8 @@ namespace RayCaster.Engine;
 
 /// <summary>Rasterizes triangles in a tile; each thread has its own.</summary>
 /// <remarks>
+/// The native minima and maxima of the loops treat NaN differently on each processor. It comes only from a triangle with a corner that is NaN, which
+/// never covers a sample for certain, and which no ray hits.
 /// Every second sample of a small box is outside or hidden, and branch prediction cannot tell which. So pixels are written whether or not anything
 /// changes; only uncertain ones, which are rare, take a branch. In a large box samples outside are predictable, so a branch skips them.
 /// </remarks>
@@ -58,7 +60,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     private uint SetUp(TriangleQueue triangles, int first)
     {
         var shows = TriangleSetUp.Of(triangles, first, screen, tile, setup);
-        maxInverseDepth = Vector256.MaxNative(maxInverseDepth, Field(new(setup), TriangleSetUp.MaxInverseDepth));
+        // In this order NaN, of a corner that is NaN, does not hide the other triangles.
+        maxInverseDepth = Lanes.Greater(Field(new(setup), TriangleSetUp.MaxInverseDepth), maxInverseDepth);
         return triangles.Count - first < 8 ? shows & ((1u << (triangles.Count - first)) - 1) : shows;
     }
 

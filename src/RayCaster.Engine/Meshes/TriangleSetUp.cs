@@ -35,10 +35,10 @@ internal static class TriangleSetUp
         var (left, right) = (Lanes.Least(ax, bx, cx), Lanes.Most(ax, bx, cx));
         var (bottom, top) = (Lanes.Least(ay, by, cy), Lanes.Most(ay, by, cy));
         var size = right - left + (top - bottom);
-        left = Vector256.MaxNative(Vector256.Ceiling(left - margin), zero);
-        right = Vector256.MinNative(Vector256.Floor(right + margin), Vector256.Create(tile.Width - 1f));
-        bottom = Vector256.MaxNative(Vector256.Ceiling(bottom - margin), zero);
-        top = Vector256.MinNative(Vector256.Floor(top + margin), Vector256.Create(tile.Height - 1f));
+        left = Lanes.Greater(Vector256.Ceiling(left - margin), zero);
+        right = Lanes.Lesser(Vector256.Floor(right + margin), Vector256.Create(tile.Width - 1f));
+        bottom = Lanes.Greater(Vector256.Ceiling(bottom - margin), zero);
+        top = Lanes.Lesser(Vector256.Floor(top + margin), Vector256.Create(tile.Height - 1f));
         var shows = Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top);
 
         // Twice the areas of the triangles that a sample makes with the sides: (b − s) × (c − s). With corners off by δ such a product is off by 2 δ
@@ -124,7 +124,7 @@ internal static class TriangleSetUp
     private static Vector256<float> Reaches(Vector256<float> f, Vector256<float> right, Vector256<float> up,
         Vector256<float> across, Vector256<float> upwards, Vector256<float> slack)
     {
-        var most = f + Vector256.MaxNative(right, Vector256<float>.Zero) * across + Vector256.MaxNative(up, Vector256<float>.Zero) * upwards;
+        var most = f + Lanes.Greater(right, Vector256<float>.Zero) * across + Lanes.Greater(up, Vector256<float>.Zero) * upwards;
         return Vector256.GreaterThanOrEqual(most, Vector256.Create(-4f) * slack);
     }
 
@@ -132,6 +132,7 @@ internal static class TriangleSetUp
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Whole(RawSpan<float> setup, int lane, int field) => BitConverter.SingleToInt32Bits(setup[8 * field + lane]);
 
+    /// <summary>Only lanes that show are used: their numbers are small and not NaN, which is an integer of its own on each processor.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Whole(Vector256<float> numbers) => Vector256.ConvertToInt32Native(numbers).AsSingle();
 

@@ -69,7 +69,7 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IReal<FloatPacket
     public static FloatPacket Load(double[] numbers, int first) =>
         new(Vector256.Narrow(Packet.Load(numbers, first).Lanes, Packet.Load(numbers, first + Packet.Count).Lanes));
 
-    /// <summary>Indices + 1 as ints, in offset of floats.</summary>
+    /// <summary>Indices + 1 as ints, stored in the float lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket LoadColorIndices(double[] indices, int first)
     {
@@ -77,7 +77,7 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IReal<FloatPacket
         return new((Vector256.Create(lower, upper) + Vector256<int>.One).AsSingle());
     }
 
-    /// <summary>The colours at some colorIndices, in steps.</summary>
+    /// <summary>The colours with these indices, in steps.</summary>
     /// <param name="colors"><see cref="FloatColors.Packed"/>.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static (FloatPacket R, FloatPacket G, FloatPacket B) ColorsAt(RawSpan<long> colors, FloatPacket colorIndices)
@@ -90,7 +90,7 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IReal<FloatPacket
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<FloatPacket> Divide(Vector3<FloatPacket> a, FloatPacket b) => (FloatPacket)1 / b * a;
 
-    /// <summary>The whole parts of three channels' levels: three bytes for each pixel, in offset of its float.</summary>
+    /// <summary>The whole parts of three channels' levels: three bytes for each pixel, stored in its float lane.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Pixels(FloatPacket r, FloatPacket g, FloatPacket b) => new(FloatBytes.Packed(r.Lanes, g.Lanes, b.Lanes).AsSingle());
 

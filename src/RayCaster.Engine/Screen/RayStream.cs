@@ -164,7 +164,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         for (var i = 0; i < Length; i++)
         {
             var ray = single[i] ??= new(Origin, DirectionAt(i)) { ClipRange = camera.ClipRange, DepthPerT = depthPerT[i] };
-            if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i])))
+            if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Holds || (hit == t[i] && modelIndex < model[i])))
                 continue;
             t[i] = hit;
             model[i] = modelIndex;

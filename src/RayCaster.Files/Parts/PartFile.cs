@@ -29,7 +29,7 @@ public static class PartFile
 
     private static string? WhyNot(PngReader png, PartFacts? found, PartFacts wanted)
     {
-        if (found is null) return "it does not say which scene it shows; only pictures drawn with --rows or --resume do";
+        if (found is null) return "it does not say which scene it shows; only parts and the frames of an orbit do";
         if (found.Version != wanted.Version) return $"it was drawn by version {found.Version}, and this is {wanted.Version}";
         if (found != wanted) return "it shows another scene, another size or other lines";
         png.ReadLines(_ => { }); // a damaged one is drawn again

@@ -18,7 +18,7 @@ public sealed class PartSet
         {
             if (PartFile.FactsOf(path) is { } facts) parts.Add((path, facts));
             else if (isChosen is null || isChosen(path))
-                problems.Add($"{path} is a picture, but does not say which part of which; --rows draws parts");
+                problems.Add($"{path} is a picture, but does not say which part of which; the command part draws parts");
         }
         parts.Sort(
             (a, b) => a.Facts.Lines.First.CompareTo(b.Facts.Lines.First) is var order and not 0 ? order : string.CompareOrdinal(a.Path, b.Path));

@@ -82,15 +82,9 @@ $("map-kind").addEventListener("change", event => {
 });
 $("map-strength").addEventListener("input", event => { $("map").style.opacity = event.target.value / 100; });
 
-const meanings = {
-  normal: "Red, green and blue are (n + 1) / 2 of the three coordinates.",
-  model: "Each model has the colour beside its name.",
-  uv: "Red is u and green is v, without their whole parts.",
-};
-
 on("legend", legend => {
   const isRamp = legend.colors.length > 0 && legend.map !== "model";
-  $("legend-words").textContent = `${meanings[legend.map] ?? ""} Black: the ray hits nothing.`;
+  $("legend-words").textContent = `${legend.map === "model" ? "Each model has the colour beside its name. " : ""}Black: the ray hits nothing.`;
   show($("legend-words"), true);
   show($("legend"), isRamp);
   if (!isRamp) return;

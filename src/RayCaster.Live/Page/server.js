@@ -13,7 +13,7 @@ let socket = null;
 let wait = delay.first;
 let everOpen = false;
 const memory = {}; // the newest request of each kind that the server must know after a break
-const remembered = new Set(["camera", "hidden", "look", "explain", "map", "hint"]);
+const remembered = new Set(["camera", "explain", "map", "hint"]);
 
 /** Registers a function for each message of a kind. "frame", "open" and "closed" are kinds, too. */
 export function on(kind, listener) {

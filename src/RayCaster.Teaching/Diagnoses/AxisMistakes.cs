@@ -16,6 +16,13 @@ internal static class AxisMistakes
             "Nothing in front of the camera is visible.",
             "W points backwards. With which sign does it go into d?",
             "d = (uc U + ur V − W) normalised."),
+        new Mistake("dir-plus-p", Affects.Camera, Slides.PixelTranslation,
+            "d = P + uc U + ur V − W: a point of the plane taken for the direction to it",
+            lab => lab.Towards.Becomes(towards => (uc, ur) => lab.P + towards(uc, ur)),
+            "The camera looks away from the world's origin, or all is far too small; moving it turns it.",
+            "P + uc U + ur V − W is a point. Which vector leads to it from P?",
+            "d = (uc U + ur V − W) normalised: that point less P.")
+            .Or("d = uc U + ur V − W − P", lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc, ur) - lab.P)),
         new("u-cross", Affects.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
             lab => lab.AxisU.Becomes(U => (up, w) => -U(up, w)),
             "The picture is turned by 180 degrees.",

@@ -24,6 +24,11 @@ internal static class BoxMistakes
             "Boxes are endless columns.",
             "How many slabs make a box?",
             "Do the same for x, y and z."),
+        new("slab-axis", Affects.Boxes, Slides.BoxParameters, "box: another axis in one slab: (B0.y − P.y) / d.x",
+            Slabs(axesOfD: [0, 0, 2]),
+            "Boxes are skewed, or too large along one axis.",
+            "Each slab has one axis. Of which axis are B0, P and d in the t0 and t1 of each?",
+            "t0 = (B0.y − P.y) / d.y for the slab of y, and so for x and z."),
         new("slab-tmax", Affects.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
             lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Far)),
             "Boxes look hollow and too dark: you see their far faces from inside.",
@@ -53,8 +58,9 @@ internal static class BoxMistakes
     /// <summary>The slides' way: t_min is the last way into a slab, t_max the first way out.</summary>
     /// <param name="along">From the faces of a slab and P, the ways in and out of a ray along it; the right ones if null.</param>
     /// <param name="lastIn">From the ways in, the one that counts.</param>
+    /// <param name="axesOfD">Which coordinate of d the slabs of x, y and z take.</param>
     private static Action<Lab> Slabs(Func<double, double, double, (double, double)>? along = null, bool isSorted = true,
-        Func<double, double, double, double>? lastIn = null) => lab => lab.Box.Is((box, d) =>
+        Func<double, double, double, double>? lastIn = null, int[]? axesOfD = null) => lab => lab.Box.Is((box, d) =>
     {
         var (x, y, z) = (SlabOf(0), SlabOf(1), SlabOf(2));
         var (tMin, tMax) = (lastIn?.Invoke(x.In, y.In, z.In) ?? Math.Max(Math.Max(x.In, y.In), z.In), Least(x.Out, y.Out, z.Out));
@@ -63,7 +69,7 @@ internal static class BoxMistakes
         (double In, double Out) SlabOf(int axis)
         {
             var (lo, hi, P) = (box.Min.At(axis), box.Max.At(axis), lab.P.At(axis));
-            var (t0, t1) = d.At(axis) is not 0 and var b ? ((lo - P) / b, (hi - P) / b)
+            var (t0, t1) = d.At(axesOfD?[axis] ?? axis) is not 0 and var b ? ((lo - P) / b, (hi - P) / b)
                 : along is not null ? along(lo, hi, P)
                 : lo <= P && P <= hi ? (-endless, endless) : (double.NaN, double.NaN);
             return isSorted ? (Math.Min(t0, t1), Math.Max(t0, t1)) : (t0, t1);

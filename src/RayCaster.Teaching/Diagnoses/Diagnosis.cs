@@ -37,6 +37,11 @@ public sealed class Diagnosis
             var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false);
             if (prepared.Known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
         }
+        if (prepared.Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
+        {
+            (answer, Missing) = (new(Finding.Cropped), crop.Missing);
+            return;
+        }
         if (WrongCount == 0 || (TooManyModels && evidence.IsOnlyOutlines))
         {
             answer = new(Finding.Matches);
@@ -86,6 +91,12 @@ public sealed class Diagnosis
 
     /// <summary>The name of the model without which the scene gives the picture; null if there is none.</summary>
     public string? MissingModel { get; }
+
+    /// <summary>The lines and columns without which the scene's picture is this one, with <see cref="Finding.Cropped"/>; otherwise null.</summary>
+    public string? Missing { get; }
+
+    /// <inheritdoc cref="PictureDifference.Shift"/>
+    public int? Shift => evidence.Shift;
 
     /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches says little.</summary>
     public bool ProvesNothing => prepared.Right.IsOneColor;

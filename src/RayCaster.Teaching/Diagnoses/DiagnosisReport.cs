@@ -12,6 +12,11 @@ public static class DiagnosisReport
             AppendMatch(text, diagnosis, picture, scene);
             return text.ToString();
         }
+        if (diagnosis.Missing is { } missingPart)
+        {
+            text.Wrap("", $"{picture} is the picture of {scene} without {missingPart}. {ComparisonText.Cropped}");
+            return text.ToString();
+        }
         text.AppendLine($"{picture} is not the picture of {scene}: {Digits.Part(diagnosis.WrongCount, diagnosis.PixelCount)} " +
             $"differ by more than {PictureJudge.Tolerance} level.");
         text.AppendLine();
@@ -44,7 +49,8 @@ public static class DiagnosisReport
         var outlines = diagnosis.WrongCount + diagnosis.OutlineCount;
         text.AppendLine($"{picture} matches: it is the picture of {scene}" +
             $"{(outlines > 0 ? $", but for {Digits.Count(outlines, "pixel")} on outlines" : "")}.");
-        if (diagnosis.DarkerShare > 0.05)
+        if (diagnosis.Shift is { } levels) text.AppendLine(ComparisonText.Shifted(levels));
+        else if (diagnosis.DarkerShare > 0.05)
             text.AppendLine($"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker: the slide rounds " +
                 "a channel, 255 x + 0.5, where truncating takes 255 x.");
     }
@@ -126,7 +132,7 @@ public static class DiagnosisReport
             Pixels = diagnosis.PixelCount,
             Wrong = diagnosis.WrongCount,
             DarkerByOne = diagnosis.DarkerShare,
-            Missing = diagnosis.MissingModel,
+            Missing = diagnosis.MissingModel ?? diagnosis.Missing,
             diagnosis.NotYet,
             diagnosis.Likely,
             CannotShow = hidden.Select(mistake => mistake.Id),

@@ -24,9 +24,6 @@ internal static class FileMistakes
             .Or("the picture turned by 90 degrees", Turned((x, y, width, _) => (y, width - 1 - x)))
             .Or("the picture turned by 90 degrees, the other way", Turned((x, y, _, height) => (height - 1 - y, x)))
             .Or("row and column swapped, both counted from the other end", Turned((x, y, width, height) => (height - 1 - y, width - 1 - x)))
-            .Or("row and column swapped when the ray is cast", lab => lab.Sample.Becomes(sample => (c, r) => sample(r, c)))
-            .Or("row and column swapped when the ray is cast, each divided by its own side",
-                lab => lab.Sample.Becomes(sample => (c, r) => sample(r * lab.Wide, c * lab.Tall)))
             .Or("the pixels are written column by column", ByColumns(down: true))
             .Or("the pixels are written column by column, from the bottom", ByColumns(down: false))
             .Or("line y begins at y · height, where y · width is meant", Stride(fromTop: true))

@@ -6,6 +6,9 @@ public enum Finding
     /// <summary>The picture is the scene's, but for rounding and single pixels on outlines.</summary>
     Matches,
 
+    /// <summary>The picture is a part of the scene's: lines or columns at its border are missing.</summary>
+    Cropped,
+
     /// <summary>Some kinds of shape are not drawn yet, and what is drawn is right.</summary>
     Unfinished,
 

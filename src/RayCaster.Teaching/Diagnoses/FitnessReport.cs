@@ -86,34 +86,6 @@ public static class FitnessReport
         return text.ToString();
     }
 
-    /// <summary>The same as JSON, for other programs.</summary>
-    /// <param name="absent">The required mistakes that do not show.</param>
-    /// <param name="warning">Why all of it may be wrong; left out if null.</param>
-    public static string Json(SceneFitness fitness, IReadOnlyList<string> absent, string? warning = null) => JsonText.Of(new
-    {
-        Warning = warning,
-        Scenes = fitness.Scenes.Count,
-        Known = fitness.Asked.Count,
-        Shown = Shown(fitness),
-        fitness.Reduced,
-        Hidden = fitness.Hidden.Select(mistake => new
-        {
-            mistake.Id,
-            mistake.Cause,
-            Why = fitness.WithinRounding.Contains(mistake) ? "it changes a channel by a level" : ReasonFor(mistake, fitness),
-        }),
-        HiddenInOneForm = fitness.HiddenAtFirst.Select(mistake => mistake.Id),
-        Twins = fitness.Twins.Select(group => group.Select(mistake => mistake.Id)),
-        NotTried = fitness.NotTried.Select(mistake => mistake.Id),
-        RequiredButHidden = absent,
-        Pixels = fitness.PixelCount,
-        fitness.FragilePixels,
-    });
-
-    /// <summary>The errors of scenes that cannot be judged, as JSON.</summary>
-    public static string Json(IEnumerable<Problem> errors) =>
-        JsonText.Of(new { Errors = errors.Select(error => new { error.File, error.Line, error.Column, error.Message }) });
-
     private static int Shown(SceneFitness fitness) => fitness.Asked.Count - fitness.Hidden.Count - fitness.NotTried.Count;
 
     private static string ReasonFor(Mistake mistake, SceneFitness fitness)

@@ -75,15 +75,15 @@ internal sealed partial class Lab
     public Step<Func<double, Vector3, double>> Depth => field ??= new((t, d) => t * -(d * W));
 
     /// <summary>t → whether it is ahead: t &gt; bias.</summary>
-    public Step<Func<double, bool>> Ahead => field ??= new(t => clip.IsAhead<Scalar>(t).Value != 0);
+    public Step<Func<double, bool>> Ahead => field ??= new(t => clip.IsAhead<Scalar>(t).Holds);
 
     /// <summary>(t, depth) → whether it is not nearer than zNear, which measures one of both.</summary>
     public Step<Func<double, double, bool>> Near => field ??= new(
-        (t, depth) => clip.IsBeyondNear<Scalar>(Camera.Clip == ClipMode.Depth ? depth : t).Value != 0);
+        (t, depth) => clip.IsBeyondNear<Scalar>(Camera.Clip == ClipMode.Depth ? depth : t).Holds);
 
     /// <summary>(t, depth) → whether it is not beyond zFar, which measures one of both.</summary>
     public Step<Func<double, double, bool>> Far => field ??= new(
-        (t, depth) => clip.IsWithinFar<Scalar>(Camera.Clip == ClipMode.Depth ? depth : t).Value != 0);
+        (t, depth) => clip.IsWithinFar<Scalar>(Camera.Clip == ClipMode.Depth ? depth : t).Holds);
 
     /// <summary>(t, depth) → whether it is between both.</summary>
     public Step<Func<double, double, bool>> Clipped => field ??= new((t, depth) => Near.Do(t, depth) && Far.Do(t, depth));

@@ -83,7 +83,7 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
 
         Scene With(Vector3 P, Vector3 T, double? zNear = null, double? zFar = null) => scene with
         {
-            Camera = c with { Position = P, Target = T, ZNear = zNear ?? c.ZNear, ZFar = zFar ?? c.ZFar },
+            Camera = c.With(position: P, target: T, zNear: zNear ?? c.ZNear, zFar: zFar ?? c.ZFar),
         };
     }
 

@@ -30,6 +30,13 @@ internal static class PixelMistakes
             "Only outlines differ: not at the lower left, and ever more towards the right and the top, up to a pixel.",
             "By what does the slide divide c?",
             "uc = w c / width − w / 2, ur = h r / height − h / 2."),
+        new Mistake("rc-swap", Affects.Camera, Slides.PixelTranslation, "c and r swapped when the ray is cast",
+            lab => lab.Sample.Becomes(sample => (c, r) => sample(r, c)),
+            "The picture is mirrored at its rising diagonal; one that is not square is deformed or cut off, too.",
+            "Columns are counted by c, rows by r. In which order does each call take them, and which of them goes with width?",
+            "uc = w c / width − w / 2, ur = h r / height − h / 2.")
+            .Or("c and r swapped when the ray is cast, each divided by its own side",
+                lab => lab.Sample.Becomes(sample => (c, r) => sample(r * lab.Wide, c * lab.Tall))),
         new("size-mixed", Affects.Camera, Slides.PixelTranslation,
             "width and height swapped in the mapping: uc = w c / height − w / 2, ur = h r / width − h / 2",
             lab =>

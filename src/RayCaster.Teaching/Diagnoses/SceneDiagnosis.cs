@@ -8,14 +8,18 @@ namespace RayCaster.Teaching;
 public sealed class SceneDiagnosis
 {
     private readonly Lazy<IReadOnlyList<Mistake>> hidden;
+    private readonly (int Width, int Height)? size;
 
     /// <summary>Draws the scene.</summary>
     /// <param name="scene">The scene that the pictures should show, at their size.</param>
     /// <param name="threads">How many threads draw, and judge each picture; one per core if left out.</param>
     /// <param name="possible">Which mistakes are tried, for example those of the code written so far; all if left out.</param>
     /// <param name="budget">How long all searches together may take; any time if left out.</param>
-    public SceneDiagnosis(Scene scene, int? threads = null, Predicate<Mistake>? possible = null, SearchBudget? budget = null)
+    /// <param name="size">The size that the scene's picture should have, if the pictures have another.</param>
+    public SceneDiagnosis(Scene scene, int? threads = null, Predicate<Mistake>? possible = null, SearchBudget? budget = null,
+        (int Width, int Height)? size = null)
     {
+        this.size = size;
         (Scene, Threads, Possible, Budget) = (scene, threads, possible, budget);
         Right = Renderer.Render(scene, threads);
         var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
@@ -49,6 +53,10 @@ public sealed class SceneDiagnosis
 
     /// <summary>The mistakes that take too long to try.</summary>
     internal IReadOnlyList<Mistake> NotTried { get; }
+
+    /// <summary>The scene's picture in the size that it should have, if another picture may be a part of it.</summary>
+    internal Picture? Whole(Picture picture) => size is var (width, height) && Crop.IsPossible(picture, width, height)
+        ? Renderer.Render(Scene.WithSize(width, height), Threads) : null;
 
     /// <summary>Judges a picture.</summary>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>

@@ -199,10 +199,10 @@ public sealed record SceneFitness(
     {
         foreach (var nudge in (Func<double, double>[])[Math.BitIncrement, Math.BitDecrement])
         {
-            foreach (var P in Nudged(camera.Position, nudge)) yield return camera with { Position = P };
-            foreach (var T in Nudged(camera.Target, nudge)) yield return camera with { Target = T };
-            foreach (var up in Nudged(camera.Up, nudge)) yield return camera with { Up = up };
-            yield return camera with { FovY = nudge(camera.FovY) };
+            foreach (var P in Nudged(camera.Position, nudge)) yield return camera.With(position: P);
+            foreach (var T in Nudged(camera.Target, nudge)) yield return camera.With(target: T);
+            foreach (var up in Nudged(camera.Up, nudge)) yield return camera.With(up: up);
+            yield return camera.With(fovY: nudge(camera.FovY));
         }
     }
 

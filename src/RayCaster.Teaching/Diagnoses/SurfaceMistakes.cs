@@ -38,6 +38,13 @@ internal static class SurfaceMistakes
             "A circle covers the picture like an infinite plane.",
             "What is there of a circle that a plane has not?",
             "The plane's crossing X counts only where |X − C| ≤ R."),
+        new Mistake("circ-2axes", Affects.Circles, Slides.Circle, "circle: |X − C| of x and y only, without z",
+            CircleWithout(offset => offset with { Z = 0 }),
+            "Circles are long ovals, or endless strips.",
+            "X and C are points in space. How many coordinates has X − C?",
+            "|X − C| = √((X − C)·(X − C)), with x, y and z.")
+            .Or("circle: |X − C| of x and z only, without y", CircleWithout(offset => offset with { Y = 0 }))
+            .Or("circle: |X − C| of y and z only, without x", CircleWithout(offset => offset with { X = 0 })),
     ];
 
     private static Mistake[] OfTriangles =>
@@ -80,6 +87,13 @@ internal static class SurfaceMistakes
 
         double Area(Vector3 a, Vector3 b) => lab.Length.Do(lab.Cross.Do(a, b));
     }
+
+    /// <summary>The radius is compared with the length of a part of X − C.</summary>
+    private static Action<Lab> CircleWithout(Func<Vector3, Vector3> partOf) => lab => lab.Circle.Is((circle, d) =>
+    {
+        var t = (circle.Center - lab.P) * circle.Normal / (d * circle.Normal);
+        return lab.Length.Do(partOf(lab.P + t * d - circle.Center)) <= circle.Radius ? new(t) : None;
+    });
 
     /// <summary>Another radius of circles, from the right one.</summary>
     internal static Action<Lab> CircleRadius(Func<double, double> R) =>

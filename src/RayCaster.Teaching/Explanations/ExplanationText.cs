@@ -1,17 +1,34 @@
 namespace RayCaster.Teaching;
 
+/// <summary>A part of an explanation.</summary>
+/// <param name="Title">What it is about; empty for the first.</param>
+/// <param name="Text">Its lines, each ended by a line feed.</param>
+public sealed record ExplanationSection(string Title, string Text);
+
 /// <summary>An explanation for people: lines of at most 100 characters, mostly; numbers have six significant digits.</summary>
 public sealed class ExplanationText
 {
     private const int Width = 100;
 
     private readonly PixelExplanation pixel;
-    private readonly StringBuilder text = new();
+    private readonly List<(string Title, StringBuilder Text)> sections = [];
 
     private ExplanationText(PixelExplanation pixel) => this.pixel = pixel;
 
     /// <summary>The text, in lines, with the same pixel in another picture if there is one.</summary>
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null)
+    {
+        var all = new StringBuilder();
+        foreach (var section in Sections(pixel, reference))
+        {
+            if (all.Length > 0) all.Append('\n').Wrap("", section.Title, 4, Width);
+            all.Append(section.Text);
+        }
+        return all.ToString();
+    }
+
+    /// <summary>The same text in sections. The first, which says what the pixel shows, has no title.</summary>
+    public static IReadOnlyList<ExplanationSection> Sections(PixelExplanation pixel, ReferenceExplanation? reference = null)
     {
         var writer = new ExplanationText(pixel);
         writer.Pixel();
@@ -21,11 +38,15 @@ public sealed class ExplanationText
         writer.Models();
         writer.Color();
         if (reference is not null) writer.Reference(reference);
-        return writer.text.ToString();
+        return [.. writer.sections.Select(section => new ExplanationSection(section.Title, section.Text.ToString()))];
     }
+
+    /// <summary>The section that is being written.</summary>
+    private StringBuilder Text => sections[^1].Text;
 
     private void Pixel()
     {
+        Section("", "");
         var camera = pixel.Scene.Camera;
         var (r, g, b) = pixel.Bytes;
         Line(0, $"Column {pixel.Column}, line {pixel.Line} from the top (row r = {pixel.Row} from the bottom) of {camera.Width} × " +
@@ -155,27 +176,23 @@ public sealed class ExplanationText
                 var number => Digits.Of((double)number),
             };
             string[] parts = step.Formula == step.Numbers || step.Numbers == value ? [step.Formula, value] : [step.Formula, step.Numbers, value];
-            text.Append(' ', indent).Append(step.Name.PadRight(longest));
+            Text.Append(' ', indent).Append(step.Name.PadRight(longest));
             var column = indent + longest;
             foreach (var part in parts)
             {
                 if (column > indent + longest && column + 3 + part.Length > Width)
                 {
                     column = indent + longest;
-                    text.Append('\n').Append(' ', column);
+                    Text.Append('\n').Append(' ', column);
                 }
-                text.Append(step.Value is bool && ReferenceEquals(part, value) ? " is " : " = ").Append(part);
+                Text.Append(step.Value is bool && ReferenceEquals(part, value) ? " is " : " = ").Append(part);
                 column += 3 + part.Length;
             }
-            text.Append('\n');
+            Text.Append('\n');
         }
     }
 
-    private void Section(string title, string about)
-    {
-        text.Append('\n');
-        Line(0, about.Length == 0 ? title : $"{title}: {about}");
-    }
+    private void Section(string title, string about) => sections.Add((about.Length == 0 ? title : $"{title}: {about}", new()));
 
-    private void Line(int indent, string line) => text.Wrap(new(' ', indent), line, indent + 4, Width);
+    private void Line(int indent, string line) => Text.Wrap(new(' ', indent), line, indent + 4, Width);
 }

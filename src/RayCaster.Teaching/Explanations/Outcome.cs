@@ -38,9 +38,9 @@ internal static class Outcomes
     public static Outcome Of(double t, Ray ray) =>
         !double.IsFinite(t) ? Outcome.Misses
         : t < 0 ? Outcome.Behind
-        : ray.ClipRange.IsAhead<Scalar>(t).Value == 0 ? Outcome.UnderBias
-        : ray.ClipRange.IsBeyondNear<Scalar>(t * ray.DepthPerT).Value == 0 ? Outcome.BeforeNear
-        : ray.ClipRange.IsWithinFar<Scalar>(t * ray.DepthPerT).Value != 0 ? Outcome.Shows
+        : !ray.ClipRange.IsAhead<Scalar>(t).Holds ? Outcome.UnderBias
+        : !ray.ClipRange.IsBeyondNear<Scalar>(t * ray.DepthPerT).Holds ? Outcome.BeforeNear
+        : ray.ClipRange.IsWithinFar<Scalar>(t * ray.DepthPerT).Holds ? Outcome.Shows
         : Outcome.BeyondFar;
 
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;

@@ -73,7 +73,7 @@ public sealed class PixelExplanation
     internal Color Color { get; }
 
     /// <summary>The pixel's bytes in the picture.</summary>
-    internal (byte R, byte G, byte B) Bytes => Color.ToBytes();
+    public (byte R, byte G, byte B) Bytes => Color.ToBytes();
 
     /// <summary>What is special about this pixel, in words.</summary>
     internal IReadOnlyList<string> Notes => PixelNotes.Of(this);

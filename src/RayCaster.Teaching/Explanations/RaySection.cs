@@ -12,8 +12,7 @@ public static class RaySection
     private const int MaxLines = 4000;
 
     /// <summary>The drawing for an explanation, an object for JSON. Points are (u, v), near and far the u of the clip planes; they are null where
-    /// zNear and zFar are distances, whose sections are circles. Models stand in the explanation's order; crossings lie at t · direction.
-    /// </summary>
+    /// zNear and zFar are distances, whose sections are circles.</summary>
     public static object Of(PixelExplanation pixel)
     {
         var (camera, d) = (pixel.Scene.Camera, pixel.Ray.Direction);
@@ -39,8 +38,19 @@ public static class RaySection
                 Bottom = Math.Min(0, endV) - 0.2 * length,
                 Top = Math.Max(0, endV) + 0.2 * length,
             },
-            Models = pixel.Models.Select(explained => explained.Fate.Model)
-                .Select(model => new { Color = Hex(model.Color.ToBytes()), Lines = fan.Cut(model) }),
+            Models = pixel.Models.Select(model => new
+            {
+                model.Name,
+                Color = Hex(model.Fate.Model.Color.ToBytes()),
+                Lines = fan.Cut(model.Fate.Model),
+            }),
+            Crossings = pixel.Models.SelectMany(model => model.Crossings.Where(crossing => double.IsFinite(crossing.T)).Select(crossing => new
+            {
+                Place = (double[])[crossing.T * (d * u), crossing.T * (d * v)],
+                Shows = crossing.Outcome == Outcome.Shows,
+                Label = $"t = {Digits.Of(crossing.T)}",
+                Words = $"{model.Name}: t = {Digits.Of(crossing.T)}, {crossing.Reason}",
+            })),
         };
     }
 

@@ -28,7 +28,7 @@ public class BreakTests(Chromium chromium)
         await page.ShowsAsync("#camera-reset:not([disabled])");
         var camera = await page.TextOfAsync("#camera-json");
         await page.PressAsync("Enter");
-        await page.ShowsAsync("#pixel-bytes");
+        await page.ShowsAsync("#pixel-head");
         first.Dispose();
         await page.ShowsAsync("body.apart");
 
@@ -36,7 +36,7 @@ public class BreakTests(Chromium chromium)
         using var second = LiveProcess.Start(scene, 2, folder.Path);
         Assert.Equal(first.Address, second.Address);
         await page.ShowsAsync("body:not(.apart)");
-        await page.WaitForFunctionAsync("() => ['0 0 0', '0 0 255'].includes(document.getElementById('pixel-bytes').textContent)");
+        await page.WaitForFunctionAsync("() => /bytes 0 0 (0|255)\\n/.test(document.getElementById('pixel-head').textContent)");
         Assert.Equal(camera, await page.TextOfAsync("#camera-json"));
     }
 

@@ -28,7 +28,7 @@ public sealed class Chromium : IAsyncLifetime
 
     private IBrowser? browser;
 
-    public async Task InitializeAsync()
+    public async ValueTask InitializeAsync()
     {
         if (File.Exists(BrowserFactAttribute.Path))
             browser = await Puppeteer.LaunchAsync(new() { ExecutablePath = BrowserFactAttribute.Path, Args = flags });
@@ -53,7 +53,7 @@ public sealed class Chromium : IAsyncLifetime
         return (page, complaints);
     }
 
-    public async Task DisposeAsync()
+    public async ValueTask DisposeAsync()
     {
         if (browser is not null) await browser.DisposeAsync();
     }

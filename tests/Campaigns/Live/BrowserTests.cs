@@ -51,37 +51,23 @@ public class BrowserTests(Chromium chromium)
     }
 
     [BrowserFact]
-    public async Task IfAllModelsAreHiddenTheLedgerSaysSo()
-    {
-        await using var live = await LivePage.OpenAsync();
-        var (page, complaints) = await chromium.OpenAsync(live);
-        await page.ClickOnAsync("#ledger summary");
-        await page.WaitForFunctionAsync("() => document.getElementById('ledger-report').textContent.includes('every model shows')");
-        await page.ClickOnAsync("#model-0-hide");
-        await page.WaitForFunctionAsync("() => document.getElementById('ledger-report').textContent === 'All models are hidden.'");
-        await page.ClickOnAsync("#model-0-hide");
-        await page.WaitForFunctionAsync("() => document.getElementById('ledger-report').textContent.includes('every model shows')");
-        Assert.Empty(complaints);
-    }
-
-    [BrowserFact]
     public async Task AClickExplainsThePixelAndArrowKeysStepOn()
     {
         await using var live = await LivePage.OpenAsync();
         var (page, complaints) = await chromium.OpenAsync(live);
         var box = await page.BoxOfAsync("#picture");
         await page.Mouse.ClickAsync(box.X + box.Width * 20.5m / 40, box.Y + box.Height * 14.5m / 30);
-        await page.ShowsAsync("#pixel-bytes");
-        Assert.Contains("column 20, line 14", await page.TextOfAsync("#pixel-head"));
-        Assert.Equal((await PixelAsync(page, 20, 14)).Replace(',', ' '), await page.TextOfAsync("#pixel-bytes"));
+        await page.ShowsAsync("#pixel-head");
+        Assert.Contains("Column 20, line 14", await page.TextOfAsync("#pixel-head"));
+        Assert.Contains($", bytes {(await PixelAsync(page, 20, 14)).Replace(',', ' ')}\n", await page.TextOfAsync("#pixel-head") + "\n");
         Assert.EndsWith("#pixel=20,14", page.Url);
-        Assert.Contains("Sphere – Geometric Solution", await page.TextOfAsync("#pixel-explained"));
+        Assert.Contains("tca = L · d", await page.TextOfAsync("#pixel-explained"));
         Assert.Contains("bias = 1e-6", await page.TextOfAsync("#pixel-explained")); // as "explain" writes it
         Assert.NotNull(await page.QuerySelectorAsync(".section path.shape"));
 
         await page.FocusAsync("#stage");
         await page.PressAsync("ArrowRight");
-        await page.WaitForFunctionAsync("() => document.getElementById('pixel-head').textContent.includes('column 21, line 14')");
+        await page.WaitForFunctionAsync("() => document.getElementById('pixel-head').textContent.includes('Column 21, line 14')");
         await page.PressAsync("Escape");
         await page.HidesAsync("#pixel-explained");
         Assert.Empty(complaints);
@@ -93,9 +79,9 @@ public class BrowserTests(Chromium chromium)
         await using var live = await LivePage.OpenAsync();
         var (page, complaints) = await chromium.OpenAsync(live);
         await page.EvaluateExpressionAsync("location.hash = '#pixel=20,14'");
-        await page.ShowsAsync("#pixel-bytes");
+        await page.ShowsAsync("#pixel-head");
         File.WriteAllText(live.Scene, LivePage.Ball.Replace("40", "10"));
-        await page.WaitForFunctionAsync("() => document.getElementById('pixel-head').textContent.includes('column 9, line 14')");
+        await page.WaitForFunctionAsync("() => document.getElementById('pixel-head').textContent.includes('Column 9, line 14')");
         Assert.Empty(complaints);
     }
 
@@ -159,8 +145,7 @@ public class BrowserTests(Chromium chromium)
         await page.SelectAsync("#mine-show", "difference");
         await page.ShowsAsync("#mine:not([hidden])");
         await page.ClickOnAsync("#mine-worst");
-        await page.ShowsAsync("#pixel-mine");
-        Assert.Contains("bytes 0 0 0: different", await page.TextOfAsync("#pixel-mine"));
+        await page.WaitForFunctionAsync("() => document.getElementById('pixel-explained').textContent.includes('It has 0 0 0 here: different')");
         Assert.Empty(complaints);
     }
 
@@ -171,7 +156,7 @@ public class BrowserTests(Chromium chromium)
         var (page, complaints) = await chromium.OpenAsync(live, new() { Width = 360, Height = 740 }, isDark: true);
         await page.FocusAsync("#stage");
         await page.PressAsync("Enter");
-        await page.ShowsAsync("#pixel-bytes");
+        await page.ShowsAsync("#pixel-head");
         Assert.True(await page.EvaluateFunctionAsync<int>("() => document.documentElement.scrollWidth") <= 360);
         Assert.Empty(complaints);
     }
@@ -187,7 +172,7 @@ public class BrowserTests(Chromium chromium)
         if (folder is not null) await page.ScreenshotAsync(Path.Combine(folder, "live.png"));
         var box = await page.BoxOfAsync("#picture");
         await page.Mouse.ClickAsync(box.X + box.Width * 0.65m, box.Y + box.Height * 0.72m);
-        await page.ShowsAsync("#pixel-bytes");
+        await page.ShowsAsync("#pixel-head");
         if (folder is not null) await (await page.QuerySelectorAsync("#pixel")).ScreenshotAsync(Path.Combine(folder, "live-explain.png"));
         Assert.Empty(complaints);
     }

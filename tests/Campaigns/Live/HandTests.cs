@@ -30,7 +30,7 @@ public class HandTests(Chromium chromium)
         await page.WaitForFunctionAsync($"before => ({Distance})() < 0.5 * before", before);
 
         await page.Touchscreen.TapAsync(x, y);
-        await page.ShowsAsync("#pixel-bytes");
+        await page.ShowsAsync("#pixel-head");
         Assert.Empty(complaints);
 
         async Task DragAsync((decimal X, decimal Y)[] from, (decimal X, decimal Y)[] to)
@@ -84,8 +84,7 @@ public class HandTests(Chromium chromium)
             var (page, _) = await chromium.OpenAsync(live, isDark: isDark);
             await page.FocusAsync("#stage");
             await page.PressAsync("Enter");
-            await page.ShowsAsync("#pixel-bytes");
-            await page.ClickOnAsync("#model-0-behind");
+            await page.ShowsAsync("#pixel-head");
             Assert.Equal("", await page.EvaluateFunctionAsync<string>("""
                 () => {
                     const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });

@@ -69,7 +69,7 @@ there() { # how many parts are there
 }
 
 compare() { # the parts, joined, against the picture drawn in one go
-    raycaster -q stitch parts -o stitched.ppm
+    raycaster stitch parts -q -o stitched.ppm
     check "the parts are, joined, the picture that is drawn in one go, to the byte" cmp stitched.ppm whole.ppm
 }
 

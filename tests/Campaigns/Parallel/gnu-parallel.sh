@@ -6,7 +6,7 @@ make_program
 mkdir parts
 
 draw() {
-    parallel --will-cite --jobs 2 raycaster "$scene" -t 1 -s "$size" --rows "{}/$parts" -o "$work/parts/{}.png" --resume ::: $(seq "$parts") 2>"$1"
+    parallel --will-cite --jobs 2 raycaster part "$scene" "{}/$parts" -t 1 -s "$size" -o "$work/parts/{}.png" --resume ::: $(seq "$parts") 2>"$1"
 }
 
 kill_part 2 &
@@ -20,7 +20,7 @@ code=0
 missing=$(raycaster stitch parts --missing) || code=$?
 check "stitch says which lines are missing: $missing" [ "$code" -eq 1 ]
 code=0
-raycaster -q stitch parts -o no.png 2>no.log || code=$?
+raycaster stitch parts -q -o no.png 2>no.log || code=$?
 check "and joins nothing" [ "$code" -eq 1 -a ! -e no.png ]
 
 draw second.log
@@ -30,7 +30,7 @@ compare
 
 rm parts/3.png parts/5.png
 raycaster stitch parts --missing >missing || true
-parallel --will-cite --jobs 2 raycaster "$scene" -q -t 1 -s "$size" --rows {} -o "$work/parts/{}.png" :::: missing
-check "the ranges that are missing are what --rows takes" raycaster stitch parts --missing
+parallel --will-cite --jobs 2 raycaster part "$scene" {} -q -t 1 -s "$size" -o "$work/parts/{}.png" :::: missing
+check "the ranges that are missing are what part takes" raycaster stitch parts --missing
 compare
 finish

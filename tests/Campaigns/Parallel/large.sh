@@ -15,8 +15,8 @@ measured() { # measured what command...: runs it and checks its greatest memory
 skip_whole=1
 make_program
 mkdir parts
-for k in $(seq "$parts"); do measured "part $k" raycaster -q "$scene" -s "$size" --rows "$k/$parts" -o "parts/$k.png"; done
-measured "the stitch" raycaster -q stitch parts -o stitched.png
+for k in $(seq "$parts"); do measured "part $k" raycaster part "$scene" "$k/$parts" -q -s "$size" -o "parts/$k.png"; done
+measured "the stitch" raycaster stitch parts -q -o stitched.png
 rm -r parts
 measured "all in one go" raycaster -q "$scene" -s "$size" -o whole.png
 check "both are the same file" cmp stitched.png whole.png

@@ -61,7 +61,7 @@ cat >draw.sbatch <<END
 #SBATCH --array=1-$parts
 #SBATCH --cpus-per-task=1
 #SBATCH --output=draw-%A_%a.log
-raycaster $scene -t \$SLURM_CPUS_PER_TASK -s $size --rows \$SLURM_ARRAY_TASK_ID/$parts -o $work/parts/\$SLURM_ARRAY_TASK_ID.png --resume
+raycaster part $scene \$SLURM_ARRAY_TASK_ID/$parts -t \$SLURM_CPUS_PER_TASK -s $size -o $work/parts/\$SLURM_ARRAY_TASK_ID.png --resume
 END
 submit() {
     drawing=$(sbatch --parsable draw.sbatch)

@@ -47,12 +47,12 @@ draw() { # the parts that have not come back yet
     for k in $(seq "$parts"); do [ -e "parts/$k.png" ] || todo+=("$k"); done
     parallel --will-cite --jobs 1 --ssh "ssh -F $work/ssh_config" --sshlogin node1,node2 --workdir ... --cleanup \
         --transferfile "$file" --return parts/{}.png \
-        "mkdir -p parts && raycaster $file -t 1 -s $size --rows {}/$parts -o parts/{}.png" ::: "${todo[@]}" 2>"$log"
+        "mkdir -p parts && raycaster part $file {}/$parts -t 1 -s $size -o parts/{}.png" ::: "${todo[@]}" 2>"$log"
 }
 
 kill_remote() { # the working folders are the nodes' own: look for the process
-    wait_until 60 pgrep -f "^[^ ]*raycaster $file .*--rows 2/$parts " >/dev/null || failed "part 2 was not begun in a minute"
-    kill -9 $(pgrep -f "^[^ ]*raycaster $file .*--rows 2/$parts ")
+    wait_until 60 pgrep -f "^[^ ]*raycaster part $file 2/$parts " >/dev/null || failed "part 2 was not begun in a minute"
+    kill -9 $(pgrep -f "^[^ ]*raycaster part $file 2/$parts ")
 }
 kill_remote &
 killer=$!

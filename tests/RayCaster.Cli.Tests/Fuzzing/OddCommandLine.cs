@@ -6,10 +6,12 @@ namespace RayCaster.Cli.Tests.Fuzzing;
 /// <summary>Command lines of right and wrong words in any order.</summary>
 internal static class OddCommandLine
 {
+    private static readonly CommandList commands = new(Program.Groups);
+
     private static readonly string[] words =
     [
-        .. Option.All.Select(option => option.Name), .. Option.All.Select(option => option.Short),
-        .. Command.All.Keys.Where(name => name != "live"), // it would serve a page until it is interrupted
+        .. commands.All.SelectMany(command => command.Options).Append(Option.Help).SelectMany(option => option.Names).Distinct(),
+        .. commands.All.Select(command => command.Name).Where(name => name != "live"), // it would serve a page until it is interrupted
         .. "- -- --- -? -x --= =x --output= --size=5x5 --size=x --threads=0 -t 1 2 1025 99999999999".Split(' '),
         .. "-1 1e5 -1e400 NaN 5x5 9X7 0x1 1000001x1 1x1x1 a.png a.ppm".Split(' '),
         "", " ", "a b", "..", "\u001b[31m", "\n", "no.json", "ü.png", new('x', 5000),

@@ -22,6 +22,13 @@ public class OpenStepsTests
         Assert.Contains("\n\n**You write step 7.** ", With(step => step == 7)["README.md"]);
     }
 
+    [Fact]
+    public void TheReadmeHasThePointsOfTheOpenSteps()
+    {
+        Assert.Contains("\n| step | points |\n|---|--:|\n| 3 plane | 10 |\n| 9 circle | 10 |\n\n", With(step => step is 3 or 9)["README.md"]);
+        Assert.Equal(LabSteps.Count, Numbers(With(_ => false)["README.md"], @"(?m)^\| (\d+) .* \| 10 \|$").Length);
+    }
+
     [Theory]
     [InlineData(1, 1)]
     [InlineData(3, 5)]

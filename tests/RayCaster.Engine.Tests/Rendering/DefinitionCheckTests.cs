@@ -5,7 +5,7 @@ namespace RayCaster.Engine.Tests.Rendering;
 public sealed class DefinitionCheckTests
 {
     private static readonly Scene scene = new(
-        new(new(5, 0, 0), Vector3.Zero) { Width = 30, Height = 20 }, [Model.Of(default(NearerInPackets))]);
+        new(new(5, 0, 0), Vector3.Zero, width: 30, height: 20), [Model.Of(default(NearerInPackets))]);
 
     [Fact]
     public void ADrawnPictureThatDiffersFromTheDefinitionIsAnError() =>

@@ -6,10 +6,10 @@ namespace RayCaster.Engine.Tests.Rendering;
 /// that.</summary>
 public class FloatBytesTests
 {
-    [SkippableFact]
+    [Fact]
     public void TheEndsOfALineHoldTheLevelOfDoubles()
     {
-        Skip.If(!FloatBytes.IsSupported, "no 256-bit vectors here");
+        Assert.SkipWhen(!FloatBytes.IsSupported, "no 256-bit vectors here");
         var (random, closest) = (new Random(6), double.PositiveInfinity);
         for (var i = 0; i < 100_000; i++)
         {

@@ -13,7 +13,7 @@ public class TileTests
         for (var i = 0; i < 3000; i++)
         {
             var width = random.Next(500_000, 1_000_000);
-            var camera = new Camera(Vector3.Zero, new(-1, 0, 0)) { Width = width, Height = 1, ZNear = 0, ZFar = 1e9 };
+            var camera = new Camera(Vector3.Zero, new(-1, 0, 0), width: width, height: 1, zNear: 0, zFar: 1e9);
             var column = width / 2 + random.Next(1, 20);
             var edge = camera.PlaneWidth * column / width - camera.PlaneWidth / 2;
             var box = new Aabb(new(-1, edge, -1), new(-1, edge + 0.1, 1));

@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using System.IO.Compression;
 using System.Text;
-using static RayCaster.Files.Tests.PictureFiles.TestPng;
+using static RayCaster.Files.Tests.Pictures.TestPng;
 
 namespace RayCaster.Files.Tests.Fuzzing;
 

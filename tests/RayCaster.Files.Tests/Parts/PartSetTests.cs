@@ -61,7 +61,8 @@ public sealed class PartSetTests : IDisposable
     {
         var picture = ProjectFolder.PathOf("docs/room.png");
         Assert.Equal(
-            [$"{picture} is a picture, but does not say which part of which; --rows draws parts"], new PartSet([Part("a", 0, 9), picture]).Problems);
+            [$"{picture} is a picture, but does not say which part of which; the command part draws parts"],
+            new PartSet([Part("a", 0, 9), picture]).Problems);
         Assert.Empty(new PartSet([Part("a", 0, 9), picture], path => path != picture).Problems);
     }
 

@@ -77,23 +77,154 @@ public sealed class WrittenFilesTests : IDisposable
         Refused(folder["room.png"], $"cannot write {folder["room.png"]}: it is a folder; name a file in it");
     }
 
-    [SkippableFact]
-    public void ALinkIsReplacedAndNotFollowed()
+    [Theory]
+    [InlineData("real/precious", "real/precious")]
+    [InlineData("real/precious", "real/new")] // the link leads nowhere: what it names is made
+    [InlineData("link/../precious", "precious")]
+    [InlineData("second", "real/precious")]
+    public void ALinkIsFollowed(string leadsTo, string written)
     {
-        Skip.If(OperatingSystem.IsWindows(), "needs special rights there");
-        folder.Write("precious", "precious"u8);
-        File.CreateSymbolicLink(folder["room.png"], folder["precious"]);
-        Write("room.png");
-        Assert.Equal(("precious", "new"), (File.ReadAllText(folder["precious"]), File.ReadAllText(folder["room.png"])));
-        Assert.Null(new FileInfo(folder["room.png"]).LinkTarget);
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "needs special rights there");
+        Directory.CreateDirectory(folder["real"]);
+        if (!written.EndsWith("new", StringComparison.Ordinal)) folder.Write(written, "old"u8);
+        else leadsTo = written;
+        Directory.CreateDirectory(folder["real/deep"]);
+        File.CreateSymbolicLink(folder["second"], "real/precious");
+        Directory.CreateSymbolicLink(folder["link"], "real");
+        File.CreateSymbolicLink(folder["room.png"], leadsTo);
+        WrittenFiles.Write(folder["room.png"], file =>
+        {
+            file.Write("new"u8);
+            Assert.Contains(Directory.GetFiles(Path.GetDirectoryName(folder[written])!), name => name.EndsWith(".tmp", StringComparison.Ordinal));
+        });
+        Assert.Equal("new", File.ReadAllText(folder[written]));
+        Assert.Equal(leadsTo, new FileInfo(folder["room.png"]).LinkTarget);
+        Assert.Empty(Directory.GetFiles(folder["real"], "*.tmp"));
     }
 
-    [SkippableFact]
+    /// <summary>".." in a link counts from the folder in which the link is, not from the path by which it was reached.</summary>
+    [Fact]
+    public void ALinkInALinkedFolderCountsFromItsOwnFolder()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "needs special rights there");
+        Directory.CreateDirectory(folder["real/deep"]);
+        Directory.CreateSymbolicLink(folder["short"], "real/deep");
+        File.CreateSymbolicLink(folder["real/deep/room.png"], "../precious");
+        Write("short/room.png");
+        Assert.Equal("new", File.ReadAllText(folder["real/precious"]));
+    }
+
+    [Fact]
+    public void ACircleOfLinksIsRefused()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "needs special rights there");
+        File.CreateSymbolicLink(folder["room.png"], "other");
+        File.CreateSymbolicLink(folder["other"], "room.png");
+        Refused(folder["room.png"], $"cannot write {folder["room.png"]}: symbolic links lead in a circle", ["other", "room.png"]);
+    }
+
+    [Fact]
+    public async Task APipeGetsTheBytesAndStays()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no mkfifo there");
+        Shell("mkfifo pipe.png");
+        var reader = Task.Run(() => File.ReadAllText(folder["pipe.png"]));
+        Write("pipe.png");
+        Assert.Equal("new", await reader.WaitAsync(TimeSpan.FromSeconds(20)));
+        Assert.Equal(["pipe.png"], folder.Names);
+        Shell("test -p pipe.png");
+    }
+
+    /// <summary>The reader of a pipe gets a whole picture or nothing.</summary>
+    [Fact]
+    public void APipeGetsNothingOfAFileThatIsGivenUp()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "no mkfifo there");
+        Shell("mkfifo pipe.png");
+        Assert.Throws<TimeoutException>(() => WrittenFiles.Write(folder["pipe.png"], file =>
+        {
+            file.Write(new byte[1 << 17]);
+            throw new TimeoutException();
+        })); // without a reader this would wait for ever, if the pipe were opened
+    }
+
+    [Fact]
     public void ADeviceIsNotReplaced()
     {
-        Skip.If(OperatingSystem.IsWindows(), "has no folder of devices");
-        var refused = Assert.Throws<ProblemException>(() => WrittenFiles.Write("/dev/raycaster-test", _ => { })); // not a real one, should this fail
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "other systems have other numbers of devices");
+        Shell("ln -s /dev/null link; mknod null c 1 3 2>/dev/null; test ! -e null || (: >null) 2>/dev/null || rm null");
+        foreach (var device in (string[])["link", "null"])
+        {
+            if (device == "null" && !File.Exists(folder["null"])) continue; // only root may make one
+            Write(device);
+            Shell($"test -c {device}");
+        }
+        // not a real one, should this fail
+        var refused = Assert.Throws<ProblemException>(() => WrittenFiles.Write("/dev/raycaster-test", _ => { }));
         Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
+    }
+
+    [Theory]
+    [InlineData("/dev/full", "the disk is full")]
+    [InlineData("/dev/fd/9999", "nothing is open by this number")]
+    public void ADeviceThatFailsIsNamed(string device, string reason)
+    {
+        Assert.SkipUnless(File.Exists("/dev/full"), "has no such device");
+        var refused = Assert.Throws<ProblemException>(() => WrittenFiles.Write(device, file => file.Write("new"u8)));
+        Assert.Equal($"cannot write {device}: {reason}", refused.Message);
+    }
+
+    /// <summary>What a process has open gets the bytes where it is: in the middle of a file, too.</summary>
+    [Theory]
+    [InlineData("/proc/self/fd/{0}")]
+    [InlineData("/dev/fd/{0}")]
+    public void WhatIsOpenGetsTheBytes(string name)
+    {
+        Assert.SkipUnless(Directory.Exists("/proc/self/fd"), "has no such folder");
+        using (var open = new FileStream(folder["room.png"], FileMode.Create, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0))
+        {
+            open.Write("before "u8);
+            WrittenFiles.Write(name.Replace("{0}", $"{open.SafeFileHandle.DangerousGetHandle()}"), file => file.Write("new"u8));
+        }
+        Assert.Equal("before new", File.ReadAllText(folder["room.png"]));
+    }
+
+    [Theory]
+    [InlineData("aux.png", true)]
+    [InlineData("NUL", true)]
+    [InlineData("con.tar.gz", true)]
+    [InlineData("com1.ppm", true)]
+    [InlineData("lpt² .png", true)]
+    [InlineData("com0.ppm", false)]
+    [InlineData("console.png", false)]
+    [InlineData("auxiliary.png", false)]
+    [InlineData("my.nul", false)]
+    public void DevicesOfWindowsHaveNames(string name, bool isDevice)
+    {
+        Assert.Equal(isDevice, FilePlace.IsDeviceOnWindows(name));
+        if (isDevice && OperatingSystem.IsWindows())
+            Assert.Equal($"cannot write {folder[name]}: {name} is the name of a device on Windows; choose another",
+                Assert.Throws<ProblemException>(() => Write(name)).Message);
+    }
+
+    [Fact]
+    public void AFileThatIsOpenElsewhereIsNotReplaced()
+    {
+        Assert.SkipUnless(OperatingSystem.IsWindows(), "open files can be replaced");
+        using (new FileStream(folder.Write("room.png", "old"u8), FileMode.Open, FileAccess.Read, FileShare.Read))
+            Refused(folder["room.png"], $"cannot write {folder["room.png"]}: another program has it open; close it there");
+    }
+
+    /// <summary>A picture that another program is writing, as viewers and editors hold them on Windows.</summary>
+    [Fact]
+    public void AFileThatIsOpenElsewhereIsRead()
+    {
+        folder.Write("room.ppm", "P6 1 1 255\nabc"u8);
+        folder.Write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"u8);
+        using var picture = new FileStream(folder["room.ppm"], FileMode.Open, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete);
+        using var mesh = new FileStream(folder["a.obj"], FileMode.Open, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete);
+        Assert.Equal("abc"u8, PictureFile.Read(folder["room.ppm"]).Rgb);
+        Assert.Equal([0, 1, 2], MeshFile.Read(folder["a.obj"]).Indices);
     }
 
     [Fact]
@@ -104,7 +235,7 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Equal("new", File.ReadAllText(folder["room.png"]));
     }
 
-    [SkippableFact]
+    [Fact]
     [UnsupportedOSPlatform("windows")] // rights are others there
     public void TheOldFilesRightsStay()
     {
@@ -188,6 +319,16 @@ public sealed class WrittenFilesTests : IDisposable
         });
         Assert.Equal(["room.png"], folder.Names);
         Assert.Equal(4, File.ReadAllBytes(folder["room.png"]).Length);
+    }
+
+    private void Shell(string command)
+    {
+        using var shell = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo("sh", ["-c", command])
+        {
+            WorkingDirectory = folder[""],
+        })!;
+        shell.WaitForExit();
+        Assert.Equal(0, shell.ExitCode);
     }
 
     private void Write(string name) => WrittenFiles.Write(folder[name], file => file.Write("new"u8));

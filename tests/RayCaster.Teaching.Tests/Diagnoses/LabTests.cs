@@ -118,7 +118,7 @@ public class LabTests
     [Fact]
     public void AModelOfOnesOwnIsAskedForItsHits()
     {
-        var scene = new Scene(new(new(0, -5, 0), Vector3.Zero) { Width = 8, Height = 8 }, [new Wall { Color = new(1, 0.5, 0) }]);
+        var scene = new Scene(new(new(0, -5, 0), Vector3.Zero, width: 8, height: 8), [new Wall { Color = new(1, 0.5, 0) }]);
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, new Lab(scene).Render().Rgb);
         var lab = new Lab(scene, MistakeCatalog.Named("bgr")!, MistakeCatalog.Named("att-none")!);
         Assert.Equal(((byte)0, (byte)128, (byte)255), lab[4, 4]);

@@ -24,7 +24,7 @@ public class LikelyCauseTests
         var c = scene.Camera;
         return scene with
         {
-            Camera = c with { Target = target ?? c.Target, FovY = fovY ?? c.FovY, ZFar = zFar ?? c.ZFar },
+            Camera = c.With(target: target ?? c.Target, fovY: fovY ?? c.FovY, zFar: zFar ?? c.ZFar),
         };
     }
 }

@@ -16,19 +16,10 @@ public class SceneFitnessTests
         Assert.Contains(fitness.Twins, group => group.Any(mistake => mistake.Id == "att-depth") && group.Any(mistake => mistake.Id == "dir-unnorm"));
     }
 
-    [Theory]
-    [InlineData("src/RayCaster has been changed.")]
-    [InlineData(null)]
-    public void AWarningIsInTheJsonOnlyIfThereIsOne(string? warning)
-    {
-        var nothing = new Scene(new Camera(new(1, 0, 0), Vector3.Zero) { Width = 4, Height = 4 }, []);
-        Assert.Equal(warning is not null, FitnessReport.Json(SceneFitness.Of([nothing]), [], warning).Contains($"\"warning\": \"{warning}\""));
-    }
-
     [Fact]
     public void AnEmptyWorldShowsNothing()
     {
-        var fitness = SceneFitness.Of([new(new Camera(new(1, 0, 0), Vector3.Zero) { Width = 30, Height = 20 }, [])]);
+        var fitness = SceneFitness.Of([new(new Camera(new(1, 0, 0), Vector3.Zero, width: 30, height: 20), [])]);
         Assert.Contains(MistakeCatalog.Named("w-sign")!, fitness.Hidden);
         Assert.Contains("the world is empty", FitnessReport.Text(fitness));
     }
@@ -37,7 +28,7 @@ public class SceneFitnessTests
     public void ACameraOnTheFacesOfABoxHasFragilePixels()
     {
         var box = Model.Of(new Aabb(new(-1, -1, 0), new(1, 1, 2))); // its lower face is at the camera's height: seen edge-on
-        var fitness = SceneFitness.Of([new(new Camera(new(5, 0, 0), Vector3.Zero) { Width = 20, Height = 20 }, [box])]);
+        var fitness = SceneFitness.Of([new(new Camera(new(5, 0, 0), Vector3.Zero, width: 20, height: 20), [box])]);
         Assert.InRange(fitness.FragilePixels, 1, 20);
     }
 }

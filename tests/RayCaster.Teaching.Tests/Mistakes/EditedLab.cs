@@ -50,6 +50,13 @@ internal static partial class EditedLab
             .Select(assembly => MetadataReference.CreateFromFile(assembly.Location)),
     ];
 
+    /// <summary>All programs are made from this one, so that the references are read once.</summary>
+    private static readonly CSharpCompilation empty = CSharpCompilation.Create(
+        "EditedLab", [], references, new(OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release));
+
+    /// <summary>Of texts: most files are the same in most programs.</summary>
+    private static readonly ConcurrentDictionary<string, SyntaxTree> trees = [];
+
     private static readonly ConcurrentDictionary<(Manner, string, string), Lazy<Func<Scene, Picture>>> programs = [];
 
     /// <summary>The picture that a program with that mistake writes; two of them turn its size.</summary>
@@ -100,9 +107,8 @@ internal static partial class EditedLab
 
     private static Type Compile(IEnumerable<string> texts, string entry)
     {
-        var compilation = CSharpCompilation.Create(
-            $"Lab{Guid.NewGuid():N}", texts.Append(entry).Select(text => CSharpSyntaxTree.ParseText(text)), references,
-            new(OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release));
+        var compilation = empty.AddSyntaxTrees(
+            texts.Append(entry).Select(text => trees.GetOrAdd(text, text => CSharpSyntaxTree.ParseText(text))));
         using var bytes = new MemoryStream();
         var result = compilation.Emit(bytes);
         if (!result.Success) throw new InvalidOperationException(string.Join('\n', result.Diagnostics));

@@ -1,4 +1,4 @@
-using RayCaster.Tests.Models;
+using RayCaster.Tests.Shapes;
 
 namespace RayCaster.Tests.Accuracy;
 

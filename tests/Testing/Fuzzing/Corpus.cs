@@ -25,7 +25,7 @@ internal static class Corpus
 
     public static SeedFile[] Pictures { get; } =
     [
-        .. FilesIn("tests/RayCaster.Files.Tests/PictureFiles/Data", ".png", ".pbm", ".pgm", ".ppm").Where(file => file.Bytes.Length < 20_000),
+        .. FilesIn("tests/RayCaster.Files.Tests/Pictures/Data", ".png", ".pbm", ".pgm", ".ppm").Where(file => file.Bytes.Length < 20_000),
         .. KeptFiles(".png", ".pbm", ".pgm", ".ppm"),
     ];
 

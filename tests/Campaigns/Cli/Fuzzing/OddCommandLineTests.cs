@@ -28,10 +28,8 @@ public class OddCommandLineTests
     {
         try
         {
-            var line = CommandLine.Parse(words);
-            line.PictureSize();
-            line.ThreadCount();
-            line.Exactly("<one>", "<other>");
+            var command = new CommandList(Program.Groups).Of(words, out var rest);
+            CommandLine.Parse(command.Name, command.Options, rest).Exactly("<one>", "<other>");
         }
         catch (ProblemException e)
         {

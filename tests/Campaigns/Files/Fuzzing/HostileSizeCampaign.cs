@@ -8,10 +8,10 @@ public sealed class HostileSizeCampaign : IDisposable
 
     public void Dispose() => folder.Dispose();
 
-    [SkippableFact]
+    [Fact]
     public void AnEndlessMeshIsReadUpToTheLimit()
     {
-        Skip.If(!File.Exists("/dev/zero"), "no /dev/zero here");
+        Assert.SkipWhen(!File.Exists("/dev/zero"), "no /dev/zero here");
         File.CreateSymbolicLink(folder["a.obj"], "/dev/zero");
         Assert.Equal($"{folder["a.obj"]}: a pipe or device of more than 268,435,456 bytes is not read, but a file of any size is",
             Assert.Throws<ProblemException>(() => MeshFile.Read(folder["a.obj"])).Message);

@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace RayCaster.Files.Tests.MeshFiles;
+namespace RayCaster.Files.Tests.Meshes;
 
 /// <summary>A mesh that is written in any format is read back unchanged.</summary>
 public class FormatsCampaign

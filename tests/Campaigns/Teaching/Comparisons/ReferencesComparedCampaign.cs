@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Comparisons;
+namespace RayCaster.Teaching.Tests.Pictures;
 
 /// <summary>All references, of which <see cref="ReferencesComparedTests"/> compares some.</summary>
 public class ReferencesComparedCampaign

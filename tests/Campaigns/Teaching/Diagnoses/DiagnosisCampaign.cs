@@ -38,9 +38,22 @@ public class DiagnosisCampaign
         Assert.Contains(id, Named(Diagnosis.Of(mesh, MistakeCatalog.Draw(mesh, [MistakeCatalog.Named(id)!])).Suspects[0]));
     }
 
+    [Fact]
+    public void AMistakeIsFoundBesideOneThatChangesMostOfThePicture()
+    {
+        var portrait = SceneFolder.Small("mistakes/portrait", 4);
+        var picture = MistakeCatalog.Draw(portrait, [MistakeCatalog.Named("plane-no-p")!, MistakeCatalog.Named("clip-after")!]);
+        Assert.Equal(["clip-after", "plane-no-p"], Diagnosis.Of(portrait, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
+    }
+
     [Theory]
+    [InlineData("cross-y", "tri-uv")]
     [InlineData("slab-2axes", "slab-minmin")]
-    public void TwoMistakesOfABoxAreBothNamed(string one, string other) => new DiagnosisTests().TwoMistakesOfOneShapeAreBothNamed(one, other);
+    public void TwoMistakesOfOneShapeAreBothNamed(string one, string other)
+    {
+        var suspect = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [MistakeCatalog.Named(one)!, MistakeCatalog.Named(other)!])).Suspects[0];
+        Assert.Equal([one, other], suspect.Mistakes.Select(mistake => mistake.Id).Order());
+    }
 
     [Fact]
     public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()

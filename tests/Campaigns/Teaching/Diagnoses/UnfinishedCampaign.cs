@@ -19,6 +19,13 @@ public class UnfinishedCampaign
     public void OtherMistakesOnTopAreNamed(string kinds, string id) => new UnfinishedTests().AMistakeOnTopOfWhatIsThereIsNamed(kinds, id);
 
     [Fact]
+    public void WhereShapesAreMissingTheTextNamesTheOptionForThoseThatAreWritten()
+    {
+        var diagnosis = Diagnosis.Of(scene, Drawn("aabb,circle,triangle", "ok"));
+        Assert.Contains($"\"diagnose --done {diagnosis.NotYet[0]}\"", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+    }
+
+    [Fact]
     public void AMistakeThatLosesAShapeIsListedBesideAnother()
     {
         var diagnosis = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [Named("aspect-none"), Named("box-size")]));

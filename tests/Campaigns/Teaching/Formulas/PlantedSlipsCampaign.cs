@@ -1,4 +1,3 @@
-using Xunit.Abstractions;
 
 namespace RayCaster.Teaching.Tests.Formulas;
 
@@ -39,10 +38,10 @@ public class PlantedSlipsCampaign(ITestOutputHelper output)
             [
                 .. ((Camera[])
                 [
-                    camera with { Position = camera.Position + new Vector3(0.37, 0.21, -0.13) },
-                    camera with { Target = camera.Target + new Vector3(0.7, -0.4, 0.5) },
-                    camera with { FovY = 0.83 * camera.FovY },
-                    camera with { Up = new(0.2, 0.1, 0.9) },
+                    camera.With(position: camera.Position + new Vector3(0.37, 0.21, -0.13)),
+                    camera.With(target: camera.Target + new Vector3(0.7, -0.4, 0.5)),
+                    camera.With(fovY: 0.83 * camera.FovY),
+                    camera.With(up: new(0.2, 0.1, 0.9)),
                 ]).Select(other => Renderer.Render(scene with { Camera = other })),
                 Renderer.Render(scene with { Models = [.. scene.Models.Select(model => Colored(model, new(0.3, 0.8, 0.5)))] }),
                 Picture.Of(right.Width, right.Height, (x, y) => Negative(right[x, y])),

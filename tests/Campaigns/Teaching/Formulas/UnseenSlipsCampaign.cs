@@ -1,5 +1,4 @@
 using RayCaster.Teaching.Tests.Mistakes;
-using Xunit.Abstractions;
 using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
 
 namespace RayCaster.Teaching.Tests.Formulas;

@@ -19,9 +19,8 @@ public sealed class StepTable : ITestLoggerWithParameters
     {
         events.TestResult += (_, args) =>
         {
-            // The console's logger comes after this one. Of the stack it gets what has a file: xunit's and the runtime's calls help nobody here.
-            var stack = args.Result.ErrorStackTrace?.Split('\n').Where(line => line.Contains(".cs:line "));
-            args.Result.ErrorStackTrace = string.Join('\n', stack ?? []);
+            // The console's logger comes after this one. It gets the lab's own calls: xunit's and the runtime's help nobody here.
+            args.Result.ErrorStackTrace = StoppedTests.OwnCalls(args.Result.ErrorStackTrace ?? "");
             results.Add(args.Result);
         };
         events.TestRunMessage += (_, args) =>
@@ -32,8 +31,10 @@ public sealed class StepTable : ITestLoggerWithParameters
         };
         events.TestRunComplete += (_, args) =>
         {
-            Finish(args.IsAborted || args.IsCanceled ? StoppedTests.Of(args.AttachmentSets, messages) : []);
-            args.AttachmentSets.Clear(); // the list of tests that have begun: the table has said it
+            var isStopped = args.IsAborted || args.IsCanceled;
+            Finish(isStopped ? StoppedTests.Of(args.AttachmentSets, messages) : []);
+            // The console's logger would end with "Passed!" of the tests before, and with the file of the tests that have begun.
+            if (isStopped) Environment.Exit(1);
         };
     }
 

@@ -30,6 +30,10 @@ internal static partial class StoppedTests
     public static string WithoutForeignCalls(string message) =>
         TestName().Match(message) is { Success: true } test && message.IndexOf('\n', test.Index) is >= 0 and var end ? message[..end] : message;
 
+    /// <summary>The lines of a call stack that are in the lab's files or its tests'.</summary>
+    public static string OwnCalls(string stack) =>
+        string.Join('\n', stack.Split('\n').Where(line => line.TrimStart().StartsWith("at Lab.") && line.Contains(".cs:line ")));
+
     private static IEnumerable<TestResult> TestsIn(string stack) =>
         from name in TestName().Matches(stack).Select(test => test.Value).Distinct()
         select Stopped(name, name);

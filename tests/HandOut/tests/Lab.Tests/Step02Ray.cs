@@ -18,17 +18,6 @@ public class Step02Ray : StepTests
     public void TheSlidesNumbers() => RayAssert.Equal("X(25) for P = (20, 0, 0), d = (-1, 0, 0)", Slide, new(-5, 0, 0), ray.At(25));
 
     [Fact]
-    public void RandomPoints()
-    {
-        for (var i = 0; i < Teacher.Rays; i++)
-        {
-            var (P, d, t) = (chance.Point(), chance.Direction().Normalized, chance.Number());
-            var actual = new Ray(RayAssert.Mine(P), RayAssert.Mine(d)).At(t);
-            RayAssert.Equal($"X({RayAssert.Text(t)}) for P = {RayAssert.Text(P)}, d = {RayAssert.Text(d)}", Slide, P + t * d, actual);
-        }
-    }
-
-    [Fact]
     public void TheNearestHitStaysWhicheverComesFirst()
     {
         ray.Hit(25, far);
@@ -58,6 +47,20 @@ public class Step02Ray : StepTests
         Assert.True(ray.HitModel == null, $"after t = -3 and t = NaN there is no hit, but {got}.\n  {RayAssert.Cite(Slide)}");
         ray.Hit(20, near);
         AssertHit(20, near, "after t = -3, t = NaN and a hit at 20");
+    }
+
+    [Fact]
+    public void RandomPoints()
+    {
+        for (var i = 0; i < Teacher.Rays; i++)
+        {
+            var (P, d, t) = (chance.Point(), chance.Direction().Normalized, chance.Number());
+            var random = new Ray(RayAssert.Mine(P), RayAssert.Mine(d));
+            var untouched = new Untouched(("this", random));
+            var actual = random.At(t);
+            untouched.Check(Slide);
+            RayAssert.Equal($"X({RayAssert.Text(t)}) for P = {RayAssert.Text(P)}, d = {RayAssert.Text(d)}", Slide, P + t * d, actual);
+        }
     }
 
     [StackTraceHidden]

@@ -23,30 +23,6 @@ public class Step04Camera : StepTests
     }
 
     [Fact]
-    public void RandomCameras()
-    {
-        for (var i = 0; i < Teacher.Rays; i++)
-        {
-            var (P, T, up) = (chance.Point(), chance.Point(), chance.Direction());
-            if ((up % (T - P).Normalized).Length < 0.1) continue; // up may not lie along the view
-            var (fovY, width, height) = (20 * chance.Length(8), (int)(100 * chance.Length()), (int)(100 * chance.Length()));
-            var right = new RayCaster.Camera(P, T) { Up = up, FovY = fovY, Width = width, Height = height };
-            var mine = new Camera(RayAssert.Mine(P), RayAssert.Mine(T), RayAssert.Mine(up), fovY, width, height);
-            var which = FormattableString.Invariant(
-                $"for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}, up = {RayAssert.Text(up)}, fovY = {fovY:0.##}, {width} x {height} pixels");
-            RayAssert.Equal($"W {which}", Slide, right.W, mine.W);
-            RayAssert.Equal($"U {which}", Slide, right.U, mine.U);
-            RayAssert.Equal($"V {which}", Slide, right.V, mine.V);
-            RayAssert.Equal($"h {which}", Slide, right.PlaneHeight, mine.h);
-            RayAssert.Equal($"w {which}", Slide, right.PlaneWidth, mine.w);
-            var (c, r) = (chance.Length() * width / 4, chance.Length() * height / 4);
-            var d = right.Direction<Scalar>(c, r);
-            RayAssert.Equal(
-                FormattableString.Invariant($"d for c = {c:0.##}, r = {r:0.##} {which}"), PixelSlide, new(d.X, d.Y, d.Z), mine.Direction(c, r));
-        }
-    }
-
-    [Fact]
     public void ThePixelShowsTheNearestModelOrTheBackground()
     {
         var camera = new Camera(new(20, 0, 0), Vector3.Zero, new(0, 0, 1), 45, 10, 10);
@@ -90,6 +66,35 @@ public class Step04Camera : StepTests
             var expected = ray.HitModel == floor ? "the floor" : "the background";
             var got = scene.CastRay(c, r).B == 0 ? "the floor" : "the background";
             Assert.True(expected == got, $"CastRay(c = {c}, r = {r}): expected {expected}, but got {got}.\n  {RayAssert.Cite("Ray Casting")}");
+        }
+    }
+
+    [Fact]
+    public void RandomCameras()
+    {
+        for (var i = 0; i < Teacher.Rays; i++)
+        {
+            var (P, T, up) = (chance.Point(), chance.Point(), chance.Direction());
+            if ((up % (T - P).Normalized).Length < 0.1) continue; // up may not lie along the view
+            var (fovY, width, height) = (20 * chance.Length(8), (int)(100 * chance.Length()), (int)(100 * chance.Length()));
+            var right = new RayCaster.Camera(P, T, up, fovY, width, height);
+            var (position, target, upwards) = (RayAssert.Mine(P), RayAssert.Mine(T), RayAssert.Mine(up));
+            var given = new Untouched(("Position", position), ("Target", target), ("Up", upwards));
+            var mine = new Camera(position, target, upwards, fovY, width, height);
+            given.Check(Slide);
+            var which = FormattableString.Invariant(
+                $"for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}, up = {RayAssert.Text(up)}, fovY = {fovY:0.##}, {width} x {height} pixels");
+            RayAssert.Equal($"W {which}", Slide, right.W, mine.W);
+            RayAssert.Equal($"U {which}", Slide, right.U, mine.U);
+            RayAssert.Equal($"V {which}", Slide, right.V, mine.V);
+            RayAssert.Equal($"h {which}", Slide, right.PlaneHeight, mine.h);
+            RayAssert.Equal($"w {which}", Slide, right.PlaneWidth, mine.w);
+            var (c, r) = (chance.Length() * width / 4, chance.Length() * height / 4);
+            var d = right.Direction<Scalar>(c, r);
+            var untouched = new Untouched(("this", mine));
+            var myD = mine.Direction(c, r);
+            untouched.Check(PixelSlide);
+            RayAssert.Equal(FormattableString.Invariant($"d for c = {c:0.##}, r = {r:0.##} {which}"), PixelSlide, new(d.X, d.Y, d.Z), myD);
         }
     }
 

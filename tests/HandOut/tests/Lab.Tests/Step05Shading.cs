@@ -12,7 +12,11 @@ public class Step05Shading : StepTests
     {
         var camera = new Camera(RayAssert.Mine(P), RayAssert.Mine(T), new(0, 0, 1), 45, 1, 1);
         var model = new Plane(Vector3.Zero, new(1, 0, 0)) { Color = new(red, 0, 0) };
-        return camera.Shade(new Ray(camera.Position, new(-1, 0, 0)) { HitParameter = t, HitModel = model, DepthPerT = 0.5 }).R; // t, not z
+        var ray = new Ray(camera.Position, new(-1, 0, 0)) { HitParameter = t, HitModel = model, DepthPerT = 0.5 }; // t, not z
+        var untouched = new Untouched(("this", camera), ("ray", ray), ("ray.HitModel", model));
+        var shaded = camera.Shade(ray).R;
+        untouched.Check(Slide);
+        return shaded;
     }
 
     [Fact]
@@ -45,7 +49,10 @@ public class Step05Shading : StepTests
         var model = new Plane(Vector3.Zero, new(1, 0, 0)) { Color = new(1, 0, 0) };
         var shaded = camera.Shade(new(camera.Position, new(-1, 0, 0)) { HitParameter = 20, HitModel = model }).R;
         var scene = new Scene(camera, new(0, 0, 1)) { Models = { model } };
-        RayAssert.Equal("red of CastRay, which returns what Shade returns", "Ray Casting", shaded, scene.CastRay(5, 5).R);
+        var untouched = new Untouched(("Camera", camera), ("Models[0]", model));
+        var red = scene.CastRay(5, 5).R;
+        untouched.Check("Ray Casting");
+        RayAssert.Equal("red of CastRay, which returns what Shade returns", "Ray Casting", shaded, red);
     }
 
     [Fact]

@@ -3,7 +3,7 @@ namespace RayCaster.Engine.Tests.Rendering.Meshes;
 /// <summary>Tests of several consecutive triangles at once give the same results as tests of each triangle.</summary>
 public class GroupTests
 {
-    private static readonly Camera camera = new(new(5, 0.4, 0.3), Vector3.Zero) { Width = 640, Height = 480 };
+    private static readonly Camera camera = new(new(5, 0.4, 0.3), Vector3.Zero, width: 640, height: 480);
 
     [Fact]
     public void AGroupIsInTheTileOfItsTriangles()

@@ -75,7 +75,7 @@ public class MarginTests
     [Fact]
     public void ProjectedCornersAreOffByALargePartOfTheirMargin()
     {
-        var camera = new Camera(new(3, 1, 2), Vector3.Zero) { Width = 1920, Height = 1080 };
+        var camera = new Camera(new(3, 1, 2), Vector3.Zero, width: 1920, height: 1080);
         var screen = new ScreenSpace(camera);
         var random = new Random(1);
         var vertices = new Vector3[100_000];
@@ -98,7 +98,7 @@ public class MarginTests
     /// <summary>Small triangles with a side that passes a sample by less than floats can distinguish, on either side of it.</summary>
     private static (Camera Camera, MeshData Mesh) OnEdges(Random random)
     {
-        var camera = new Camera(new(-5, 0, 0), Vector3.Zero) { FovY = 40, Width = 1000, Height = 64 };
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, fovY: 40, width: 1000, height: 64);
         var vertices = new List<Vector3>();
         for (var i = 0; i < 80; i++)
         {
@@ -118,7 +118,7 @@ public class MarginTests
     /// <param name="count">How many.</param>
     private static (Camera Camera, MeshData Mesh) Needles(Random random, double thinnest, int count)
     {
-        var camera = new Camera(Vector3.Zero, new(-0.6, 0.5, 0.3)) { FovY = 40, Width = 16, Height = 16 };
+        var camera = new Camera(Vector3.Zero, new(-0.6, 0.5, 0.3), fovY: 40, width: 16, height: 16);
         var vertices = new List<Vector3> { At(camera, -20, -20, 1), At(camera, 50, -20, 1), At(camera, -20, 50, 1) };
         for (var i = 0; i < count; i++)
         {
@@ -137,7 +137,7 @@ public class MarginTests
     /// <summary>Four triangles that fill the picture, one closely behind the other.</summary>
     private static (Camera Camera, MeshData Mesh) Sheets(Random random, double slope, double gap)
     {
-        var camera = new Camera(new(-5, 0, 0), Vector3.Zero) { FovY = 40, Width = 64, Height = 64 };
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, fovY: 40, width: 64, height: 64);
         var vertices = new List<Vector3>();
         var (right, up, nearest) = (slope * (random.NextDouble() - 0.5), slope * (random.NextDouble() - 0.5), 1 + random.NextDouble());
         for (var i = 0; i < 4; i++)
@@ -157,7 +157,7 @@ public class MarginTests
     /// of the groups' boxes, which are floats.</summary>
     private static (Camera Camera, MeshData Mesh) UpToATile(Random random)
     {
-        var camera = new Camera(new(-5, 3, 2), Vector3.Zero) { FovY = 4e-9, Width = 130, Height = 20 };
+        var camera = new Camera(new(-5, 3, 2), Vector3.Zero, fovY: 4e-9, width: 130, height: 20);
         var vertices = new List<Vector3>();
         for (var i = 0; i < 640; i++)
         {
@@ -171,7 +171,7 @@ public class MarginTests
     /// <summary>Small triangles, some in a place, one closely behind the other, and at an angle, where floats are at their coarsest.</summary>
     private static (Camera Camera, MeshData Mesh) Steep(Random random)
     {
-        var camera = new Camera(new(-5, 0, 0), Vector3.Zero) { FovY = 0.0005, Width = 30_000, Height = 1 };
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, fovY: 0.0005, width: 30_000, height: 1);
         var vertices = new List<Vector3>();
         for (var i = 0; i < 20; i++)
         {
@@ -199,7 +199,7 @@ public class MarginTests
         do
         {
             var up = position.Normalized + 1e-9 * new Vector3(random.NextDouble(), random.NextDouble(), random.NextDouble());
-            camera = new(position, Vector3.Zero) { Up = up, FovY = 0.01, Width = 32, Height = 32 };
+            camera = new(position, Vector3.Zero, up: up, fovY: 0.01, width: 32, height: 32);
         }
         while (camera.Skew is < 5e-9 or > 1e-8);
         var vertices = new List<Vector3>();
@@ -220,7 +220,7 @@ public class MarginTests
 
     /// <summary>The same camera with its axes at right angles.</summary>
     private static Camera Upright(Camera camera) =>
-        camera with { Up = new(0, 0, 1) };
+        camera.With(up: new(0, 0, 1));
 
     /// <summary>The point of a w that is seen at a place of the picture.</summary>
     private static Vector3 At(Camera camera, double column, double row, double w) => camera.Position + 3 / w
@@ -228,7 +228,7 @@ public class MarginTests
 
     /// <summary>A ball that a clip plane cuts where it fills the picture.</summary>
     private static (Camera Camera, MeshData Mesh) CutBy(double zNear, double zFar) => (
-        new(new(3, 0.013, 0.017), Vector3.Zero) { FovY = 12, Width = 64, Height = 64, ZNear = zNear, ZFar = zFar },
+        new(new(3, 0.013, 0.017), Vector3.Zero, fovY: 12, width: 64, height: 64, zNear: zNear, zFar: zFar),
         MeshGenerator.Icosphere(2));
 
     private static void AssertNeeded(Func<Random, (Camera Camera, MeshData Mesh)> make, Func<Camera, ScreenSpace> without)

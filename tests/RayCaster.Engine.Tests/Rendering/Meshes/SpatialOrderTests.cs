@@ -4,7 +4,7 @@ public class SpatialOrderTests
 {
     private const int Side = 300; // 178,802 triangles
 
-    private static readonly Camera camera = new(new(0.5, -1, 2), new(0.5, 0.5, 0)) { Width = 9, Height = 5 };
+    private static readonly Camera camera = new(new(0.5, -1, 2), new(0.5, 0.5, 0), width: 9, height: 5);
 
     private static readonly Mesh shuffled = Shuffled(Sheet());
 

@@ -52,7 +52,10 @@ public static class PictureAssert
         Directory.CreateDirectory(Path.GetDirectoryName(received));
         PictureFile.Write(received, mine);
         PictureFile.Write(expected, nearest);
-        var hint = StepHint.Of(scene, mine, step, Teacher.Hints, new Proof(scene).IsRight);
+        // What wrong formulas draw tells less than their own tests.
+        var hint = FormulaTests.FirstFailure(step > 0 ? step : LabSteps.Count) is { } failure
+            ? $"  First let the formulas' tests pass: {failure}"
+            : StepHint.Of(scene, mine, step, Teacher.Hints);
         var difference = new PictureDifference(mine, nearest);
         Assert.Fail($"{Text(difference, nearest)}\n  yours:    {received}\n  expected: {expected}\n{hint}{OwnNumbers(sceneFile, difference)}");
     }

@@ -31,7 +31,7 @@ public static class RayAssert
     public static void Equal(string what, string slide, double expected, double actual)
     {
         if (!AreEqual(expected, actual))
-            Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(actual)}.\n  {Cite(slide)}{Chance.Again}");
+            Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(actual)}{Precision((expected, actual))}.\n  {Cite(slide)}{Chance.Again}");
     }
 
     /// <summary>The same coordinate by coordinate.</summary>
@@ -40,7 +40,8 @@ public static class RayAssert
         if (AreEqual(expected, actual)) return;
         var got = new RayCaster.Vector3(actual.X, actual.Y, actual.Z);
         var length = AreEqual(1, expected.Length) && !AreEqual(1, got.Length) ? $", whose length is {Text(got.Length)}, not 1" : "";
-        Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(got)}{length}.\n  {Cite(slide)}{Chance.Again}");
+        var precision = Precision((expected.X, got.X), (expected.Y, got.Y), (expected.Z, got.Z));
+        Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(got)}{precision}{length}.\n  {Cite(slide)}{Chance.Again}");
     }
 
     /// <summary>The lab's vector of a vector of the library.</summary>
@@ -64,12 +65,17 @@ public static class RayAssert
     {
         var mine = SceneFile.PartsOf(model).Single();
         var ray = new WatchedRay(Mine(P), Mine(d));
+        var untouched = new Untouched(("ray", ray), ("this", mine));
         if (intersect == null) mine.Intersect(ray);
         else intersect(mine, ray);
+        untouched.Check(slide);
+        if (ray.IsSetWithoutHit)
+            Assert.Fail("HitParameter or HitModel was set without a call of Hit. Call ray.Hit(t, this): it keeps the nearest hit that counts." +
+                $"\n  {Cite(slide)}");
         double? actual = ray.HitModel == null ? null : ray.HitParameter;
         if (expected is { } a && actual is { } b ? AreEqual(a, b) : expected == actual) return;
         Assert.Fail($"""
-            expected {Hit(expected)}, but got {Hit(actual)}{ray.Calls(actual)}.
+            expected {Hit(expected)}, but got {Hit(actual)}{ray.Calls(actual)}{(expected is { } x && actual is { } y ? Precision((x, y)) : "")}.
               Ray    P = {Text(P)}, d = {Text(d)}
               {Letters(model)}
               {Cite(slide)}{Chance.Again}
@@ -81,14 +87,19 @@ public static class RayAssert
     {
         private readonly List<double> called = [];
 
+        private (double, Model) kept = (double.PositiveInfinity, null); // by the last call
+
+        public bool IsSetWithoutHit => kept != (HitParameter, HitModel);
+
         public override void Hit(double t, Model model)
         {
             called.Add(t);
             base.Hit(t, model);
+            kept = (HitParameter, HitModel);
         }
 
-        public string Calls(double? hit) => called.Count == 0 ? hit == null ? ": Hit was not called" : ", which is not from a call of Hit"
-            : hit != null ? ""
+        public string Calls(double? hit) => hit != null ? ""
+            : called.Count == 0 ? ": Hit was not called"
             : $": Hit was called with t = {string.Join(" and t = ", called.Select(Text))}, which {(called.Count == 1 ? "does" : "do")} not count";
     }
 
@@ -107,6 +118,13 @@ public static class RayAssert
     /// <summary>A number as messages have it.</summary>
     public static string Text(double number) =>
         number.ToString("0.######", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
+
+    /// <summary>What to add where numbers differ only after so many digits as a float has.</summary>
+    private static string Precision(params (double Expected, double Actual)[] numbers)
+    {
+        var apart = numbers.Max(pair => Math.Abs(pair.Expected - pair.Actual) / (1 + Math.Abs(pair.Expected)));
+        return apart < 1e-5 ? $" (equal to {-Math.Ceiling(Math.Log10(apart)):0} digits: a float?)" : "";
+    }
 
     /// <summary>Whether two numbers are equal except in their last bits.</summary>
     public static bool AreEqual(double a, double b) =>

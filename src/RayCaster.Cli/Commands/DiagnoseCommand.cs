@@ -1,0 +1,80 @@
+namespace RayCaster.Cli;
+
+internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", "Names the mistake that makes a picture wrong.")
+{
+    private static readonly Option<HintLevel?> hint = new("--hint", "<level>",
+        "How much to show: symptom (what you see), question (what to ask yourself) or answer (what is wrong, and the slide). [default: question]",
+        "symptom, question or answer",
+        text => text switch { "symptom" => HintLevel.Symptom, "question" => HintLevel.Question, "answer" => HintLevel.Answer, _ => null });
+    private static readonly Option<string[]> parts = Option.List("--done", "<parts>",
+        "What your program draws already, for example plane,sphere: plane, sphere, aabb, circle, triangle, mesh, attenuation, clipping. " +
+        "If one of these does not show, that is a mistake; other parts may be missing.", Diagnosis.Parts);
+    private static readonly Option<bool> asJson = Option.Switch("--json", "Prints everything as JSON, also the answers and errors.");
+
+    public override string Description =>
+        "Finds out why a picture is wrong: what the program does not draw yet, or which mistake it has. Draws the scene with each known mistake, " +
+        "and with pairs of mistakes, and names the one whose picture is most similar.";
+
+    public override IReadOnlyList<(string, string)> Arguments =>
+        [("<scene>", "The scene file."), ("<mine>", "The picture that your program drew of it: PNG, PBM, PGM or PPM.")];
+
+    public override IReadOnlyList<Option> Options => [hint, parts, Option.Everything, asJson, Option.Threads];
+
+    public override string[] Examples => ["diagnose scenes/room.json mine.png", "diagnose scenes/room.json mine.png --hint answer"];
+
+    public override string ExitCodes =>
+        "0 the picture is right, 1 it is wrong (or has another size than the scene), 2 failed. All known mistakes, with pictures: docs/mistakes.md.";
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        try
+        {
+            return Judge(line, cancellation);
+        }
+        catch (Exception e) when (line.Get(asJson) && e is ProblemException)
+        {
+            StandardStreams.WriteOutput(DiagnosisReport.Json(e.Message)); // other programs read standard output, also after an error
+            throw;
+        }
+    }
+
+    private static int Judge(CommandLine line, CancellationToken cancellation)
+    {
+        var operands = line.Exactly("<scene>", "<mine>");
+        var (scenePath, picturePath) = (operands[0], operands[1]);
+        var level = line.Get(hint) ?? HintLevel.Question;
+        var json = line.Get(asJson);
+        if (SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true) is not { } scene)
+        {
+            if (json) StandardStreams.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
+            return ExitCode.CouldNot;
+        }
+
+        var picture = PictureFile.Read(picturePath, StandardStreams.WriteError);
+        var size = (scene.Camera.Width, scene.Camera.Height);
+        var hasOtherSize = (picture.Width, picture.Height) != size && (picture.Height, picture.Width) != size;
+        if (hasOtherSize)
+        {
+            StandardStreams.WriteError(
+                $"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
+                "it is compared with the scene drawn in that size");
+            scene = scene.WithSize(picture.Width, picture.Height);
+        }
+        var budget = line.Budget();
+        var prepared = new SceneDiagnosis(scene, line.Get(Option.Threads), budget: budget, size: size);
+        var diagnosis = prepared.Judge(picture, line.Get(parts) ?? []);
+        var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
+        if (budget?.LeavesOut == true) line.Warn("Not everything was tried within 10 s of processor time; --all tries everything.");
+        StandardStreams.WriteOutput(json
+            ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
+            : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden) + MoreHelp(diagnosis, level));
+        return diagnosis.Finding == Finding.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
+    }
+
+    private static string MoreHelp(Diagnosis diagnosis, HintLevel level) => diagnosis.Finding != Finding.Mistake ? "" : level switch
+    {
+        HintLevel.Symptom => "\nMore help: --hint question, or --hint answer\n",
+        HintLevel.Question => "\nMore help: --hint answer\n",
+        _ => "",
+    };
+}

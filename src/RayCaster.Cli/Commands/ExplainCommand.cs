@@ -1,0 +1,55 @@
+namespace RayCaster.Cli;
+
+internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <line>", "Shows how one pixel gets its colour.")
+{
+    private static readonly Option<string> reference = Option.Text("--reference", "<file>",
+        "Another picture of the scene, for example your program's: adds its colour at this pixel and, if that is wrong, which model would give it.");
+
+    public override string Description =>
+        "Shows how one pixel gets its colour: the ray, each model's formula with this pixel's numbers, which crossings count and why the " +
+        "others do not, and the colour.";
+
+    public override IReadOnlyList<(string, string)> Arguments =>
+    [
+        Scene,
+        ("<column>", "The pixel's column, from the left, from 0."),
+        ("<line>", "The pixel's line, from the top, from 0, as picture viewers count. " +
+            "The formulas count rows from the bottom: r = height - 1 - line."),
+    ];
+
+    public override IReadOnlyList<Option> Options => [reference, Option.Size, Option.Quiet];
+
+    public override string[] Examples => ["explain scenes/room.json 250 250"];
+
+    public override string ExitCodes => "0 done, 1 the reference differs by more than rounding, 2 failed.";
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var operands = line.Exactly("<scene>", "<column>", "<line>");
+        if (SceneInput.Read(operands[0], line, cancellation) is not { } scene)
+            return ExitCode.CouldNot;
+
+        var camera = scene.Camera;
+        var explanation = new PixelExplanation(scene,
+            Coordinate("column", operands[1], camera.Width, "left to right"), Coordinate("line", operands[2], camera.Height, "top to bottom"));
+        var other = line.Get(reference) is { } path ? ReferenceExplanation.Of(explanation, ReadReference(path, camera)) : null;
+        StandardStreams.WriteOutput(ExplanationText.Of(explanation, other));
+        return other is { Agrees: false } ? ExitCode.No : ExitCode.Done;
+    }
+
+    private static int Coordinate(string what, string text, int count, string order)
+    {
+        if (!long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var value))
+            throw ProblemException.Usage($"'{text}' is not a {what}: it is a whole number from 0 to {count - 1}");
+        return value >= 0 && value < count ? (int)value : throw new ProblemException(
+            $"there is no {what} {value}: the picture has {what}s 0 to {count - 1}, {order}");
+    }
+
+    private static Picture ReadReference(string path, Camera camera)
+    {
+        var picture = PictureFile.Read(path, StandardStreams.WriteError);
+        return (picture.Width, picture.Height) == (camera.Width, camera.Height) ? picture : throw new ProblemException(
+            $"{path} has {picture.Width} x {picture.Height} pixels, but the scene's picture {camera.Width} x {camera.Height}\n" +
+            $"  Its size as an option: --size {picture.Width}x{picture.Height}");
+    }
+}

@@ -1,0 +1,55 @@
+namespace RayCaster.Cli;
+
+internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the frames of a camera that goes around its target.")
+{
+    private static readonly Option<int?> frames = Option.Count("--frames",
+        "How many frames. Frame 0 is the scene's own picture, and the camera turns counterclockwise, seen from above (from where \"up\" points to).",
+        1_000_000);
+    private static readonly Option<Portion> only = new("--only", "<frames>",
+        "Draws only these frames, for example 0..11 (both included) or 3/8 (the third of eight parts), for many machines.",
+        "the first and the last frame as in 0..11, counted from 0, or 3/8 for the third of eight parts", Portion.Parse);
+    private static readonly Option<string> output = Option.Text("-o, --output", "<folder>",
+        "An existing folder for the frames. [default: the current one]");
+
+    public override string Description =>
+        "Draws the frames of a camera that goes once around its target: room-0000.png, room-0001.png ...";
+
+    public override IReadOnlyList<Option> Options =>
+        [frames, only, output, Option.Size, PartCommand.Resume, Option.Threads, Option.Quiet, Option.NoProgress];
+
+    public override string[] Examples => ["orbit scenes/room.json --frames 48 -o frames"];
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var path = line.Exactly("<scene>")[0];
+        var count = line.Get(frames) ?? throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
+        var wanted = LineRange.Whole(count);
+        if (line.Get(only) is { } portion)
+            wanted = portion.Of(count) ?? throw new ProblemException($"there are no frames {portion} of {count}, 0..{count - 1}");
+        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
+
+        scene = SpatialOrder.Of(scene);
+        var folder = line.Get(output) ?? "";
+        var models = SceneDigest.OfModels(scene.Models);
+        var whole = LineRange.Whole(scene.Camera.Height);
+        var start = Stopwatch.GetTimestamp();
+        var drawn = 0;
+        for (var frame = wanted.First; frame <= wanted.Last; frame++)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            var view = scene with { Camera = CameraMotion.Orbit(scene.Camera, frame, count) };
+            if (view.Camera.ValidationError is { } flaw) throw new ProblemException($"frame {frame} cannot be drawn: {flaw}");
+            var file = Path.Combine(folder, $"{SceneInput.NameOf(path)}-{PictureOutput.Padded(frame, count)}.png");
+            var part = PartFacts.Of(view, whole, models, typeof(Renderer).Assembly); // the file contains what it shows, so --resume can skip it
+            // The reason to draw a frame again is printed for the first one only.
+            if (line.Get(PartCommand.Resume) && PictureOutput.IsUpToDate(file, part, line.Get(Option.Quiet) || drawn > 0)) continue;
+            var renderer = new CheckedRenderer(view, line.Get(Option.Threads), plain: false, manyFrames: true);
+            PictureOutput.Draw(file, PictureFormat.Png, renderer, whole, part, line, cancellation);
+            drawn++;
+        }
+        var (pixels, seconds) = ($"{scene.Camera.Width} x {scene.Camera.Height} pixels", Stopwatch.GetElapsedTime(start).TotalSeconds);
+        line.Tell($"{(folder == "" ? "." : folder)}: {Digits.Count(drawn, "frame")} of {pixels} drawn, " +
+            $"{wanted.Count - drawn} existed already, {seconds:0.00} s");
+        return ExitCode.Done;
+    }
+}

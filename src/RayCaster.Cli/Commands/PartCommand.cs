@@ -1,0 +1,51 @@
+namespace RayCaster.Cli;
+
+internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws some lines of a picture that is too large for one run.")
+{
+    /// <summary>The option of commands that can go on where they were interrupted.</summary>
+    public static readonly Option<bool> Resume = Option.Switch("--resume",
+        "Does not draw again what exists already, complete and of the same scene.");
+
+    private static readonly Option<string> output = Option.Text("-o, --output", "<file>",
+        "Where to write the part, a .png. [default: for example room.part-0000-0249.png]");
+
+    public override string Description =>
+        "Draws some lines of a scene's picture, here or on many machines; \"stitch\" joins such parts. A part is a PNG that records what it shows.";
+
+    public override IReadOnlyList<(string, string)> Arguments =>
+    [
+        Scene,
+        ("<lines>", "The first and the last as in 0..249, counted from 0 at the top, or 3/8 for the third of eight equal parts."),
+    ];
+
+    public override IReadOnlyList<Option> Options => [output, Option.Size, Resume, Option.Threads, Option.Quiet, Option.NoProgress];
+
+    public override string[] Examples =>
+        ["part scenes/room.json 1/2 --size 20000x20000", "part scenes/room.json 2/2 --size 20000x20000", "stitch room.part-*.png -o room.png"];
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var operands = line.Exactly("<scene>", "<lines>");
+        var portion = Portion.Parse(operands[1]) ?? throw ProblemException.Usage($"'{operands[1]}' names no lines: " +
+            "write the first and the last as in 0..249, counted from 0 at the top, or 3/8 for the third of eight parts");
+        if (line.Get(output) is { } given && PictureOutput.FormatOf(given, null) != PictureFormat.Png)
+            throw ProblemException.Usage("a part is a PNG file, which records what it shows; choose another name");
+        if (SceneInput.Read(operands[0], line, cancellation) is not { } scene) return ExitCode.CouldNot;
+
+        var height = scene.Camera.Height;
+        var lines = portion.Of(height) ?? throw new ProblemException($"there is no part {portion} of a picture of {height} lines, 0..{height - 1}");
+        var file = line.Get(output) ?? $"{SceneInput.NameOf(operands[0])}.part-" +
+            $"{PictureOutput.Padded(lines.First, height)}-{PictureOutput.Padded(lines.Last, height)}.png";
+        var start = Stopwatch.GetTimestamp();
+        var part = PartFacts.Of(scene, lines, SceneDigest.OfModels(scene.Models), typeof(Renderer).Assembly);
+        if (line.Get(Resume) && PictureOutput.IsUpToDate(file, part, line.Get(Option.Quiet)))
+        {
+            line.Tell($"{file}: exists already");
+            return ExitCode.Done;
+        }
+        var renderer = new CheckedRenderer(SpatialOrder.Of(scene), line.Get(Option.Threads), plain: false);
+        PictureOutput.Draw(file, PictureFormat.Png, renderer, lines, part, line, cancellation);
+        line.Tell(PictureOutput.Summary(file, scene, lines, Stopwatch.GetElapsedTime(start)));
+        return ExitCode.Done;
+    }
+}

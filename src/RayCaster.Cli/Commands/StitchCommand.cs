@@ -1,0 +1,77 @@
+namespace RayCaster.Cli;
+
+internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins parts into one picture, or lists missing lines.")
+{
+    private const int MaxReasons = 20;
+
+    private static readonly Option<string> output = Option.Text("-o, --output", "<file>",
+        "Where to write the picture: .png or .ppm; \"-\" writes it to a redirected standard output, as PPM.");
+    private static readonly Option<bool> missing = Option.Switch("--missing",
+        "Writes no picture. Prints the lines that no part holds, as \"part\" takes them; nothing if no line is missing.");
+
+    public override string Description =>
+        "Joins the parts of a picture that \"part\" has drawn, here or on many machines. The picture has the same pixels as one that " +
+        "is drawn at once. Refuses parts of different scenes, sizes or program versions, missing lines, and lines that two parts hold (even if " +
+        "they are equal: remove one of the files).";
+
+    public override IReadOnlyList<(string, string)> Arguments =>
+    [
+        ("<part>...", "Files, patterns like \"parts/room.part-*.png\", or folders: all PNG files in them that are parts. " +
+            "The order does not matter."),
+    ];
+
+    public override IReadOnlyList<Option> Options => [output, Option.Format, missing, Option.Quiet, Option.NoProgress];
+
+    public override string[] Examples => ["stitch room.part-*.png -o room.png"];
+
+    public override string ExitCodes =>
+        "0 done, or with --missing: no line is missing, 1 lines are missing or parts do not belong together, " +
+        "2 failed, for example because a part is damaged.";
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        if (line.Operands.Count == 0) throw ProblemException.Usage("no part is given: name files, a pattern or a folder");
+        var (file, onlyMissing) = (line.Get(output) ?? "", line.Get(missing));
+        if (onlyMissing && file != "") throw ProblemException.Usage("--missing writes no picture: leave -o out");
+        if (!onlyMissing && file == "")
+            throw ProblemException.Usage("stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines");
+        var format = onlyMissing ? PictureFormat.Png : PictureOutput.FormatOf(file, line.Get(Option.Format));
+
+        var start = Stopwatch.GetTimestamp();
+        var named = FilePatterns.Expand([.. line.Operands.Where(operand => !Directory.Exists(operand))]);
+        var inFolders = line.Operands.Where(Directory.Exists).SelectMany(folder => FilePatterns.FilesIn(folder, "*.png"));
+        var parts = new PartSet([.. named.Concat(inFolders).DistinctBy(Path.GetFullPath)], named.Contains);
+        if (parts.Count == 0 && parts.Problems.Count == 0)
+            throw new ProblemException($"there are no parts of a picture in {string.Join(", ", line.Operands)}");
+
+        if (parts.Problems.Count > 0) return No("these are not the parts of one picture", parts.Problems);
+        if (onlyMissing)
+        {
+            StandardStreams.WriteOutput(string.Concat(parts.Missing.Select(lines => $"{lines}\n")));
+            return parts.Missing.Count == 0 ? ExitCode.Done : ExitCode.No;
+        }
+        if (parts.Missing.Count > 0)
+            return No($"of {parts.Size.Height} lines these are missing", [.. parts.Missing.Select(lines => lines.ToString())]);
+
+        InputFiles.Note(parts.Files);
+        var (width, height) = parts.Size;
+        PictureOutput.Write(file, cancellation, stream =>
+        {
+            using var progress = ProgressLine.For(line, width, height, "pixels");
+            using var writer = PictureWriter.Create(format, stream, width, height);
+            parts.Write(writer, lines => progress?.LinesDone(lines), cancellation);
+            writer.Finish();
+        });
+        var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+        line.Tell($"{PictureOutput.NameOf(file)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
+        return ExitCode.Done;
+    }
+
+    private static int No(string answer, IReadOnlyList<string> reasons)
+    {
+        var shown = string.Concat(reasons.Take(MaxReasons).Select(reason => $"  {reason}\n"));
+        var more = reasons.Count > MaxReasons ? $"  and {reasons.Count - MaxReasons} more\n" : "";
+        StandardStreams.WriteError($"raycaster: {answer}:\n{shown}{more}");
+        return ExitCode.No;
+    }
+}

@@ -1,0 +1,34 @@
+namespace RayCaster.Cli;
+
+internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws a wrong picture, with known mistakes.")
+{
+    private static readonly Option<string> output = Option.Text("-o, --output", "<file>",
+        "Where to write the picture: .png or .ppm. [default: <scene>.<ids>.png]");
+
+    /// <summary>The ids of all known mistakes.</summary>
+    public static string[] Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
+
+    public override string Description =>
+        "Draws the picture of a program with one known mistake or several, for exams and to test a rubric.";
+
+    public override IReadOnlyList<(string, string)> Arguments =>
+        [Scene, ("<ids>", "The mistakes, for example r-nosq, or rows+bgr for two. docs/mistakes.md lists them.")];
+
+    public override IReadOnlyList<Option> Options => [output, Option.Format, Option.Size, Option.Threads, Option.Quiet];
+
+    public override string[] Examples => ["wrong scenes/room.json r-nosq -o mine.png"];
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var operands = line.Exactly("<scene>", "<ids>");
+        if (Option.ReadList(operands[1], '+', Ids) is not { } ids) throw ProblemException.Usage("no mistake is named: docs/mistakes.md lists them");
+        var file = line.Get(output) ?? $"{SceneInput.NameOf(operands[0])}.{string.Join('+', ids)}.png";
+        var format = PictureOutput.FormatOf(file, line.Get(Option.Format));
+        if (SceneInput.Read(operands[0], line, cancellation, judges: true) is not { } scene) return ExitCode.CouldNot;
+
+        var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!);
+        PictureOutput.Write(file, MistakeCatalog.Draw(scene, mistakes, line.Get(Option.Threads)), format, cancellation);
+        line.Tell($"{PictureOutput.NameOf(file)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");
+        return ExitCode.Done;
+    }
+}

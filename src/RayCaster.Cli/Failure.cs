@@ -1,0 +1,50 @@
+namespace RayCaster.Cli;
+
+/// <summary>What keeps a command from being done, in words.</summary>
+internal static class Failure
+{
+    /// <summary>Prints a message for a failure.</summary>
+    /// <param name="hint">Printed after a wrong command line.</param>
+    /// <returns>The exit code.</returns>
+    public static int Report(Exception e, string hint)
+    {
+        if (Message(e) is { } message)
+        {
+            StandardStreams.WriteError($"raycaster: {message}");
+            if (e is ProblemException { IsUsage: true }) StandardStreams.WriteError(hint);
+            return ExitCode.CouldNot;
+        }
+        StandardStreams.WriteError($"""
+            {Fault.InWords("raycaster", e)}
+            With RAYCASTER_TRACE=1 it shows where it happened.
+            """);
+        if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1") StandardStreams.WriteError($"{e.StackTrace}");
+        return ExitCode.InternalError;
+    }
+
+    /// <summary>What to tell the user; null for a fault of this program.</summary>
+    private static string? Message(Exception e) => e switch
+    {
+        ProblemException => e.Message,
+        IOException or UnauthorizedAccessException => IsCurrentFolderThere() ? e.Message : "the current folder was deleted",
+        TypeInitializationException { InnerException: IOException } => // of the runtime's handling of signals
+            "the system allows too few processes or open files: see ulimit -u and ulimit -n",
+        _ => IsOutOfMemory(e) ? "there is not enough memory" : null,
+    };
+
+    private static bool IsCurrentFolderThere()
+    {
+        try
+        {
+            return Environment.CurrentDirectory.Length > 0;
+        }
+        catch (IOException)
+        {
+            return false;
+        }
+    }
+
+    /// <summary>Whether memory ran out, on any thread.</summary>
+    private static bool IsOutOfMemory(Exception? e) =>
+        e is OutOfMemoryException || (e is AggregateException or TypeInitializationException && IsOutOfMemory(e.InnerException));
+}

@@ -1,0 +1,80 @@
+using System.Runtime.InteropServices;
+
+namespace RayCaster.Files;
+
+/// <summary>Collects the vertices and faces of a mesh file; splits polygons into fans.</summary>
+internal sealed class MeshBuilder(MeshSource source)
+{
+    private readonly List<Vector3> vertices = [];
+    private readonly List<int> indices = [];
+    private readonly List<(int Index, int Count, long Place)> early = []; // polygons before their vertices
+    private int first, previous, greatest, folded;
+    private long foldedAt;
+
+    public int VertexCount => vertices.Count;
+
+    public int CornerCount { get; private set; }
+
+    public void AddVertex(Vector3 vertex) => vertices.Add(vertex);
+
+    public void BeginFace() => CornerCount = greatest = 0;
+
+    /// <summary>Adds a corner to the face. Each corner from the third on makes a triangle with the first corner and the one before.</summary>
+    public void AddCorner(int vertex)
+    {
+        if (CornerCount == 0) first = vertex;
+        if (CornerCount >= 2) AddTriangle(first, previous, vertex);
+        previous = vertex;
+        greatest = Math.Max(greatest, vertex);
+        CornerCount++;
+    }
+
+    /// <summary>Ends a face, and notes whether it is another shape than its fan.</summary>
+    /// <param name="place">The line or byte where it is.</param>
+    public void EndFace(long place)
+    {
+        if (CornerCount <= 3) return;
+        var count = 3 * (CornerCount - 2);
+        if (greatest < vertices.Count) Check(indices.Count - count, count, place);
+        else early.Add((indices.Count - count, count, place));
+    }
+
+    public void AddTriangle(int a, int b, int c)
+    {
+        if (indices.Count > Array.MaxLength - 3)
+            throw source.Error($"the file has too many faces; at most {Array.MaxLength / 3} triangles are read");
+        indices.Add(a);
+        indices.Add(b);
+        indices.Add(c);
+    }
+
+    /// <param name="warning">What was ignored in the file.</param>
+    /// <param name="placeName">What <see cref="EndFace"/> was told: "in line" or "at byte".</param>
+    /// <param name="others">What the file has besides vertices and faces.</param>
+    public MeshData Finish(string? warning = null, string placeName = "in line", params (int Count, string Name)[] others)
+    {
+        if (indices.Count == 0)
+        {
+            string[] has = [.. from other in others.Prepend((Count: vertices.Count, Name: "vertex")) where other.Count > 0
+                               select Counted(other.Count, other.Name)];
+            throw source.Error($"the file has no face{(has.Length > 0 ? $", only {string.Join(" and ", has)}" : "")}; a mesh needs at least one");
+        }
+        foreach (var (index, count, place) in early) Check(index, count, place);
+        if (folded > 0)
+        {
+            warning = (warning is null ? "" : warning + "; ") + $"the face {placeName} {foldedAt} {Fan.Warning}"
+                + (folded > 1 ? $", as {Counted(folded - 1, "other face")}" : "");
+        }
+        return new([.. vertices], [.. indices]) { Warning = warning };
+    }
+
+    /// <summary>A number of things: <c>1 vertex</c>, <c>2 vertices</c>.</summary>
+    public static string Counted(long count, string what) =>
+        FormattableString.Invariant($"{count} {(count == 1 ? what : what == "vertex" ? "vertices" : what + "s")}");
+
+    private void Check(int index, int count, long place)
+    {
+        if (!Fan.IsFolded(CollectionsMarshal.AsSpan(indices).Slice(index, count), CollectionsMarshal.AsSpan(vertices))) return;
+        if (folded++ == 0) foldedAt = place;
+    }
+}

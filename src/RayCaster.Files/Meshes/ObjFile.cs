@@ -1,0 +1,86 @@
+using System.Buffers.Text;
+
+namespace RayCaster.Files;
+
+/// <summary>Wavefront OBJ: the statements <c>v x y z</c> and <c>f i j k …</c>; all others are skipped.</summary>
+internal static class ObjFile
+{
+    public static MeshData Read(MeshSource source)
+    {
+        source.ThrowUnless("an OBJ mesh");
+        source.Has(64);
+        if (source.Bytes[..Math.Min(source.Bytes.Length, 64)] is var start && start.IndexOfAny("\0\r\n"u8) is >= 0 and var at && start[at] == 0)
+            throw source.Error("it is no text, and so no OBJ mesh; compiled files have the same extension");
+        var (scanner, mesh) = (new TextScanner(source, isObj: true), new MeshBuilder(source));
+        var (lines, points) = (0, 0);
+        var ahead = new List<(long Index, int Line)>(); // of faces before their vertices: each index that is greater than those before it
+        string? warning = null;
+        do
+        {
+            var statement = scanner.NextInLine();
+            if (statement is [(byte)'v'])
+            {
+                mesh.AddVertex(new(
+                    scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z")));
+                while (scanner.NextInLine() is { IsEmpty: false } more) // weights and colours, which may be no numbers
+                    if (!IsNotFinite(more)) scanner.ToNumber(more, "what follows a vertex's x, y and z");
+            }
+            else if (statement is [(byte)'f'])
+            {
+                mesh.BeginFace();
+                while (scanner.NextInLine() is { IsEmpty: false } corner)
+                {
+                    var index = ToIndex(corner, scanner);
+                    if (index < -mesh.VertexCount)
+                        throw scanner.Error($"face index {index} counts back beyond the {mesh.VertexCount} vertices that are above it");
+                    if (index > mesh.VertexCount && (ahead.Count == 0 || index > ahead[^1].Index)) ahead.Add((index, scanner.LineNumber));
+                    mesh.AddCorner((int)Math.Min(index < 0 ? mesh.VertexCount + index : index - 1, int.MaxValue));
+                }
+                if (mesh.CornerCount < 3) throw scanner.Error($"a face needs at least three corners, but this one has {mesh.CornerCount}");
+                mesh.EndFace(scanner.LineNumber);
+            }
+            else if (statement is [(byte)'l'])
+            {
+                lines++;
+            }
+            else if (statement is [(byte)'p'])
+            {
+                points++;
+            }
+            else if (warning is null && (statement.SequenceEqual("usemtl"u8) || statement.SequenceEqual("mtllib"u8)))
+            {
+                warning = "the file's materials are ignored; \"color\" colours the whole mesh";
+            }
+        }
+        while (scanner.NextLine());
+
+        foreach (var (index, line) in ahead)
+            if (index > mesh.VertexCount)
+                throw source.ErrorAtLine(line, $"face index {index} is beyond the file's {mesh.VertexCount} vertices");
+        return mesh.Finish(warning, others: [(lines, "line"), (points, "point")]);
+    }
+
+    /// <summary>Whether a program has written NaN or infinity: <c>nan</c>, <c>-nan(ind)</c>, <c>Infinity</c>, <c>1.#QNAN</c>.</summary>
+    private static bool IsNotFinite(ReadOnlySpan<byte> word)
+    {
+        var letters = word.TrimStart("+-"u8);
+        if (letters.StartsWith("1.#"u8)) return true;
+        return letters.Length >= 3 && (Ascii.EqualsIgnoreCase(letters[..3], "nan") || Ascii.EqualsIgnoreCase(letters[..3], "inf"));
+    }
+
+    /// <summary>The vertex of a corner: <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c> (vertex, texture, normal); numbers may be left out at
+    /// the end, as in <c>7//</c>.</summary>
+    private static long ToIndex(ReadOnlySpan<byte> corner, TextScanner scanner)
+    {
+        var isCorner = Utf8Parser.TryParse(corner, out long index, out var length);
+        var rest = corner[length..];
+        for (var part = 0; isCorner && part < 2 && rest is [(byte)'/', ..]; part++)
+        {
+            Utf8Parser.TryParse(rest[1..], out long _, out length); // of length 0 where nothing is written
+            rest = rest[(1 + length)..];
+        }
+        if (!isCorner || !rest.IsEmpty) throw scanner.Error($"a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is {scanner.Quoted}");
+        if (index == 0) throw scanner.Error("face index 0 is not allowed: vertices count from 1, or from -1 backwards");
+        return index;
+    }
+}

@@ -1,0 +1,193 @@
+using System.IO.Compression;
+
+namespace RayCaster.Files;
+
+/// <summary>
+/// Reads PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checks all checksums, and drops alpha and transparency. A picture
+/// that is not interlaced can be read line by line, in memory that does not grow with the number of lines.
+/// </summary>
+internal sealed class PngReader
+{
+    /// <summary>The best compression there is: Deflate describes 258 bytes with two bits.</summary>
+    private const int MaxBytesFromOne = 1032;
+
+    /// <summary>Longer texts were not written by this program.</summary>
+    private const int MaxText = 4096;
+
+    private readonly PngChunkReader chunks;
+    private readonly byte[] palette = [];
+    private readonly long firstData;
+
+    /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
+    /// <param name="warn">Gets what is damaged, but not needed for the pixels.</param>
+    /// <exception cref="ProblemException">The file is damaged, or the picture needs more than <paramref name="maxBytes"/> bytes, three
+    /// for each pixel.</exception>
+    public PngReader(Stream file, long maxBytes, Action<string>? warn = null)
+    {
+        chunks = new(file);
+        PngHeader? header = null;
+        var (dataBytes, paletteBytes, before) = (0L, 0L, "");
+        for (chunks.Next(); ; before = chunks.Type, chunks.Next())
+        {
+            if (header is null && chunks.Type != "IHDR") throw new ProblemException($"its first chunk is {chunks.Type} instead of IHDR");
+            switch (chunks.Type)
+            {
+                case "IHDR" when header is null && chunks.Left != PngHeader.Bytes:
+                    throw new ProblemException($"its chunk IHDR has {chunks.Left} bytes instead of {PngHeader.Bytes}");
+                case "IHDR" when header is null:
+                    header = PngHeader.Read(chunks.ReadUpTo(PngHeader.Bytes), maxBytes);
+                    continue;
+                case "PLTE" when firstData != 0:
+                    throw new ProblemException("its palette comes after its data");
+                case "PLTE" when paletteBytes > 0:
+                    throw new ProblemException("it has two palettes");
+                case "PLTE":
+                    paletteBytes = chunks.Left;
+                    palette = chunks.ReadUpTo(3 * 256);
+                    break;
+                case "IDAT" when firstData != 0 && before != "IDAT":
+                    throw new ProblemException("its chunks IDAT do not follow one another");
+                case "IDAT":
+                    if (firstData == 0) firstData = chunks.Place;
+                    dataBytes += chunks.Left;
+                    chunks.Skip();
+                    continue;
+                case "tEXt" when chunks.Left <= MaxText && PartText is null:
+                    PartText = Encoding.Latin1.GetString(chunks.ReadUpTo(MaxText)).Split('\0') is [PngChunk.PartKeyword, var text] ? text : null;
+                    break;
+                case "IEND":
+                    break;
+                default:
+                    // A capital first letter says that the picture cannot be shown without this chunk.
+                    if (char.IsAsciiLetterUpper(chunks.Type[0]))
+                        throw new ProblemException($"its chunk {chunks.Type} is unknown or in the wrong place");
+                    break;
+            }
+            chunks.Check();
+            if (chunks.IsDamaged)
+            {
+                if (chunks.Type == "tEXt") PartText = null;
+                warn?.Invoke($"its chunk {chunks.Type} at byte {chunks.Place:N0} is damaged: the checksum is wrong; the pixels do not need it");
+            }
+            if (chunks.Type == "IEND") break;
+        }
+
+        Header = header!.Value;
+        if (firstData == 0) throw new ProblemException("it has no pixels: there is no chunk IDAT");
+        if (Header.ColorType == PngHeader.Palette && (paletteBytes % 3 != 0 || paletteBytes / 3 is < 1 or > 256))
+            throw new ProblemException($"its palette has {paletteBytes} bytes, but must be 1 to 256 colours of 3 bytes");
+        if (Header.DataBytes > (Int128)dataBytes * MaxBytesFromOne)
+            throw new ProblemException("the file is cut short: "
+                + $"{Header.Width:N0} × {Header.Height:N0} pixels are {Header.DataBytes:N0} bytes, "
+                + $"which cannot be compressed to the {dataBytes:N0} that the file holds");
+    }
+
+    public PngHeader Header { get; }
+
+    /// <summary>The text under <see cref="PngChunk.PartKeyword"/>; null if there is none.</summary>
+    public string? PartText { get; }
+
+    public static Picture Read(Stream file, long maxBytes, Action<string> warn)
+    {
+        var reader = new PngReader(file, maxBytes, warn);
+        var picture = new Picture(reader.Header.Width, reader.Header.Height);
+        reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { });
+        return picture;
+    }
+
+    /// <summary>Opens a file for reading it line by line.</summary>
+    /// <exception cref="ProblemException">The file cannot be read; the message names it.</exception>
+    public static T OpenFile<T>(string path, Func<PngReader, T> read) =>
+        PictureFile.Open(path, file => read(new(file, 3 * Camera.MaxPixels)));
+
+    /// <exception cref="ProblemException">The picture is interlaced, so that its lines do not follow each other.</exception>
+    public void RequireLines()
+    {
+        if (Header.Interlaced) throw new ProblemException("it is interlaced, so that its lines cannot be read one after another");
+    }
+
+    /// <summary>Reads all lines of a picture that is not interlaced, three bytes for each pixel, and checks the end of the data.</summary>
+    public void ReadLines(Action<ReadOnlySpan<byte>> take)
+    {
+        var line = new byte[3 * Header.Width];
+        ReadLines(_ => line, _ => take(line));
+    }
+
+    /// <param name="lineAt">The memory for the colours of a line.</param>
+    /// <param name="isRead">Called after each line of a pass.</param>
+    private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead)
+    {
+        chunks.Return(firstData);
+        using var data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
+        var (lines, passes) = (new PngLines(data, Header), Header.Passes);
+        foreach (var pass in passes)
+        {
+            lines.Begin(pass);
+            for (var y = pass.Y; y < Header.Height; y += pass.StepY)
+            {
+                var isLast = pass == passes[^1] && y + pass.StepY >= Header.Height;
+                ReadLine(lines, pass, y, lineAt(y).Span, isLast ? data : null);
+                isRead(y);
+            }
+        }
+    }
+
+    /// <summary>Reads a line of a pass. Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>
+    /// <param name="ending">The data, if they must end with this line.</param>
+    private void ReadLine(PngLines lines, PngPass pass, int y, Span<byte> rgb, ZLibStream? ending)
+    {
+        try
+        {
+            var samples = lines.Next();
+            if (Header.ColorType == PngHeader.Rgb && pass.StepX == 1) samples.CopyTo(rgb);
+            else
+                for (var at = 3 * pass.X; at < rgb.Length; at += 3 * pass.StepX, samples = samples[Header.Channels..])
+                    (rgb[at], rgb[at + 1], rgb[at + 2]) = ColorOf(samples);
+            if (ending is not null) CheckEnd(ending);
+        }
+        catch (Exception e) when (e is InvalidDataException or IOException)
+        {
+            var isCut = e is EndOfStreamException || chunks.Type == "IEND";
+            chunks.Check();
+            throw new ProblemException(
+                isCut ? $"the file is cut short: its data end in line {y} of {Header.Height}" : "its compressed data are damaged", e);
+        }
+        catch (ProblemException)
+        {
+            chunks.Check();
+            throw;
+        }
+    }
+
+    /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a missing one only with its switch UseStrictValidation
+    /// (Directory.Build.props). Bytes behind it are ignored, as PNG's third edition asks (11.2.3): programs write their whole buffer. The
+    /// checksums of their chunks are checked.</summary>
+    private static void CheckEnd(ZLibStream data)
+    {
+        try
+        {
+            if (data.ReadByte() >= 0) throw new ProblemException("it holds more data than its pixels need");
+            data.BaseStream.CopyTo(Stream.Null);
+        }
+        catch (InvalidDataException e)
+        {
+            throw new ProblemException("its compressed data do not end with their checksum", e);
+        }
+    }
+
+    private (byte R, byte G, byte B) ColorOf(ReadOnlySpan<byte> samples)
+    {
+        switch (Header.ColorType)
+        {
+            case 0 or 4:
+                return (samples[0], samples[0], samples[0]);
+            case PngHeader.Palette:
+                var i = 3 * samples[0];
+                if (i >= palette.Length)
+                    throw new ProblemException($"a pixel has colour {samples[0]} of a palette that has {palette.Length / 3}");
+                return (palette[i], palette[i + 1], palette[i + 2]);
+            default:
+                return (samples[0], samples[1], samples[2]);
+        }
+    }
+}

@@ -1,0 +1,140 @@
+namespace RayCaster.Files;
+
+/// <summary>Reads a scene from a scene file (docs/scene-file.md), or reports all its mistakes.</summary>
+public static class SceneReader
+{
+    /// <summary>The longest scene file, in bytes: some 400,000 models. More triangles belong in a mesh file.</summary>
+    public const int MaxBytes = 1 << 26;
+
+    /// <summary>The types of models, as scene files name them.</summary>
+    public static IReadOnlyList<string> ModelTypes => PrimitiveList.Names;
+
+    private const string Kind = "scene file", Remedy = "; put large meshes into mesh files";
+
+    /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
+    /// <param name="path">The file; messages name it as it is given here.</param>
+    public static SceneReading Read(string path)
+    {
+        if (MeshFile.IsNamedLikeOne(path) && File.Exists(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
+        if (InputBytes.ReadFile(path, Kind, MaxBytes, Remedy, out var bytes) is { } problem) return Unreadable(path, problem);
+        return Parse(bytes, path, Path.GetDirectoryName(path) ?? "");
+    }
+
+    /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
+    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
+    /// <exception cref="IOException">The stream fails.</exception>
+    public static SceneReading Read(Stream stream, string displayName, string folder)
+    {
+        if (!InputBytes.TryReadToEnd(stream, MaxBytes, out var bytes)) return Unreadable(displayName, InputBytes.TooLong(Kind, MaxBytes, Remedy));
+        return Parse(bytes, displayName, folder);
+    }
+
+    /// <summary>Reads a text.</summary>
+    /// <param name="utf8">The text, with or without a byte order mark.</param>
+    /// <param name="displayName">Its name in messages; <c>&lt;stdin&gt;</c> for standard input.</param>
+    /// <param name="folder">The folder where paths of mesh files start.</param>
+    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder)
+    {
+        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var document);
+        return new(scene, document.Problems()) { MeshFiles = document.MeshFiles, Text = utf8 };
+    }
+
+    /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>
+    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
+    /// <param name="name">The name of the outermost object in messages.</param>
+    internal static T? Parse<T>(
+        ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out SceneDocument document)
+        where T : class
+    {
+        document = new SceneDocument(new SourceText(displayName, utf8), folder);
+        var root = ReadRoot(document, name);
+        var result = root is null ? null : read(root);
+        return document.ErrorCount == 0 ? result : null;
+    }
+
+    private static SceneObject? ReadRoot(SceneDocument document, string name)
+    {
+        var mistake = Encodings.MistakeIn(document.Text.Utf8);
+        if (mistake is null && JsonTree.Parse(document.Text, out mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name);
+        var (start, end, message) = mistake!.Value;
+        document.Add(true, start, end, message);
+        return null;
+    }
+
+    /// <summary>Reads the outermost object of a scene; null if there is an error in it.</summary>
+    internal static Scene? ReadScene(SceneObject o)
+    {
+        o.Text("$schema", "Where editors find the schema of scene files; the program does not use it.", false);
+        var camera = o.Object("camera", "Where the picture is taken from, and how wide it looks.") is { } c ? ReadCamera(c) : null;
+        var background = o.Color("background", "The colour of a pixel whose ray hits nothing.", Color.Black);
+        var models = new List<Model>();
+        foreach (var element in o.Objects("models", "What the world holds, an array of models; of two at the same distance the first shows."))
+            if (ReadModel(element) is { } model)
+                models.Add(model);
+        o.Close();
+        return o.IsSound ? new(camera!, models, background) : null;
+    }
+
+    private static Camera? ReadCamera(SceneObject o)
+    {
+        var orElse = new Camera(default, default);
+        var camera = new Camera(
+            o.Vector("position", "P, where the rays start."),
+            o.Vector("target",
+                "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
+                    "at twice its distance all is black."),
+            up: o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", orElse.Up),
+            fovY: o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), orElse.FovY),
+            width: o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
+            height: o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
+            zNear: o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
+            zFar: o.Number("zFar", "Nothing farther is seen; greater than zNear.", Limits.None, orElse.ZFar),
+            bias: o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
+            clip: o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+                "depth", "distance") == "distance" ? ClipMode.Distance : ClipMode.Depth,
+            sample: o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+                "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner);
+        o.Close();
+
+        var (position, view) = (o.PathOf("position"), camera.Target - camera.Position);
+        var (width, height, zNear, zFar, fovY) = (camera.Width, camera.Height, camera.ZNear, camera.ZFar, camera.FovY);
+        var (ofUp, ofZNear) = (o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]",
+            o.Has("zNear") ? "" : " where it is not given");
+        if (view.Length == 0) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
+        else if (Camera.IsParallel(camera.Up, view))
+            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {position}, but is {camera.Up}{ofUp}");
+        if (zFar <= zNear && !o.Has("zFar"))
+            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
+        else if (zFar <= zNear)
+            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{ofZNear}, but is {zFar}");
+        if ((long)width * height > Camera.MaxPixels)
+            o.Refuse("height",
+                $" times {o.PathOf("width")} must be at most {Camera.MaxPixels:N0}, but is {height} x {width} = {(long)width * height:N0}");
+        if (fovY is >= 0.2 and < 3)
+            o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
+        return o.IsSound ? camera : null;
+    }
+
+    /// <summary>Reads a model of any type; null if the type is unknown.</summary>
+    private static Model? ReadModel(SceneObject o)
+    {
+        var name = o.Choice("type", "What the model is.", null, PrimitiveList.Names);
+        var type = Array.Find(PrimitiveList.All, type => type.Name == name);
+        var model = type is null ? null : ReadModel(o, type);
+        // If the type is unknown, only a key that no type has is surely wrong.
+        o.Close(type is null ? PrimitiveList.KeysOfAllTypes() : []);
+        return model;
+    }
+
+    /// <summary>Reads all keys of a model but the type.</summary>
+    internal static Model ReadModel(SceneObject o, PrimitiveType type)
+    {
+        var model = type.Read(o);
+        model.Color = o.Color("color", "Its colour in full light, as [red, green, blue], 1 being full intensity, or as \"#rrggbb\".", Color.White);
+        model.Name = o.Text("name", "A name for people; the picture does not depend on it.", false) is { } name ? PrintableText.Of(name) : null;
+        return model;
+    }
+
+    private static SceneReading Unreadable(string path, string message) =>
+        new(null, [new Problem(true, path, 0, 0, message, "")]);
+}

@@ -1,0 +1,213 @@
+using Microsoft.Win32.SafeHandles;
+
+namespace RayCaster.Files;
+
+/// <summary>
+/// Writes files completely or not at all: to a temporary file NAME.XXXXXXXX.tmp beside the target, with eight random hexadecimal digits, which
+/// takes the target's place at the end. A program that must end at once deletes the temporary files, whatever its threads are doing, and can
+/// name the finished ones.
+/// </summary>
+public static class WrittenFiles
+{
+    private static readonly Lock access = new();
+    private static readonly HashSet<string> unfinished = []; // the temporary files and folders
+    private static bool isOver;
+
+    /// <summary>How many files are finished.</summary>
+    public static int Count { get; private set; }
+
+    /// <summary>The last finished file, as the caller named it; null if there is none.</summary>
+    public static string? Last { get; private set; }
+
+    /// <summary>Deletes unfinished files. From now on no thread can begin or finish one.</summary>
+    public static void GiveUp()
+    {
+        lock (access)
+        {
+            isOver = true;
+            foreach (var temporary in unfinished.ToArray()) Delete(temporary);
+        }
+    }
+
+    /// <summary>Writes a file. An old one stays until the new one is complete. A symbolic link is followed. What is no file, such as a device or
+    /// a pipe, is not replaced: it gets the bytes when they are complete.</summary>
+    /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
+    /// <exception cref="ProblemException">The file cannot be written.</exception>
+    public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default, Action? beforeReplacing = null)
+    {
+        var target = TargetOf(path);
+        var isFile = FilePlace.IsFileOrFree(target);
+        var temporary = NameBeside(isFile ? target : Path.Join(Path.GetTempPath(), Path.GetFileName(target)));
+        try
+        {
+            using var file = Create(path, isFile ? target : null, temporary);
+            write(file);
+            cancellation.ThrowIfCancellationRequested();
+            // A network drive reports only now that the quota is used up, and then the old picture must still be there.
+            file.Flush(flushToDisk: isFile);
+            beforeReplacing?.Invoke();
+            if (!isFile) Copy(file, target);
+            Finish(temporary, path, isFile ? () => Replace(path, target, temporary) : () => File.Delete(temporary));
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            throw Failure(path, ProblemException.Reason(e), e);
+        }
+        finally
+        {
+            Delete(temporary);
+        }
+    }
+
+    /// <summary>Makes a folder: files go to a temporary folder beside it, which is renamed at the end.</summary>
+    /// <param name="path">The folder; if it is there, it must be empty. The folders above it are made, too.</param>
+    /// <param name="fill">Fills the temporary folder, whose path it gets.</param>
+    /// <exception cref="ProblemException">It cannot be written, or a folder or file of this name came in between.</exception>
+    public static void WriteFolder(string path, Action<string> fill)
+    {
+        var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
+        var temporary = NameBeside(target);
+        try
+        {
+            Begin(temporary, () => Directory.CreateDirectory(temporary));
+            fill(temporary);
+            if (Directory.Exists(target)) Directory.Delete(target); // fails unless it is empty
+            Finish(temporary, target, () => Directory.Move(temporary, target));
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            throw new ProblemException($"cannot write the folder {PrintableText.Of(path)}: {ProblemException.Reason(e)}", e);
+        }
+        finally
+        {
+            Delete(temporary);
+        }
+    }
+
+    /// <summary>The full path of a file that may be written, without links.</summary>
+    private static string TargetOf(string path)
+    {
+        if (path.Length == 0 || path.Contains('\0')) throw new ProblemException($"'{path.Replace("\0", @"\x00")}' is no file name");
+        if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
+            throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
+        var target = Follow(path);
+        var folder = Path.GetDirectoryName(target);
+        if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(path))
+            throw Failure(path, "it is a folder; name a file in it");
+        if (FilePlace.DescriptorOf(target) is not null && !File.Exists(target)) throw Failure(path, "nothing is open by this number");
+        if (folder == "/dev" && !File.Exists(target)) throw Failure(path, "its folder is for devices, not for files");
+        if (!Directory.Exists(folder))
+            throw Failure(path, $"its folder does not exist\n  make the folder {PrintableText.Of(folder)} first");
+        if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly)) throw Failure(path, "the old file is read-only");
+        return target;
+    }
+
+    private static string Follow(string path)
+    {
+        try
+        {
+            return FilePlace.Of(path);
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            throw Failure(path, ProblemException.Reason(e), e);
+        }
+    }
+
+    /// <summary>The name for a temporary file. A long name is shortened, because file systems take up to 255 bytes.</summary>
+    private static string NameBeside(string target)
+    {
+        var name = Path.GetFileName(target);
+        return Path.Combine(Path.GetDirectoryName(target)!, $"{name[..Math.Min(name.Length, 60)]}.{Random.Shared.Next():x8}.tmp");
+    }
+
+    /// <summary>Creates a temporary file with the old file's rights, so that only users who could read the old one can read it.</summary>
+    /// <param name="target">The file that it will replace; null if only this user may read it.</param>
+    private static FileStream Create(string path, string? target, string temporary)
+    {
+        var options = new FileStreamOptions
+        {
+            Mode = FileMode.CreateNew,
+            Access = target is null ? FileAccess.ReadWrite : FileAccess.Write,
+            Share = FileShare.Delete,
+            BufferSize = 1 << 16,
+        };
+        if (!OperatingSystem.IsWindows() && (target is null || File.Exists(target)))
+            options.UnixCreateMode = UnixFileMode.UserWrite
+                | (target is null ? UnixFileMode.UserRead : File.GetUnixFileMode(target) & (UnixFileMode)0b111_111_111);
+        try
+        {
+            return Begin(temporary, () => new FileStream(temporary, options));
+        }
+        catch (Exception e) when (e is UnauthorizedAccessException or FileNotFoundException) // the latter in a folder like /proc
+        {
+            throw Failure(path, "you may not write to its folder", e);
+        }
+    }
+
+    private static T Begin<T>(string temporary, Func<T> create)
+    {
+        lock (access)
+        {
+            if (isOver) throw new OperationCanceledException();
+            var created = create();
+            unfinished.Add(temporary);
+            return created;
+        }
+    }
+
+    private static void Finish(string temporary, string path, Action move)
+    {
+        lock (access)
+        {
+            if (isOver) throw new OperationCanceledException();
+            move();
+            unfinished.Remove(temporary);
+            (Count, Last) = (Count + 1, path);
+        }
+    }
+
+    /// <summary>Copies a complete file to what is no file. This may wait, for the reader of a pipe.</summary>
+    private static void Copy(FileStream file, string target)
+    {
+        file.Position = 0;
+        using var output = FilePlace.DescriptorOf(target) is { } number
+            ? new FileStream(new SafeFileHandle(number, ownsHandle: false), FileAccess.Write, bufferSize: 0)
+            : new FileStream(target, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
+        file.CopyTo(output);
+        _ = output.SafeFileHandle; // moves the descriptor's own place to the end: other programs go on there
+    }
+
+    private static void Replace(string path, string target, string temporary)
+    {
+        try
+        {
+            File.Move(temporary, target, overwrite: true);
+        }
+        catch (UnauthorizedAccessException e) when (OperatingSystem.IsWindows()) // the folder is writable: the temporary file is in it
+        {
+            throw Failure(path, ProblemException.OpenElsewhere, e);
+        }
+    }
+
+    /// <summary>Deletes a temporary file or folder unless it is finished. Never fails.</summary>
+    private static void Delete(string temporary)
+    {
+        lock (access) // of two threads that deleted the same folder, both would fail
+        {
+            if (!unfinished.Remove(temporary)) return;
+            try
+            {
+                if (Directory.Exists(temporary)) Directory.Delete(temporary, recursive: true);
+                else File.Delete(temporary);
+            }
+            catch (Exception e) when (ProblemException.IsCausedByFile(e))
+            {
+                // It stays. This must not hide the error that gave the file up.
+            }
+        }
+    }
+
+    private static ProblemException Failure(string path, string reason, Exception? cause = null) =>
+        new($"cannot write {path}: {reason}", cause) { NamesFile = true };
+}

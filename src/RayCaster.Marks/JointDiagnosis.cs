@@ -1,0 +1,157 @@
+namespace RayCaster.Marks;
+
+/// <summary>What is wrong with a program, by its pictures of several scenes together (<see cref="DiagnosisSearch"/>).</summary>
+internal sealed record JointDiagnosis
+{
+    /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
+    private const double Helpless = 0.5;
+
+    /// <summary>A program is near the pictures if it leaves less than this share of what is wrong.</summary>
+    private const double Near = 0.8;
+
+    /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
+    private const double OneKind = 0.9;
+
+    /// <summary>How many pictures are diagnosed by themselves where no program explains all.</summary>
+    private const int Consulted = 2;
+
+    /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
+    private const double Slight = 0.05;
+
+    /// <summary>Losses that differ by less are taken as equal.</summary>
+    private const double Alike = 0.01;
+
+    private static readonly WrongProgram right = new(Unfinished.Nothing, [], false);
+
+    /// <summary>What is wrong; a right program if nothing is wrong, or if nothing explains most of the wrong pictures.</summary>
+    public WrongProgram Verdict { get; private init; } = right;
+
+    /// <summary>Other programs that explain the pictures as well as the verdict.</summary>
+    public IReadOnlyList<WrongProgram> Alternatives { get; private init; } = [];
+
+    /// <summary>The mistakes that draw the same pictures, if the verdict is that shapes are missing: the shapes may be written, and lost.</summary>
+    public IReadOnlyList<Mistake> Losing { get; private init; } = [];
+
+    /// <summary>The scenes whose pictures are wrong, and which the verdict does not explain.</summary>
+    public IReadOnlyList<MarkedScene> Unexplained { get; private init; } = [];
+
+    /// <summary>Whether the verdict changes a picture and leaves more than half of its wrong pixels unexplained. Then it is only a guess in the
+    /// other pictures, too.</summary>
+    public bool IsGuess { get; private init; }
+
+    /// <summary>Whether the verdict explains all pictures.</summary>
+    public bool IsCertain => Unexplained.Count == 0;
+
+    /// <summary>The program that comes nearest where none explains the pictures; null where one does.</summary>
+    public WrongProgram? Nearest { get; private init; }
+
+    /// <summary>Where nothing explains the pictures but only the light is wrong, the steps of which one must be wrong; otherwise null.</summary>
+    public IReadOnlyCollection<SectionKind>? Steps { get; private init; }
+
+    /// <summary>What the teacher should know of these steps.</summary>
+    public string? Says { get; private init; }
+
+    /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
+    public bool TellsNothing { get; private init; }
+
+    /// <summary>Finds what is wrong.</summary>
+    /// <param name="pictures">Those of a program's pictures that can be judged.</param>
+    /// <param name="known">The mistakes that it may have.</param>
+    public static JointDiagnosis Find(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known)
+    {
+        SubmittedPicture[] wrong = [.. pictures.Where(picture => !picture.Evidence.IsRight)];
+        if (wrong.Length == 0) return new();
+        if (pictures.All(picture => picture.Evidence.Picture.IsOneColor))
+            return new() { TellsNothing = true, Unexplained = [.. wrong.Select(picture => picture.Scene)] };
+        var found = Search(pictures, known, wrong);
+        SubmittedPicture[] unexplained = [.. wrong.Where(picture => !picture.Evidence.IsExplainedBy(found.Verdict))];
+        if (2 * unexplained.Length <= wrong.Length)
+        {
+            return found with
+            {
+                Unexplained = [.. unexplained.Select(picture => picture.Scene)],
+                Alternatives = WithoutSlight(found.Verdict, wrong) is { } less ? [.. found.Alternatives, less] : found.Alternatives,
+                IsGuess = unexplained.Any(picture => IsHardlyExplained(found.Verdict, picture)),
+            };
+        }
+        var (steps, says) = OnlyLight(wrong);
+        return new()
+        {
+            Unexplained = [.. wrong.Select(picture => picture.Scene)],
+            Nearest = found.Verdict.Misfit.Unexplained < Near * wrong.Length ? found.Verdict : null,
+            Steps = steps,
+            Says = says,
+        };
+    }
+
+    /// <summary>Whether a kind of shape shows in the pictures that the verdict draws.</summary>
+    public bool Draws(string kind, IReadOnlyList<SubmittedPicture> pictures)
+    {
+        var without = Verdict with { Base = new([.. Verdict.Base.NotYet, kind]) };
+        return pictures.Any(picture => picture.Scene.Scene.Models.Any(model => model.Kind == kind)
+            && Weight(without, picture) > Weight(Verdict, picture) + picture.Evidence.LeastPixels);
+    }
+
+    /// <summary>The program that leaves the least, and those that leave as little.</summary>
+    private static JointDiagnosis Search(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known, SubmittedPicture[] wrong)
+    {
+        var search = new DiagnosisSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null);
+        var ranked = search.Run();
+        // Pairs of mistakes that change whole pictures are tried on few pixels, so what single pictures are diagnosed with is tried, too.
+        if (!wrong.All(picture => picture.Evidence.IsExplainedBy(ranked[0])))
+            ranked = search.With([.. wrong.Take(Consulted).SelectMany(NamedFor)], ranked);
+        var verdict = search.Ranking.WithoutIdle(ranked[0]);
+        WrongProgram[] alike = [.. ranked.Where(other => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike)];
+        return new()
+        {
+            Verdict = verdict,
+            Losing = !verdict.Base.Kinds.Any() ? []
+                : [.. alike.Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 })
+                    .Select(other => other.Variants[0]).DistinctBy(mistake => mistake.Id)],
+            Alternatives =
+            [
+                .. alike.Where(other => other.Parts == ranked[0].Parts).Select(search.Ranking.WithoutIdle)
+                    .Where(other => other.Id != verdict.Id).DistinctBy(other => other.Id),
+            ],
+        };
+    }
+
+    /// <summary>What a diagnosis of a single picture names, each mistake in the variant that fits.</summary>
+    private static IEnumerable<WrongProgram> NamedFor(SubmittedPicture picture) =>
+        from suspect in picture.Scene.Judge.Judge(picture.Evidence.Picture).Suspects
+        where suspect.Mistakes.All(mistake => mistake.Place is null)
+        let way = new Unfinished(suspect.NotYet)
+        select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)],
+            suspect.OtherSample && suspect.Mistakes.All(mistake => mistake.Id != "center"));
+
+    /// <summary>A program without one of its mistakes or missing parts, if this explains only a few pixels; otherwise null.</summary>
+    private static WrongProgram? WithoutSlight(WrongProgram program, SubmittedPicture[] wrong) =>
+        program.Parts is (var missing, var mistakes) && missing + mistakes < 2 ? null : program.Less.FirstOrDefault(less => wrong.All(picture =>
+            Weight(less, picture) - Weight(program, picture) < Slight * Weight(right, picture)));
+
+    private static double Weight(WrongProgram program, SubmittedPicture picture) =>
+        picture.Evidence.Misfit(program.Draw(picture.Scene.Scene)).Weight;
+
+    private static bool IsHardlyExplained(WrongProgram program, SubmittedPicture picture)
+    {
+        var (left, all) = (picture.Evidence.Misfit(program.Draw(picture.Scene.Scene)), picture.Evidence.Misfit(right.Draw(picture.Scene.Scene)));
+        return left != all && left.Weight > Helpless * all.Weight;
+    }
+
+    /// <summary>
+    /// The steps where all outlines are right and only the light is not. If it is wrong on one kind of shape, this one's formula may be the reason.
+    /// </summary>
+    private static (IReadOnlyCollection<SectionKind>? Steps, string? Says) OnlyLight(SubmittedPicture[] wrong)
+    {
+        var kinds = wrong.Select(picture => LikelyCause.InAnotherLight(picture.Evidence, new Renderer(picture.Scene.Scene).CastHits().Model))
+            .TakeWhile(kinds => kinds.Count > 0).ToList();
+        if (kinds.Count < wrong.Length) return default;
+        var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value)
+            .ToDictionary(kind => kind.Key, kind => kind.Sum());
+        var most = counts.MaxBy(kind => kind.Value);
+        var isOneKind = most.Value >= OneKind * counts.Values.Sum();
+        return (isOneKind && Enum.TryParse<SectionKind>(most.Key == "mesh" ? "triangle" : most.Key, true, out var shape)
+                ? [SectionKind.Light, SectionKind.Bytes, shape] : [SectionKind.Light, SectionKind.Bytes],
+            isOneKind && most.Key == "background" ? "only the background is wrong" : "all outlines are right, only the light is not");
+    }
+}

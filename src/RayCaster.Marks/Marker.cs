@@ -1,0 +1,191 @@
+using System.Collections.Concurrent;
+
+namespace RayCaster.Marks;
+
+/// <summary>Gives points for pictures. Several threads may mark students at the same time.</summary>
+internal sealed class Marker(Rubric rubric)
+{
+    /// <summary>What is wrong with pictures, by their hashes: the same pictures are diagnosed once.</summary>
+    private readonly ConcurrentDictionary<string, Lazy<JointDiagnosis>> diagnoses = [];
+
+    private static readonly Dictionary<int, StepResult> noTests = [];
+
+    /// <summary>Judges the pictures of a student together.</summary>
+    /// <param name="submitted">A picture of each scene of the rubric.</param>
+    /// <param name="tests">The results of the tests by step; null if there are none.</param>
+    /// <param name="notes">What else the teacher must look at.</param>
+    public StudentMarks Mark(string student, IReadOnlyList<SubmittedPicture> submitted,
+        IReadOnlyDictionary<int, StepResult>? tests = null, params IReadOnlyList<string> notes)
+    {
+        var isUntouched = submitted.All(picture => picture.IsUntouched);
+        var marks = isUntouched ? Untouched(student, submitted) : ByPictures(student, submitted);
+        var more = new List<string>();
+        return marks with
+        {
+            Items =
+            [
+                .. rubric.Items.Zip(marks.Items, (item, pictures) =>
+                    item.Evidence == ItemEvidence.Pictures ? pictures : WithTests(item, pictures, isUntouched, tests ?? noTests, more)),
+            ],
+            LookYourself = [.. notes, .. marks.LookYourself, .. more],
+        };
+    }
+
+    private StudentMarks Untouched(string student, IReadOnlyList<SubmittedPicture> submitted) => new(
+        student, [.. rubric.Items.Select(item => new ItemMarks(item.Name, item.Points, 0, 0, item.Undone))],
+        [.. submitted.Select(picture => new SceneMarks(picture.Scene.Name, SceneVerdict.Explained, null))], [], [], [], [],
+        ["all pictures are those of the hand-out before anything is written"]);
+
+    private StudentMarks ByPictures(string student, IReadOnlyList<SubmittedPicture> submitted)
+    {
+        List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
+        var diagnosis = diagnoses.GetOrAdd(string.Join(' ', pictures.Select(picture => $"{picture.Scene.Name}/{picture.Digest}")),
+            _ => new(() => JointDiagnosis.Find(pictures, rubric.Known))).Value;
+        var verdict = diagnosis.Verdict;
+        return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Judge(picture, diagnosis))],
+            [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)],
+            [.. verdict.Mistakes.Where(mistake => mistake.Place is null).Select(mistake => mistake.Id)],
+            [.. verdict.Variants.Where(mistake => diagnosis.IsCertain && mistake == MistakeCatalog.Named(mistake.Id)).Select(mistake => mistake.Id)],
+            [.. diagnosis.Losing.Select(mistake => mistake.Id)],
+            [.. LookYourself(submitted, diagnosis)]);
+    }
+
+    /// <summary>An item's points by its pictures and the tests of its step.</summary>
+    /// <param name="isUntouched">Whether the pictures tell nothing, since the first steps draw none.</param>
+    private static ItemMarks WithTests(RubricItem item, ItemMarks pictures, bool isUntouched,
+        IReadOnlyDictionary<int, StepResult> all, List<string> lookYourself)
+    {
+        var tests = all.GetValueOrDefault(item.Step);
+        var (isFull, isOpen) = (pictures.Points == item.Points, isUntouched || item.Evidence == ItemEvidence.Tests || pictures.Undecided > 0);
+        var marks = pictures with { Tests = tests?.ToString() };
+        if (tests?.IsTelling(all) != true)
+        {
+            if (item.Evidence == ItemEvidence.Both) return marks;
+            if (tests is not null) lookYourself.Add($"{item.Name}: {tests}, but tests of an earlier step, which it uses, fail too");
+            return marks with { Points = 0, Undecided = item.Points, Because = [] };
+        }
+        if (isOpen) return marks with { Points = tests.IsPassed ? item.Points : 0, Undecided = 0, Because = tests.IsPassed ? [] : pictures.Because };
+        if (isFull == tests.IsPassed) return marks;
+        lookYourself.Add($"{item.Name}: {tests}, but its pictures {(isFull ? "cost no points" : "cost points")}");
+        return marks with { Points = 0, Undecided = item.Points };
+    }
+
+    /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
+    private static List<MarkedScene> Told(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
+    [
+        .. pictures.Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess)
+            .Select(picture => picture.Scene).Except(diagnosis.Unexplained),
+    ];
+
+    private List<ItemMarks> Items(JointDiagnosis diagnosis, List<SubmittedPicture> pictures)
+    {
+        var items = new List<ItemMarks>();
+        var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Scene));
+        var isAllTold = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
+        SectionKind[] steps =
+        [
+            .. Edits(diagnosis).SelectMany(edit => edit.Place!.Section.Split(", ")).Select(step => Enum.Parse<SectionKind>(step, ignoreCase: true)),
+            .. diagnosis.Steps ?? [],
+        ];
+        foreach (var item in rubric.Items)
+        {
+            var (lost, because) = Cost(item, diagnosis.Verdict);
+            var (least, most) = (lost, lost);
+            foreach (var alternative in diagnosis.Alternatives)
+            {
+                var (other, otherwise) = Cost(item, alternative);
+                (least, most) = (Math.Min(least, other), Math.Max(most, other));
+                if (other != lost) because = [.. because.Union(otherwise)];
+            }
+            var mayBeAtFault = steps.Any(step => Concerns(item, step)) || (diagnosis.Steps is not null ? !Tells(judged, item)
+                : IsOutOfSight(item, diagnosis, pictures)
+                    || !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item))));
+            if (mayBeAtFault) most = item.Points;
+            if (diagnosis.IsGuess) least = 0;
+            items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
+        }
+        return items;
+    }
+
+    /// <summary>
+    /// Whether some scenes decide an item as well as all scenes do: each of its mistakes and parts that shows in any scene shows in one of these.
+    /// </summary>
+    private bool Tells(List<MarkedScene> told, RubricItem item)
+    {
+        return told.Count > 0
+            && item.Mistakes.All(mistake => TellWhat(scene => scene.Shows(mistake)))
+            && item.Undone.All(part => TellWhat(scene => scene.Needs(part)));
+
+        bool TellWhat(Predicate<MarkedScene> shows) => told.Exists(shows) || !rubric.Scenes.Any(scene => shows(scene));
+    }
+
+    /// <summary>Whether an item is about formulas of shapes. A fault that no mistake explains may be in any of the others, unless most pictures
+    /// are right: these use them too.</summary>
+    private static bool IsOfShapes(RubricItem item) => item.Undone.Any(part => Mistake.KindOf(part) != 0);
+
+    /// <summary>Whether an item is about a shape that mistakes keep out of all pictures: it may be unwritten.</summary>
+    private static bool IsOutOfSight(RubricItem item, JointDiagnosis diagnosis, List<SubmittedPicture> pictures) =>
+        diagnosis.Verdict.Variants.Count > 0 && item.Undone.Where(part => Mistake.KindOf(part) != 0).ToArray() is { Length: > 0 } kinds
+            && kinds.Any(kind => pictures.Any(picture => picture.Scene.Needs(kind))) && !kinds.Any(kind => diagnosis.Draws(kind, pictures));
+
+    /// <summary>Small edits of formulas that explain the pictures: no item has them, and none is charged for them.</summary>
+    private static IEnumerable<Mistake> Edits(JointDiagnosis diagnosis) =>
+        diagnosis.Alternatives.Prepend(diagnosis.Verdict).SelectMany(program => program.Mistakes).Where(mistake => mistake.Place is not null);
+
+    /// <summary>Whether an item is about a step: its shape is asked for, or a mistake in its formulas or in its effect.</summary>
+    private static bool Concerns(RubricItem item, SectionKind step) =>
+        item.Undone.Contains(step is SectionKind.Light ? Diagnosis.Attenuation : step.ToString().ToLowerInvariant())
+        || item.Mistakes.Select(mistake => MistakeCatalog.Named(mistake)!).Any(mistake => step is SectionKind.Light or SectionKind.Bytes
+            ? (mistake.Affects & Affects.Color) != 0 : mistake.Slide == FormulaBook.Slides.StylesOf(step)[0].Slide);
+
+    /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
+    private (double Lost, string[] Because) Cost(RubricItem item, WrongProgram program)
+    {
+        string[] undone = [.. program.Base.NotYet.Intersect(item.Undone)];
+        if (undone.Length > 0) return (item.Points, undone);
+        string[] mistakes = [.. program.Mistakes.Where(mistake => rubric.ItemOf(mistake) == item).Select(mistake => mistake.Id)];
+        return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
+    }
+
+    private static SceneMarks Judge(SubmittedPicture picture, JointDiagnosis diagnosis)
+    {
+        var verdict = !picture.CanBeJudged ? SceneVerdict.NoPicture
+            : picture.Evidence.IsRight ? SceneVerdict.Right
+            : diagnosis.Unexplained.Contains(picture.Scene) ? SceneVerdict.Unexplained
+            : SceneVerdict.Explained;
+        var isTelling = verdict is SceneVerdict.Explained or SceneVerdict.Unexplained && !picture.Picture!.IsOneColor && !picture.IsUntouched;
+        return new(picture.Scene.Name, verdict, picture.Problem) { Digest = isTelling ? picture.Digest : null };
+    }
+
+    private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
+    {
+        foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
+            yield return group.Count() == submitted.Count && submitted.Count > 1 ? $"all scenes: {group.Key}"
+                : $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
+        string[][] repeated = [.. Repeated(submitted)];
+        foreach (var scenes in repeated)
+            yield return $"{string.Join(", ", scenes)}: the same picture of different scenes, so the program does not draw the scene yet";
+        if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
+        string[] unexplained = [.. diagnosis.Unexplained.Select(scene => scene.Name).Except(repeated.SelectMany(scenes => scenes))];
+        if (!diagnosis.TellsNothing && unexplained.Length > 0)
+            yield return $"{string.Join(", ", unexplained)}: " +
+                (diagnosis.Says is { } says ? $"no known mistake explains this, but {says}"
+                    : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
+        foreach (var cause in Edits(diagnosis).Select(edit => edit.Cause).Distinct())
+            yield return $"no known mistake explains the pictures, but a slip in {cause}";
+        foreach (var other in diagnosis.Alternatives)
+            if (rubric.Items.Any(item => Cost(item, other).Lost != Cost(item, diagnosis.Verdict).Lost))
+                yield return $"these scenes cannot tell {Names(diagnosis.Verdict)} from {Names(other)}";
+    }
+
+    /// <summary>Scenes whose pictures are equal to the byte: the program does not draw the scene yet.</summary>
+    private static IEnumerable<string[]> Repeated(IReadOnlyList<SubmittedPicture> submitted) =>
+        from picture in submitted
+        where picture.CanBeJudged && !picture.Picture!.IsOneColor
+        group picture.Scene.Name by picture.Digest into same
+        where same.Count() > 1
+        select same.ToArray();
+
+    private static string Names(WrongProgram program) => string.Join(" + ",
+        program.Base.NotYet.Select(part => $"no {part}").Concat(program.MistakeIds));
+}

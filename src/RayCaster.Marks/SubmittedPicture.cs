@@ -1,0 +1,55 @@
+using System.Security.Cryptography;
+
+namespace RayCaster.Marks;
+
+/// <summary>A student's picture of a scene, or why there is none.</summary>
+/// <param name="Picture">The picture; null if there is none that can be judged.</param>
+/// <param name="Problem">What is odd about it, in words; null if nothing is.</param>
+internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, string? Problem)
+{
+    /// <summary>A picture file may have so many bytes for each pixel of the scene's picture: a PPM of numbers takes twelve.</summary>
+    private const long BytesPerPixel = 40;
+
+    /// <summary>A picture that promises more than so many times the scene's pixels is not read.</summary>
+    private const long SizeFactor = 16;
+
+    private const int Pixels = 3000;
+
+    /// <summary>Whether its size is the scene's, or the scene's with width and height swapped, as some mistakes do.</summary>
+    public bool CanBeJudged => Picture is not null && HasSizeOf(Scene, Picture);
+
+    /// <summary>Whether it is what the hand-out draws before anything is written.</summary>
+    public bool IsUntouched => CanBeJudged && LabSteps.Draw(Scene.Scene, 1) is var gradient && gradient.Width == Picture!.Width
+        && Enumerable.Range(0, gradient.Count).All(i => PictureJudge.IsNear(Picture.At(i), gradient.At(i)));
+
+    /// <summary>What the picture tells, if it can be judged.</summary>
+    public Evidence Evidence => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
+
+    /// <summary>A hash of its size and bytes, if there is a picture.</summary>
+    public string Digest => field ??= $"{Picture!.Width} {Convert.ToHexStringLower(SHA256.HashData(Picture.Rgb))}";
+
+    /// <summary>Reads an untrusted picture file.</summary>
+    public static SubmittedPicture Read(MarkedScene scene, string path)
+    {
+        try
+        {
+            var file = new FileInfo(path);
+            if (file.Length == 0) return new(scene, null, "the picture file is empty"); // a pipe has no length either
+            var pixels = (long)scene.Right.Width * scene.Right.Height;
+            if (file.Length > 65_536 + BytesPerPixel * pixels)
+                return new(scene, null,
+                    FormattableString.Invariant($"the picture file has {file.Length:N0} bytes, too many for the scene's {pixels:N0} pixels"));
+            using var stream = file.OpenRead();
+            var picture = PictureFile.Read(stream, 3 * SizeFactor * pixels);
+            return new(scene, picture, HasSizeOf(scene, picture) ? null
+                : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels");
+        }
+        catch (Exception e) when (e is ProblemException || ProblemException.IsCausedByFile(e))
+        {
+            return new(scene, null, $"the picture cannot be read: {(e is ProblemException ? e.Message : ProblemException.Reason(e))}");
+        }
+    }
+
+    private static bool HasSizeOf(MarkedScene scene, Picture picture) => (picture.Width, picture.Height) is var (width, height)
+        && ((width, height) == (scene.Right.Width, scene.Right.Height) || (height, width) == (scene.Right.Width, scene.Right.Height));
+}

@@ -1,0 +1,63 @@
+namespace RayCaster.Teaching;
+
+/// <summary>The message of a failing picture test of the lab: only what the picture shows.</summary>
+public static class StepHint
+{
+    /// <summary>How many mistakes are named besides the first, of those that draw the same picture.</summary>
+    private const int MaxTwins = 2;
+
+    /// <summary>Lines of text, indented.</summary>
+    /// <param name="picture">The student's picture, in the scene's size.</param>
+    /// <param name="step">
+    /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
+    /// test of no step.
+    /// </param>
+    public static string Of(Scene scene, Picture picture, int step, HintLevel level) => Of(scene, Judge(scene, picture, step), step, level);
+
+    internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
+        string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
+
+    internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
+        ? Diagnosis.Of(scene, picture)
+        : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
+            .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
+
+    private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
+    {
+        if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
+        // light, zNear and zFar may not be written yet
+        Mistake[] mistakes = [.. suspect.Mistakes.Where(mistake => step == 0 || Slides.StepOf(mistake.Slide) <= step)];
+        if (mistakes.Length == 0) return ["Only a few pixels are wrong: too few to name a mistake.", .. OfStep(step, level)];
+        var twins = suspect.Twins.Where(twin => LabSteps.IsOf(twin, step)).Take(MaxTwins);
+        return mistakes.SelectMany(mistake => OfMistake(mistake, suspect.HasSymptoms, level))
+            .Concat(level == HintLevel.Symptom ? [] : twins.SelectMany(twin => OfMistake(twin, false, level)));
+    }
+
+    private static IEnumerable<string> OfMistake(Mistake mistake, bool hasSymptom, HintLevel level)
+    {
+        if (hasSymptom) yield return mistake.Hint.Symptom;
+        else if (level == HintLevel.Symptom) yield return "A known mistake makes this picture.";
+        var question = mistake.Hint.Question; // or a sentence, where the picture cannot tell formulas apart
+        if (level == HintLevel.Question) yield return question.EndsWith('?') ? $"Ask yourself: {question}" : question;
+        if (level < HintLevel.Answer) yield break;
+        yield return hasSymptom ? mistake.Cause : $"For example: {mistake.Cause}"; // in this variant, or in another one
+        yield return mistake.Hint.Answer;
+        yield return $"Slide \"{mistake.Slide}\"";
+    }
+
+    private static IEnumerable<string> OfPicture(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
+    {
+        string[] missing = diagnosis.Finding == Finding.TellsNothing
+            ? [.. LabSteps.KindsOf(scene, step)]
+            : [.. diagnosis.NotYet.Where(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping))];
+        if (missing.Length > 0) yield return $"Not to be seen where it should be: {string.Join(", ", missing)}.";
+        // A picture without anything in it may have lost its light, or its hits. Once both are written and tested, the step's shape is to blame.
+        var isOfTheShape = missing.Length > 0 && diagnosis.Finding == Finding.TellsNothing && step > LabSteps.Clipping;
+        if (!isOfTheShape) foreach (var sentence in diagnosis.Likely) yield return sentence;
+        if (missing.Length == 0 && diagnosis.Likely.Count == 0) yield return "None of the known mistakes makes this picture.";
+        foreach (var question in OfStep(step, level)) yield return question;
+    }
+
+    private static IEnumerable<string> OfStep(int step, HintLevel level) =>
+        level > HintLevel.Symptom && step > 0 && Slides.Steps[step - 1].Question is { } question ? [$"Ask yourself: {question}"] : [];
+}

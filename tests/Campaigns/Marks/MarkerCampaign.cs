@@ -1,0 +1,114 @@
+using RayCaster.Teaching.Tests.Mistakes;
+using static RayCaster.Marks.Tests.MarkerTests;
+using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
+
+namespace RayCaster.Marks.Tests;
+
+/// <summary>Points for pictures that <see cref="EditedLab"/> draws.</summary>
+public class MarkerCampaign
+{
+    [Theory]
+    [InlineData("Aabb", "P <= B1", "P <= B0", "7")] // a ray along a slab misses it
+    public void AnotherSlipInAShapesOwnFormulaCostsThatShape(string file, string old, string @new, string lost) =>
+        new MarkerTests().ASlipInAShapesOwnFormulaCostsThatShape(file, old, @new, lost);
+
+    /// <remarks>Beside a box's mistake, one of the vectors explained a hundredth of the pixels of one scene, and was charged.</remarks>
+    [Theory]
+    [InlineData("Slab(B0.X, B1.X, P.X, d.X)")]
+    [InlineData("Slab(B0.X, B1.X, P.Y, d.Y)")]
+    [InlineData("Slab(B0.Y, B1.Y, P.X, d.X)")]
+    public void AMistakeThatExplainsAFewPixelsBesideAnotherIsNotCharged(string slab)
+    {
+        var slip = new Planted("the y slab with the box's x", "", new Edit("Aabb", "Slab(B0.Y, B1.Y, P.Y, d.Y)", slab));
+        var marks = Mark(whole, scene => EditedLab.Render(scene, slip));
+        Assert.Empty(marks.Items.Where(item => item.Points + item.Undecided < item.Of && item.Name != "7 AABB").Select(item => item.Name));
+    }
+
+    [Fact]
+    public void AFewWrongPixelsThatNothingExplainsLeaveTheirItemUndecided()
+    {
+        var slip = new Planted("never along a slab", "", new Edit("Aabb", "B0 <= P", "B0 >= P"));
+        var marks = Mark(With(whole.Items, Scenes("1-planes", "3-boxes", "3-spheres", "4-all")), scene => EditedLab.Render(scene, slip));
+        Assert.Empty(Lost(marks).Except(["7"]));
+        Assert.Equal(["7 AABB"], marks.Items.Where(item => item.Undecided > 0).Select(item => item.Name));
+    }
+
+    [Theory]
+    [InlineData("near-root-only", "ok", "8")] // shows in one scene only
+    [InlineData("r-nosq", "ok", "8")]
+    [InlineData("att-no2", "plane-cull", "3 5")]
+    [InlineData("aspect-inv", "circ-nosq", "4 9")]
+    public void OtherMistakesCostTheirOwnItems(string mistake, string second, string lost) =>
+        new MarkerTests().AMistakeCostsItsOwnItemAndNoOther(mistake, second, lost);
+
+    [Fact]
+    public void AFaultOfMostPicturesThatNothingExplainsMayBeInTheVectors()
+    {
+        var slip = new Planted("a wrong letter in the scalar product", "", new Edit("Vector3", "a.Z * b.Z;", "a.Z * a.Z;"));
+        var marks = Mark(scene => EditedLab.Render(scene, slip));
+        Assert.Contains("1 Vectors", marks.Items.Where(item => item.Undecided > 0).Select(item => item.Name));
+    }
+
+    [Fact]
+    public void WhatNothingExplainsIsUndecidedAndFlaggedAndNotLost()
+    {
+        var random = new Random(1);
+        var marks = Mark(two, scene =>
+        {
+            var noise = new Picture(scene.Camera.Width, scene.Camera.Height);
+            random.NextBytes(noise.Rgb);
+            return noise;
+        });
+        Assert.Equal((0.0, 20.0), (marks.Points, marks.Undecided));
+        Assert.Empty(marks.Mistakes);
+        Assert.Equal("3-inside, 4-all: no known mistake explains this", Assert.Single(marks.LookYourself));
+    }
+
+    [Theory]
+    [InlineData(false, "a slip in")]
+    [InlineData(true, "all outlines are right, only the light is not")]
+    public void WhereAllOutlinesAreRightOnlyTheLightIsUndecided(bool isCurved, string expected)
+    {
+        var marks = Mark(two, scene =>
+        {
+            var picture = ScalarRenderer.Render(scene);
+            for (var i = 0; i < picture.Rgb.Length; i += 3)
+            {
+                var pixel = picture.Rgb.AsSpan(i, 3);
+                var light = isCurved ? 0.6 - 0.0004 * (pixel[0] + pixel[1] + pixel[2]) : 0.5;
+                foreach (ref var level in pixel) level = (byte)(light * level);
+            }
+            return picture;
+        });
+        Assert.Equal((18.0, "5"), (marks.Points, string.Join(' ', Lost(marks))));
+        Assert.Contains(expected, Assert.Single(marks.LookYourself));
+    }
+
+    [Fact]
+    public void WhereTheLightOfOneKindOfShapeIsWrongItsItemIsUndecided()
+    {
+        var spheres = With(whole.Items, Scenes("3-spheres", "4-all").Select(Small));
+        var marks = new Marker(spheres).Mark(
+            "somebody", [.. spheres.Scenes.Select(scene => new SubmittedPicture(scene, Darkened(scene), null))]);
+        Assert.Contains("8", Lost(marks));
+
+        static Picture Darkened(MarkedScene scene)
+        {
+            var (picture, models) = (ScalarRenderer.Render(scene.Scene), new Renderer(scene.Scene).CastHits().Model);
+            for (var i = 0; i < picture.Rgb.Length; i++)
+                if (models[i / 3] is >= 0 and var model && scene.Scene.Models[model].Kind == "sphere") picture.Rgb[i] = (byte)(picture.Rgb[i] * 0.7);
+            return picture;
+        }
+    }
+
+    [Theory] // each of the two changes a whole picture, so neither is near by itself
+    [InlineData("rows", "nohalf", "4")]
+    [InlineData("v-cross", "att-depth", "4 5")]
+    [InlineData("u-cross", "nohalf", "4")]
+    [InlineData("no2", "att-none", "4 5")]
+    public void TwoMistakesThatChangeWholePicturesCostTheirItems(string mistake, string second, string lost)
+    {
+        var marks = Mark(two, scene => EditedLab.Render(scene, Manner.OfTheSlides, Planted.Named(mistake), Planted.Named(second)));
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Undecided));
+    }
+}

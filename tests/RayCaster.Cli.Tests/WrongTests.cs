@@ -1,0 +1,51 @@
+using System.Text.Json;
+
+namespace RayCaster.Cli.Tests;
+
+/// <summary>Wrong pictures on purpose, and what a scene must show.</summary>
+public sealed class WrongTests : CommandTests
+{
+    [Fact]
+    public void AWrongPictureIsDrawnAndDiagnosed()
+    {
+        raycaster.Run("wrong", Room, "rows+bgr", "-s", "60x60");
+        Assert.Equal((0, true), (raycaster.ExitCode, raycaster.Files.Contains("room.rows+bgr.png")));
+        Assert.StartsWith("room.rows+bgr.png: wrong on purpose: row r written as line r", raycaster.Error);
+        raycaster.Run("diagnose", Room, "room.rows+bgr.png", "--json", "--all"); // however slow the machine is
+        using var json = JsonDocument.Parse(raycaster.Output);
+        Assert.Equal("mistake", json.RootElement.GetProperty("finding").GetString());
+        Assert.Equal(60, json.RootElement.GetProperty("mine").GetProperty("width").GetInt32());
+        Assert.Equal(500, json.RootElement.GetProperty("scene").GetProperty("width").GetInt32());
+    }
+
+    [Fact]
+    public void JsonIsOnStandardOutputWhateverIsInTheWay()
+    {
+        raycaster.Run("diagnose", Room, "nothing.png", "--json");
+        Assert.Equal(2, raycaster.ExitCode);
+        using var json = JsonDocument.Parse(raycaster.Output);
+        Assert.Equal("could not tell", json.RootElement.GetProperty("finding").GetString());
+    }
+
+    /// <summary>The shells of Windows expand no patterns.</summary>
+    [Fact]
+    public void CheckReadsTheScenesOfAPattern()
+    {
+        raycaster.Write("week-1.json", "{").Write("week-2.json", "{").Write("other.json", "{").Run("check", "week-*.json");
+        Assert.Equal(1, raycaster.ExitCode);
+        Assert.Contains("week-1.json(1,", raycaster.OutputText);
+        Assert.Contains("week-2.json(1,", raycaster.OutputText);
+        Assert.DoesNotContain("other", raycaster.OutputText);
+    }
+
+    [Fact]
+    public void CheckAnswersForTheShapesOfAWeekAndForWhatIsRequired()
+    {
+        raycaster.Write(
+            "small.json", File.ReadAllText(Room).Replace("\"width\": 500", "\"width\": 30").Replace("\"height\": 500", "\"height\": 30"));
+        raycaster.Run("check", "small.json", "--for", "plane,sphere", "--require", "rows,aspect-inv");
+        Assert.Equal((1, "required, but not shown: aspect-inv\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.DoesNotContain(" tri-", raycaster.OutputText);
+        Assert.Equal(0, raycaster.Run("check", "small.json", "-q", "--require", "rows,bgr").ExitCode);
+    }
+}

@@ -1,0 +1,80 @@
+using System.Runtime.Versioning;
+
+namespace RayCaster.Files.Tests.Meshes;
+
+public sealed class MeshFileTests : IDisposable
+{
+    private readonly TemporaryFolder folder = new();
+
+    [Theory]
+    [InlineData("teapot.fbx", "a mesh file must be .obj, .ply or .stl, but this one is .fbx")]
+    [InlineData("teapot", "a mesh file's name must end with .obj, .ply or .stl, but this one has no extension")]
+    [InlineData("", "a mesh file's name must end with .obj, .ply or .stl, but this one has no extension")]
+    [InlineData("a\0b.obj", "cannot be read: Null character in path. (Parameter 'path')")]
+    public void NameThatIsNoMeshFileIsRefused(string path, string reason) =>
+        Assert.Equal($"{path}: {reason}", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
+
+    [Fact]
+    public void FileThatIsNotThereIsNamedWithTheFullPathThatWasTried() =>
+        Assert.Equal(
+            $"no-folder/box.obj: file not found; looked for {Path.GetFullPath("no-folder/box.obj")}; " +
+            $"there is no folder {Path.GetFullPath("no-folder")}",
+            Assert.Throws<ProblemException>(() => MeshFile.Read("no-folder/box.obj")).Message);
+
+    [Fact]
+    public void NearestNameInTheFolderIsProposed()
+    {
+        folder.Write("teapot.obj", "");
+        Assert.EndsWith("; did you mean \"teapot.obj\"?", Assert.Throws<ProblemException>(() => MeshFile.Read(folder["taepot.obj"])).Message);
+    }
+
+    [Fact]
+    public void FolderIsNoFile()
+    {
+        var path = Directory.CreateDirectory(folder["box.obj"]).FullName;
+        Assert.Equal($"{path}: is a folder, not a mesh file", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
+    }
+
+    [Fact]
+    [UnsupportedOSPlatform("windows")] // rights are others there
+    public void FileWithoutPermissionIsNamed()
+    {
+        var path = folder.Write("box.obj", "");
+        File.SetUnixFileMode(path, UnixFileMode.None);
+        Assert.SkipWhen(Environment.IsPrivilegedProcess, "may read everything");
+        Assert.Equal($"{path}: no permission to read it", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
+    }
+
+    [Theory]
+    [InlineData("a.obj")]
+    [InlineData("a.ply")]
+    [InlineData("a.stl")]
+    public void AGitLfsPointerIsNamed(string name)
+    {
+        using var folder = new TemporaryFolder();
+        var path = folder.Write(name, "version https://git-lfs.github.com/spec/v1\noid sha256:12\nsize 9\n"u8);
+        Assert.StartsWith($"{path}: it is only a Git LFS pointer to the file (fetch the file itself: git lfs pull)",
+            Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
+    }
+
+    [Theory]
+    [InlineData("meshes/a.obj", "meshes", "Meshes")]
+    [InlineData("meshes/Deep/a.obj", "meshes/Deep", "Meshes")]
+    [InlineData("Meshes/deep/a.obj", "Meshes/deep", "Deep")]
+    public void AFolderOfOtherCaseIsNamed(string file, string missing, string meant)
+    {
+        Directory.CreateDirectory(folder["Meshes/Deep"]);
+        Assert.SkipWhen(Directory.Exists(folder["meshes"]), "the disk ignores case");
+        Assert.EndsWith($"there is no folder {folder[missing]}; did you mean \"{meant}\"? (case matters)",
+            Assert.Throws<ProblemException>(() => MeshFile.Read(folder[file])).Message);
+    }
+
+    [Theory]
+    [InlineData("a.obj")]
+    [InlineData("a.ply")]
+    [InlineData("a.stl")]
+    public void AnEmptyFileIsNamed(string name) =>
+        Assert.Equal($"{folder[name]}: the file is empty", Assert.Throws<ProblemException>(() => MeshFile.Read(folder.Write(name, ""))).Message);
+
+    public void Dispose() => folder.Dispose();
+}

@@ -1,0 +1,158 @@
+using System.Text;
+
+namespace RayCaster.Files.Tests.Meshes;
+
+public class ObjFileTests
+{
+    private const string fourVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+    [Theory]
+    [InlineData("f 1 2 3\n")]
+    [InlineData("f 1 2 3")] // the last line need not end
+    [InlineData("f 1/1 2/2 3/3\n")]
+    [InlineData("f 1/1/1 2/2/2 3/3/3\n")]
+    [InlineData("f 1//1 2//2 3//3\n")]
+    [InlineData("f 1/ 2// 3/1/\n")] // as some programs write them
+    [InlineData("f 1/-1/-1 2 3//-7\n")]
+    [InlineData("f -4 -3 -2\n")]
+    [InlineData("f\t1  2\t3 \t\n")]
+    [InlineData("  f 1 2 3\n")]
+    [InlineData("f 1 2 3 # a comment\n")]
+    [InlineData("f 1 2 3# a comment\\\n")] // which no backslash continues
+    [InlineData("f 1 \\\n 2\\\r\n3\n")]
+    [InlineData("f\\\n1 2\\\n3\n")]
+    [InlineData("g C:\\parts\\\nf 1 2 3\n")] // a name may end so; only vertices and faces go on on the next line
+    [InlineData("mtllib D:\\\r\nf 1 2 3\n")]
+    [InlineData("\n\n# f 1 1 1\r\n\r\nf 1 2 3\n")]
+    [InlineData("mtllib a.mtl\no box\ng all\nvt 0 0\nvn 0 0 1\nvp 1\nusemtl red\ns off\nl 1 2\nfo 1 1 1\nf 1 2 3\n")]
+    public void FaceIsReadHoweverItIsWritten(string faces) => Assert.Equal([0, 1, 2], Read(fourVertices + faces).Indices);
+
+    [Fact]
+    public void PolygonBecomesAFanFromItsFirstVertex() =>
+        Assert.Equal([3, 1, 2, 3, 2, 0, 3, 0, 4], Read(fourVertices + "v 5 5 5\nf 4 2 3 1 5\n").Indices);
+
+    [Fact]
+    public void MaterialsAreWarnedOfOnce()
+    {
+        Assert.Null(Read(fourVertices + "f 1 2 3\n").Warning);
+        Assert.Equal("the file's materials are ignored; \"color\" colours the whole mesh",
+            Read("mtllib a.mtl\n" + fourVertices + "usemtl red\nf 1 2 3\n").Warning);
+        using var folder = new TemporaryFolder();
+        folder.Write("a.obj", "usemtl red\n" + fourVertices + "f 1 2 3\n");
+        var reading = SceneReader.Parse("""
+            {
+              "camera": { "position": [5, 0, 0], "target": [0, 0, 0] },
+              "models": [ { "type": "mesh", "file": "a.obj" },
+                          { "type": "mesh", "file": "a.obj" } ]
+            }
+            """u8.ToArray(), "scene.json", folder.Path);
+        Assert.StartsWith("scene.json(3,41): warning: models[0].file: the file's materials are ignored", Assert.Single(reading.Problems).ToString());
+        Assert.NotNull(reading.Scene);
+    }
+
+    [Fact]
+    public void NegativeIndexCountsBackFromTheVerticesAboveIt() =>
+        Assert.Equal([0, 1, 2, 1, 2, 3], Read("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -3 -2 -1\n").Indices);
+
+    [Fact]
+    public void FaceMayStandAboveItsVertices() => Assert.Equal([0, 1, 3], Read("f 1 2 4\n" + fourVertices).Indices);
+
+    [Theory]
+    [InlineData("v 1 2 3 1.0")]
+    [InlineData("v 1 2 3 0.5 0.5 0.5")]
+    [InlineData("v +1 .2e1 3.")]
+    [InlineData("v 1 2 3 nan -nan(ind) Infinity")]
+    [InlineData("v 1 2 3 1.#QNAN -1.#IND 1.#INF000")]
+    [InlineData("v 1 2 3.#in the comment")]
+    [InlineData("v 1e0 20E-1 0.3e+1")]
+    public void ExtraNumbersOfAVertexAreSkipped(string vertex) => Assert.Equal(new(1, 2, 3), Read(vertex + "\nf 1 1 1\n").Vertices[0]);
+
+    [Theory]
+    [InlineData("v 1 2 3 red\nf 1 2 3", "(5): what follows a vertex's x, y and z must be a finite number, but is 'red'")]
+    [InlineData("f 1 2 9", "(5): face index 9 is beyond the file's 4 vertices")]
+    [InlineData("f 1 2 3\nf 1 2 5\nf 9 1 1", "(6): face index 5 is beyond the file's 4 vertices")]
+    [InlineData("f 1 2 9\nf 1 2\nv 1 2\n", "(6): a face needs at least three corners, but this one has 2")] // known before the vertices are counted
+    [InlineData("f 1 2 2147483648", "(5): face index 2147483648 is beyond the file's 4 vertices")]
+    [InlineData("f 1 2 4294967297", "(5): face index 4294967297 is beyond the file's 4 vertices")]
+    [InlineData("f 1 2 9223372036854775807", "(5): face index 9223372036854775807 is beyond the file's 4 vertices")]
+    [InlineData("f 1 2 -5", "(5): face index -5 counts back beyond the 4 vertices that are above it")]
+    [InlineData("f 1 2 -9223372036854775808", "(5): face index -9223372036854775808 counts back beyond the 4 vertices that are above it")]
+    [InlineData("f 1 2 0", "(5): face index 0 is not allowed: vertices count from 1, or from -1 backwards")]
+    [InlineData("f 1 2 99999999999999999999", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '99999999999999999999'")]
+    [InlineData("f 1 2 3.0", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '3.0'")]
+    [InlineData("f 1 2 /3", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '/3'")]
+    [InlineData("f 1 2 3/1/1/1", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '3/1/1/1'")]
+    [InlineData("f 1 2 3/a", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '3/a'")]
+    [InlineData("f 1 2 \\ 3", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '\\'")]
+    [InlineData("\r\n\r\nf 1 2", "(7): a face needs at least three corners, but this one has 2")]
+    [InlineData("\r\rf", "(7): a face needs at least three corners, but this one has 0")]
+    [InlineData("f 1 \\\n 2 \\\n x", "(7): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is 'x'")]
+    [InlineData("v 1 2", "(5): the vertex's z is missing")]
+    [InlineData("v", "(5): the vertex's x is missing")]
+    [InlineData("v 1 # 2 3", "(5): the vertex's y is missing")]
+    [InlineData("v 1 nan 3", "(5): the vertex's y must be a finite number, but is 'nan'")]
+    [InlineData("v 1 NaN 3", "(5): the vertex's y must be a finite number, but is 'NaN'")]
+    [InlineData("v -Infinity 2 3", "(5): the vertex's x must be a finite number, but is '-Infinity'")]
+    [InlineData("v 1 2 1.#INF", "(5): the vertex's z must be a finite number, but is '1.#INF'")]
+    [InlineData("v 1 -1.#IND 3", "(5): the vertex's y must be a finite number, but is '-1.#IND'")]
+    [InlineData("v 1.#QNAN00 2 3", "(5): the vertex's x must be a finite number, but is '1.#QNAN00'")]
+    [InlineData("v 1 2 1e400", "(5): the vertex's z must be a finite number, but is '1e400'")]
+    [InlineData("v 1,5 2 3", "(5): the vertex's x must be a finite number, but is '1,5'")]
+    [InlineData("v 1\0 2 3", "(5): the vertex's x must be a finite number, but is '1?'")]
+    [InlineData("# only vertices", ": the file has no face, only 4 vertices; a mesh needs at least one")]
+    [InlineData("l 1 2", ": the file has no face, only 4 vertices and 1 line; a mesh needs at least one")]
+    [InlineData("p 1\np 2\nl 1 2 3\nl 1 2", ": the file has no face, only 4 vertices and 2 lines and 2 points; a mesh needs at least one")]
+    public void MistakeIsNamedWithItsLine(string rest, string message) =>
+        Assert.Equal("box.obj" + message, Assert.Throws<ProblemException>(() => Read(fourVertices + rest)).Message);
+
+    [Fact]
+    public void Utf16IsNamed() => Assert.Equal("box.obj(1): the file is in UTF-16; save it as UTF-8",
+        Assert.Throws<ProblemException>(() => MeshBytes.Read("box.obj", [0xFF, 0xFE, (byte)'v', 0])).Message);
+
+    public static TheoryData<byte[], string> OtherKinds => new()
+    {
+        {
+            [0x64, 0x86, 5, 0, 0, 0, 0, 0x5F, .. new byte[60]],
+            "it is a compiled object file (COFF), as Visual Studio makes them, and not an OBJ mesh as its name says"
+        },
+        { [0x4C, 0x01, 3, 0, .. new byte[60]],
+            "it is a compiled object file (COFF), as Visual Studio makes them, and not an OBJ mesh as its name says" },
+        { [0x80, 9, 0, 7, .. "hello.c"u8, 0], "it is no text, and so no OBJ mesh; compiled files have the same extension" },
+        { [.. "PK"u8, 3, 4, 20, 0], "it is a zip archive; unpack it first, and not an OBJ mesh as its name says" },
+        { [.. "ply\nformat ascii 1.0\n"u8], "it is a PLY mesh, and not an OBJ mesh as its name says" },
+        { [.. "solid cube\nfacet"u8], "it is an STL mesh, and not an OBJ mesh as its name says" },
+        { [.. "<html><body>404"u8], "it is a web page (HTML), saved in place of the file, and not an OBJ mesh as its name says" },
+    };
+
+    [Theory]
+    [MemberData(nameof(OtherKinds))]
+    public void AnotherKindOfFileIsNamed(byte[] bytes, string message) =>
+        Assert.Equal("box.obj: " + message, Assert.Throws<ProblemException>(() => MeshBytes.Read("box.obj", bytes)).Message);
+
+    // A polygon with one corner that goes inwards, D; E and B see all of it, A does not.
+    private const string notch = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\n";
+
+    [Theory]
+    [InlineData(notch + "f 1 2 3 4 5\n", "the face in line 6 ")]
+    [InlineData("f 1 2 3 4 5\n" + notch, "the face in line 1 ")]
+    [InlineData(notch + "f 4 5 1 2 3\n", null)] // begun at the corner that sees all of it, the fan is right
+    [InlineData(notch + "f 5 4 3 2 1\n", "the face in line 6 ")]
+    [InlineData("v 0 0 0\nv 1 0 0\nv 1 1 0.2\nv 0 1 -0.1\nf 1 2 3 4\n", null)] // not flat, but convex
+    [InlineData(fourVertices + "f 1 2 3 4 4\n", null)]
+    public void AFaceOfAnotherShapeThanItsFanIsWarnedOf(string text, string? face)
+    {
+        var warning = Read(text).Warning;
+        if (face is null) Assert.Null(warning);
+        else
+            Assert.Equal(face + "is not convex: split as a fan from its first corner it becomes another shape; "
+                + "begin it at another corner, or split it into triangles", warning);
+    }
+
+    [Fact]
+    public void OfManySuchFacesTheFirstIsNamed() => Assert.EndsWith(
+        "the face in line 6 is not convex: split as a fan from its first corner it becomes "
+        + "another shape; begin it at another corner, or split it into triangles, as 2 other faces",
+        Read(notch + "f 1 2 3 4 5\nf 1 2 3\nf 1 2 3 4 5\nf 1 2 3 4 5\nusemtl a\n").Warning);
+
+    private static MeshData Read(string text) => PiecesTests.ReadInPieces("box.obj", Encoding.ASCII.GetBytes(text));
+}

@@ -1,0 +1,28 @@
+namespace RayCaster.Files.Tests.Pictures;
+
+/// <summary>Runs alone, because it counts the allocations of all threads.</summary>
+[CollectionDefinition(nameof(PictureWriterMemoryTests), DisableParallelization = true)]
+[Collection(nameof(PictureWriterMemoryTests))]
+public class PictureWriterMemoryTests
+{
+    [Theory]
+    [InlineData(PictureFormat.Png)]
+    [InlineData(PictureFormat.Ppm)]
+    [InlineData(PictureFormat.PpmText)]
+    public void MemoryDoesNotGrowWithTheHeight(PictureFormat format)
+    {
+        var lines = new byte[64 * 3 * 1000];
+        new Random(1).NextBytes(lines.AsSpan(lines.Length * 7 / 8));
+        Write(format, lines, 1); // what is needed once
+        var before = GC.GetTotalAllocatedBytes(precise: true);
+        Write(format, lines, 400); // 77 MB
+        Assert.InRange(GC.GetTotalAllocatedBytes(precise: true) - before, 0, 8_000_000);
+    }
+
+    private static void Write(PictureFormat format, byte[] lines, int times)
+    {
+        using var writer = PictureWriter.Create(format, Stream.Null, 1000, 64 * times);
+        for (var i = 0; i < times; i++) writer.WriteRows(lines);
+        writer.Finish();
+    }
+}

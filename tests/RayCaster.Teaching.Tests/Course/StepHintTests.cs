@@ -1,0 +1,130 @@
+namespace RayCaster.Teaching.Tests.Course;
+
+/// <summary>Hints of the lab's picture tests, for programs with a mistake in the code of a step.</summary>
+public class StepHintTests
+{
+    [Theory]
+    [InlineData("plane")]
+    [InlineData("room")]
+    [InlineData("mistakes/generic")]
+    public void BlackModelsAreToldAsLostLight(string file)
+    {
+        foreach (var plant in (Action<Lab>[])[
+            lab => lab.Attenuation.Is(t => 1 - t / 2 * (lab.FadeDistance.Do() / 2)),
+            lab => lab.Dark.Is(attenuation => Math.Min(0, attenuation))])
+        {
+            var (hint, finding) = Hint(file, 5, plant);
+            Assert.Equal(Finding.TellsNothing, finding);
+            Assert.Contains("light is lost", hint);
+            Assert.Contains("1 − t / (2 |T − P|)", hint);
+            Assert.DoesNotContain(MistakeCatalog.Named("w-sign")!.Hint.Question, hint);
+        }
+    }
+
+    [Theory]
+    [InlineData("inside-box")]
+    [InlineData("bias")]
+    public void AShapeThatIsGoneIsNamedAndNoMistake(string file)
+    {
+        var (hint, finding) = Hint(file, 7, MistakeCatalog.Named("slab-noswap")!.Deviate);
+        Assert.Equal(Finding.TellsNothing, finding);
+        Assert.StartsWith("  Not to be seen where it should be: aabb.", hint);
+        Assert.Contains("What if d is negative?", hint);
+    }
+
+    [Theory]
+    [InlineData("plane")]
+    [InlineData("mistakes/generic")]
+    public void WhatALaterStepWritesIsNoMistake(string file)
+    {
+        var plus = MistakeCatalog.Named("dir-plus-w")!;
+        var (hint, _) = Hint(file, 4, plus.Deviate + MistakeCatalog.Named("no-znear")!.Deviate + MistakeCatalog.Named("no-zfar")!.Deviate);
+        Assert.Contains(plus.Hint.Question, hint);
+        Assert.DoesNotContain("zNear", hint);
+        Assert.DoesNotContain("zFar", hint);
+    }
+
+    [Fact]
+    public void WhereOnlyAFewPixelsDifferNoMistakeIsRuledOut()
+    {
+        var scene = LabSteps.SceneAt(SceneFolder.Read(SceneFolder.FileOf("plane")), 4);
+        var picture = new Lab(scene, MistakeCatalog.Named("u-unnorm")!, MistakeCatalog.Named("att-none")!).Render();
+        Assert.StartsWith("  Only a few pixels are wrong: too few to name a mistake.\n  Ask yourself: Take the ray of one pixel",
+            StepHint.Of(scene, picture, 4, HintLevel.Question));
+    }
+
+    [Fact]
+    public void ABlackPictureOfALaterStepIsTheShapesAndNotTheLights()
+    {
+        var scene = LabSteps.SceneAt(SceneFolder.Small("sphere", 5), 8);
+        var black = Picture.Of(scene.Camera.Width, scene.Camera.Height, (_, _) => (0, 0, 0));
+        Assert.Equal("""
+              Not to be seen where it should be: sphere.
+              Ask yourself: Take a ray through the centre: what are tca, D and thc? What if the camera is inside?
+            """, StepHint.Of(scene, black, 8, HintLevel.Question));
+    }
+
+    [Fact]
+    public void AHitThatIsStoredAtInfinityIsNoMistakeOfTheAxes()
+    {
+        var (hint, _) = Hint("mistakes/generic", 4, lab => lab.Plane.Becomes(cross => (plane, d) =>
+            double.IsNaN(cross(plane, d).Near) ? cross(plane, d) : new(double.PositiveInfinity)));
+        Assert.StartsWith("  There is nothing but background", hint);
+        Assert.DoesNotContain(MistakeCatalog.Named("w-sign")!.Hint.Question, hint);
+    }
+
+    [Theory]
+    [InlineData("clip-depth")]
+    [InlineData("far-plane")]
+    public void DividedDepthIsAVariantWhoseSymptomIsNotClaimed(string file)
+    {
+        var (hint, _) = Hint(file, 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
+        Assert.StartsWith($"  Ask yourself: {MistakeCatalog.Named("zboth-t")!.Hint.Question}", hint);
+    }
+
+    /// <summary>With the divided depth nothing is nearer than zNear here, as if zNear was forgotten.</summary>
+    [Fact]
+    public void OfMistakesThatDrawTheSameTheUsualVariantIsNamed()
+    {
+        var (hint, _) = Hint("near-plane", 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
+        Assert.StartsWith("  " + MistakeCatalog.Named("no-znear")!.Hint.Symptom, hint);
+    }
+
+    [Theory]
+    [InlineData(7, "aabb", "slab-noswap")]
+    [InlineData(7, "inside-box", "slab-inside")]
+    [InlineData(8, "inside-sphere", "oc-sign")]
+    public void TheMistakeOfTheStepIsNamedBeforeOthersThatDrawTheSame(int step, string file, string id)
+    {
+        var mistake = MistakeCatalog.Named(id)!;
+        var (hint, _) = Hint(file, step, mistake.Deviate);
+        Assert.StartsWith($"  {mistake.Hint.Symptom}\n  Ask yourself: {mistake.Hint.Question}", hint);
+    }
+
+    [Theory]
+    [InlineData("plane")]
+    [InlineData("room")]
+    [InlineData("mistakes/generic")]
+    public void MultipliedByDnIsAVariantOfThePlanes(string file)
+    {
+        var (hint, _) = Hint(file, 4, lab => lab.Plane.Is((plane, d) => new((plane.Point - lab.P) * plane.Normal * (d * plane.Normal))));
+        Assert.Contains(MistakeCatalog.Named("plane-sign")!.Hint.Question, hint);
+    }
+
+    [Fact]
+    public void ANormalisedNormalIsAVariantOfTheTriangles()
+    {
+        var (hint, _) = Hint("mistakes/generic", 10, lab => lab.TriangleByShares(whole: n => n.Length));
+        Assert.Contains(MistakeCatalog.Named("tri-uv")!.Hint.Question, hint);
+    }
+
+    /// <summary>What is told of a lab's picture at a step, without light at the first picture's.</summary>
+    private static (string Hint, Finding Finding) Hint(string file, int step, Action<Lab> plant)
+    {
+        var scene = LabSteps.SceneAt(SceneFolder.Small(file, 5), step);
+        var planted = new Mistake("planted", Affects.Hit, "", "", plant, "", "", "");
+        var picture = (step < 5 ? new Lab(scene, planted, MistakeCatalog.Named("att-none")!) : new Lab(scene, planted)).Render();
+        var diagnosis = StepHint.Judge(scene, picture, step);
+        return (StepHint.Of(scene, diagnosis, step, HintLevel.Question), diagnosis.Finding);
+    }
+}

@@ -1,0 +1,32 @@
+namespace RayCaster.Teaching.Tests.Pictures;
+
+/// <summary>What another program draws is the same, and what half a pixel changes is not, with the scene and without it.</summary>
+public class ReferencesComparedTests
+{
+    [Theory]
+    [InlineData("room")]
+    [InlineData("mesh")]
+    [InlineData("sample-center")]
+    [InlineData("clip-depth")]
+    public void ThePictureThatPovRayDrawsIsTheSame(string name)
+    {
+        var (scene, reference) = Read(name);
+        var mine = Renderer.Render(scene);
+        Assert.True(new PictureComparison(mine, reference, scene).Likeness.IsSame());
+        Assert.True(new PictureComparison(mine, reference).Likeness.IsSame());
+    }
+
+    [Theory]
+    [InlineData("room")]
+    [InlineData("mesh")]
+    [InlineData("sample-center")]
+    public void HalfAPixelIsDifferent(string name)
+    {
+        var (scene, reference) = Read(name);
+        var mine = Renderer.Render(Reference.HalfAPixelAway(scene));
+        Assert.False(new PictureComparison(mine, reference, scene).Likeness.IsSame());
+        Assert.False(new PictureComparison(mine, reference).Likeness.IsSame());
+    }
+
+    private static (Scene Scene, Picture Reference) Read(string name) => (Reference.SceneOf(name), Reference.Read(Reference.Folder, name).Picture);
+}

@@ -1,0 +1,38 @@
+using System.Text;
+using System.Text.RegularExpressions;
+
+namespace RayCaster.Teaching.Tests.Scenes;
+
+public class SceneVariationTests
+{
+    internal static readonly byte[] scene = Encoding.UTF8.GetBytes(File.ReadAllText(ProjectFolder.PathOf("scenes/weeks/3-boxes.json"))
+        .Replace("\"width\": 300, \"height\": 200", "\"width\": 48, \"height\": 32"));
+
+    internal static readonly string annas = Vary("anna");
+
+    internal static string Vary(string seed) => Encoding.UTF8.GetString(SceneVariation.Of(scene, "", seed, "")!);
+
+    private static Scene Parsed(byte[] utf8) => SceneReader.Parse(utf8, "", "").Scene!;
+
+    [Fact]
+    public void OnlyNumbersAreReplaced()
+    {
+        static string WithoutNumbers(string text) => Regex.Replace(text, @"-?\d+(\.\d+)?", "#");
+        Assert.Equal(WithoutNumbers(Encoding.UTF8.GetString(scene)), WithoutNumbers(annas));
+    }
+
+    [Fact]
+    public void WhatWasEqualStaysEqual()
+    {
+        var varied = Parsed(Encoding.UTF8.GetBytes(annas));
+        var (ground, tower) = (((Model<Aabb>)varied.Models[0]).Primitive, ((Model<Aabb>)varied.Models[1]).Primitive);
+        Assert.Equal(ground.Max.Z, tower.Min.Z); // the tower stands on the ground
+    }
+
+    [Fact]
+    public void TheMistakesThatShowStillDo()
+    {
+        static HashSet<string> Hidden(byte[] utf8) => [.. SceneFitness.HiddenIn(Parsed(utf8), null).Select(mistake => mistake.Id)];
+        Assert.Subset(Hidden(scene), Hidden(Encoding.UTF8.GetBytes(annas)));
+    }
+}

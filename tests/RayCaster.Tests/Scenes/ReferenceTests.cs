@@ -1,0 +1,34 @@
+namespace RayCaster.Tests.Scenes;
+
+/// <summary>The scenes, as POV-Ray draws them from the same files by a converter that shares no code with this project.</summary>
+public class ReferenceTests
+{
+    public static TheoryData<string> References => [.. Reference.Names];
+
+    public static TheoryData<string> WithoutMeshes => [.. Reference.WithoutMeshes];
+
+    [Theory]
+    [MemberData(nameof(WithoutMeshes))]
+    public void TheDefinitionsPictureIsTheOneThatPovRayDraws(string name) =>
+        PictureAssert.Equal(name, ScalarRenderer.Render(Reference.SceneOf(name)));
+
+    [Fact]
+    public void EverySceneHasAReference()
+    {
+        foreach (var name in Reference.Scenes.Except(Reference.Names))
+            Assert.Fail($"scenes/{name}.json has no reference picture. If the scene is your own, move it to scenes/my. Otherwise draw "
+                + $"tests/References/{name}.png with POV-Ray: tests/References/remake.sh {name}");
+        foreach (var name in Reference.Names.Except(Reference.Scenes))
+            Assert.Fail($"tests/References/{name}.png has no scene: scenes/{name}.json is missing");
+    }
+
+    /// <summary>On outlines the comparison is less strict; there must be few.</summary>
+    [Theory]
+    [MemberData(nameof(References))]
+    public void OutlinesAreAtMostTwoPixelsInAHundred(string name)
+    {
+        var reference = Reference.Read(Reference.Folder, name);
+        var (width, height) = (reference.Picture.Width, reference.Picture.Height);
+        Assert.InRange(Enumerable.Range(0, width * height).Count(i => reference.IsOutline(i % width, i / width)), 0, width * height / 50);
+    }
+}
