@@ -245,7 +245,8 @@ internal sealed class PnmReader
             _ => what is null ? "limit colours to 0 … 1 before they become bytes" : null,
         };
         var because = cause is null ? "" : $" ({cause})";
-        return new(what is null ? $"'{text}' is no value from 0 to {most}{because}"
-            : $"{what} is '{text}', but must be a whole number from 1 to {most}{because}") { Line = line };
+        var message = what is null ? $"'{text}' is no value from 0 to {most}{because}"
+            : $"{what} is '{text}', but must be a whole number from 1 to {most}{because}";
+        return new(message) { Line = line };
     }
 }
