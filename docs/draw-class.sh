@@ -21,6 +21,7 @@ limit=${LIMIT:-60} # seconds for a picture; a build and the tests may take three
 submissions=$(realpath "$1") scenes=$(realpath "$2") out=$(realpath -m "$3")
 if [ $# -eq 3 ]; then
     [ "$(id -u)" != 0 ] || { echo "run this as an ordinary user: Linux does not limit the processes of root" >&2; exit 2; }
+    [ -n "${BUILD:-}" ] || [ -d "${HANDOUT:-}" ] || { echo "set HANDOUT to the folder of your hand-out, as in HANDOUT=../lab1 $0 …" >&2; exit 2; }
     mkdir -p "$out"
     exec parallel --will-cite --jobs 50% --joblog "$out/jobs.log" --resume -0 "$(realpath "$0")" "$submissions" "$scenes" "$out" \
         < <(find "$submissions" -mindepth 1 -maxdepth 1 -type d -printf '%f\0' | sort -z)

@@ -4,43 +4,42 @@ namespace RayCaster.Files;
 public static class Spelling
 {
     /// <summary>The words of other programs, and of British English, for words of the scene file.</summary>
-    private static readonly (string Other, string Ours)[] Synonyms =
-    [
-        .. Of("position", "eye from origin location pos lookfrom look_from viewpoint camera_position eyepos"),
-        .. Of("target", "lookat look_at look view interest focus at to center direction"),
-        .. Of("up", "vup upvector up_vector view_up updir"),
-        .. Of("width", "image_width imagewidth xres xresolution columns w"),
-        .. Of("height", "image_height imageheight yres yresolution rows h"),
-        .. Of("fovY", "fov vfov yfov fov_y field_of_view vertical_fov fieldofview angle"),
-        .. Of("zNear", "near near_clip clip_near hither"),
-        .. Of("zFar", "far far_clip clip_far yon"),
-        .. Of("bias", "epsilon"),
-        .. Of("radius", "r"),
-        .. Of("center", "c position centre middle"),
-        .. Of("normal", "n"),
-        .. Of("point", "p q position"),
-        .. Of("translate", "position translation"),
-        .. Of("rotate", "rotation"),
-        .. Of("color", "albedo diffuse diffusecolor kd rgb material colour"),
-        .. Of("min", "lower pmin"),
-        .. Of("max", "upper pmax"),
-        .. Of("a", "p0 v0"),
-        .. Of("b", "p1 v1"),
-        .. Of("c", "p2 v2"),
-        .. Of("scale", "size"),
-        .. Of("file", "path filename"),
-        .. Of("type", "kind"),
-        .. Of("name", "id"),
-        .. Of("models", "objects shapes primitives world geometry"),
-        .. Of("background", "backgroundcolor background_color bg sky"),
-        .. Of("aabb", "box cube cuboid"),
-        .. Of("sphere", "ball"),
-        .. Of("circle", "disc disk"),
-        .. Of("triangle", "tri"),
-        .. Of("mesh", "obj"),
-    ];
-
-    private static IEnumerable<(string, string)> Of(string ours, string others) => others.Split(' ').Select(other => (other, ours));
+    private static readonly ILookup<string, string> synonyms = new (string Ours, string Others)[]
+    {
+        ("position", "eye from origin location pos lookfrom look_from viewpoint camera_position eyepos"),
+        ("target", "lookat look_at look view interest focus at to center direction"),
+        ("up", "vup upvector up_vector view_up updir"),
+        ("width", "image_width imagewidth xres xresolution columns w"),
+        ("height", "image_height imageheight yres yresolution rows h"),
+        ("fovY", "fov vfov yfov fov_y field_of_view vertical_fov fieldofview angle"),
+        ("zNear", "near near_clip clip_near hither"),
+        ("zFar", "far far_clip clip_far yon"),
+        ("bias", "epsilon"),
+        ("radius", "r"),
+        ("center", "c position centre middle"),
+        ("normal", "n"),
+        ("point", "p q position"),
+        ("translate", "position translation"),
+        ("rotate", "rotation"),
+        ("color", "albedo diffuse diffusecolor kd rgb material colour"),
+        ("min", "lower pmin"),
+        ("max", "upper pmax"),
+        ("a", "p0 v0"),
+        ("b", "p1 v1"),
+        ("c", "p2 v2"),
+        ("scale", "size"),
+        ("file", "path filename"),
+        ("type", "kind"),
+        ("name", "id"),
+        ("models", "objects shapes primitives world geometry"),
+        ("background", "backgroundcolor background_color bg sky"),
+        ("aabb", "box cube cuboid"),
+        ("sphere", "ball"),
+        ("circle", "disc disk"),
+        ("triangle", "tri"),
+        ("mesh", "obj"),
+    }.SelectMany(line => line.Others.Split(' '), (line, other) => (other, line.Ours))
+        .ToLookup(pair => pair.other, pair => pair.Ours, StringComparer.OrdinalIgnoreCase);
 
     /// <summary>The most likely right word, or null.</summary>
     /// <remarks>
@@ -51,8 +50,7 @@ public static class Spelling
     public static string? Nearest(string word, IEnumerable<string> known)
     {
         if (known.FirstOrDefault(candidate => candidate.Equals(word, StringComparison.OrdinalIgnoreCase)) is { } same) return same;
-        foreach (var (other, ours) in Synonyms)
-            if (other.Equals(word, StringComparison.OrdinalIgnoreCase) && known.Contains(ours)) return ours;
+        if (synonyms[word].FirstOrDefault(known.Contains) is { } synonym) return synonym;
 
         if (word.Length >= 4 && known.Where(longer => longer.Contains(word, StringComparison.OrdinalIgnoreCase)).Take(2).ToArray() is [var only])
             return only;

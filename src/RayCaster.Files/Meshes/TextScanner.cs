@@ -24,7 +24,6 @@ internal sealed class TextScanner
     /// <summary>Where the search for the next word begins: the last word's end.</summary>
     public int Position { get; private set; }
 
-    /// <summary>The bytes of the line's end.</summary>
     public ReadOnlySpan<byte> LineEnd => source.Bytes.Slice(length, lineEnd);
 
     /// <summary>The line of the last word, or where one was missing.</summary>
@@ -80,14 +79,11 @@ internal sealed class TextScanner
     }
 
     /// <summary>Ends the text with this line: other bytes follow.</summary>
-    /// <param name="lineEndBytes">How many bytes end the line.</param>
     public void EndText(int lineEndBytes) => source.Skip(length + lineEndBytes);
 
-    /// <inheritdoc cref="ToNumber"/>
     public double NextNumber(string what) => ToNumber(NextInLine(), what);
 
     /// <summary>Reads the word that came last as a number.</summary>
-    /// <exception cref="ProblemException">It is something else, NaN, or beyond the largest number.</exception>
     public double ToNumber(ReadOnlySpan<byte> word, string what)
     {
         if (TryParse(word, out var number)) return number;

@@ -8,8 +8,6 @@ internal readonly record struct JsonMistake(int Start, int End, string Message);
 /// Says why a text is not JSON, after <see cref="Utf8JsonReader"/> has refused it: compares what follows the last good token with what JSON
 /// allows there.
 /// </summary>
-/// <param name="tree">The tokens before the mistake.</param>
-/// <param name="open">The arrays and objects that are open at the mistake.</param>
 /// <param name="lastEnd">The place after the last good token; after a key the place after its colon.</param>
 internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> open, JsonTokenType last, int lastEnd)
 {
@@ -95,7 +93,8 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
 
     private JsonMistake? Value(int at)
     {
-        var (c, end) = ((char)utf8[at], words.End(at));
+        var c = (char)utf8[at];
+        var end = words.End(at);
         if (c is ',' or '}' or ']' && last == JsonTokenType.PropertyName) return new(at, at + 1, "a value is missing after the colon");
         if (Misplaced(at) is { } mistake) return mistake;
         switch (c)
@@ -119,9 +118,8 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
 
     private JsonMistake CutOff()
     {
-        var (end, reason) = (utf8.Length, "a value is missing");
-        if (open.Length > 0) reason = $"the {Bracket(out var line)} of line {line} is never closed";
-        return new(end, end, $"the file ends too early: {reason}");
+        var reason = open.Length > 0 ? $"the {Bracket(out var line)} of line {line} is never closed" : "a value is missing";
+        return new(utf8.Length, utf8.Length, $"the file ends too early: {reason}");
     }
 
     private JsonMistake WrongBracket(int at)

@@ -29,7 +29,6 @@ internal readonly ref struct JsonWords(SourceText text)
         var length => at + length,
     };
 
-    /// <summary>What looks like one word or number, for a message.</summary>
     public string Word(int at) => text.Quote(at, End(at));
 
     public Rune Character(int at)

@@ -3,7 +3,6 @@ namespace RayCaster.Files;
 /// <summary>Colours as a scene file writes them.</summary>
 internal static class SceneColor
 {
-    /// <summary>What a colour is, for a message.</summary>
     public const string Form = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
 
     /// <summary>Reads <c>#rrggbb</c>, each pair of digits / 255; null for any other text.</summary>

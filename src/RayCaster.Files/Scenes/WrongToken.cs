@@ -1,45 +1,46 @@
+using System.Text.RegularExpressions;
+
 namespace RayCaster.Files;
 
 /// <summary>Finds the mistake in a word, a number or a text that is not JSON. Each method returns null if there is none, or if the file ends too
 /// early.</summary>
 internal readonly ref struct WrongToken(SourceText text)
 {
+    /// <summary>How numbers are wrong, and messages with the word and the right number. Unless it ends the file, a blank follows.</summary>
+    private static readonly (string Pattern, string Message)[] wrongNumbers =
+    [
+        (@"^\+", "a number has no plus sign: write {1}"),
+        (@"^-?\.", "a number needs a digit before the point: {1}"),
+        ("^-(?![0-9])", "a digit must follow the minus sign"),
+        ("^-?0[0-9]", "a number does not begin with 0: write {1}"),
+        ("^-?0x", "numbers are decimal; {0} is not"),
+        (@"^-?[0-9]+\.(?![0-9]|$)", "a digit must follow the point of a number, or leave the point out"),
+        (@"^-?[0-9]+(\.[0-9]+)?e[+-]?(?![0-9+-]|$)", "a digit must follow the e of a number: 1e-6"),
+    ];
+
     private readonly ReadOnlySpan<byte> utf8 = text.Utf8;
     private readonly JsonWords words = new(text);
 
     public JsonMistake? Number(int at)
     {
-        var (word, end, digits) = (words.Word(at), words.End(at), at);
+        var (word, end) = (words.Word(at), words.End(at));
         if (IsNotFinite(word)) return NotFinite(at);
-        if (utf8[at] == '+') return Corrected("a number has no plus sign: write");
-        if (utf8[at] == '-') digits++;
-        if (digits < end && utf8[digits] == '.') return Corrected("a number needs a digit before the point:");
-        if (!words.IsDigit(digits)) return new(at, Math.Max(end, at + 1), "a digit must follow the minus sign");
-        if (utf8[digits] == '0' && words.IsDigit(digits + 1)) return Corrected("a number does not begin with 0: write");
-        if (utf8[digits] == '0' && digits + 1 < end && (utf8[digits + 1] | 0x20) == 'x') return new(at, end, $"numbers are decimal; {word} is not");
+        var text = Encoding.UTF8.GetString(utf8[at..end]);
+        foreach (var (pattern, message) in wrongNumbers)
+            if (Regex.IsMatch(end < utf8.Length ? text + " " : text, pattern, RegexOptions.IgnoreCase))
+                return new(at, end, message.Contains("{1}") && Corrected(word) is null ? $"{word} is not a number"
+                    : string.Format(null, message, word, Corrected(word)));
+        var length = Regex.Match(text, "^-?[0-9]+(\\.[0-9]*)?(e[+-]?[0-9]*)?", RegexOptions.IgnoreCase).Length;
+        return length == text.Length ? null
+            : new(at, end, $"{word} is not a number; a number ends before {Shown(words.Character(at + length))}");
+    }
 
-        var i = SkipDigits(digits);
-        if (i < end && utf8[i] == '.')
-        {
-            if (!words.IsDigit(++i) && i < utf8.Length) return new(at, end, "a digit must follow the point of a number, or leave the point out");
-            i = SkipDigits(i);
-        }
-        if (i < end && (utf8[i] | 0x20) == 'e')
-        {
-            i++;
-            if (i < end && utf8[i] is (byte)'+' or (byte)'-') i++;
-            if (!words.IsDigit(i) && i < utf8.Length) return new(at, end, "a digit must follow the e of a number: 1e-6");
-            i = SkipDigits(i);
-        }
-        return i == end ? null : new(at, end, $"{word} is not a number; a number ends before {Shown(words.Character(i))}");
-
-        JsonMistake Corrected(string advice)
-        {
-            var sign = word[0] == '-' ? "-" : "";
-            var rest = word.TrimStart('+', '-').TrimStart('0');
-            var number = sign + (rest.Length == 0 || !char.IsAsciiDigit(rest[0]) ? "0" : "") + rest;
-            return new(at, end, IsNumber(number) ? $"{advice} {number}" : $"{word} is not a number");
-        }
+    /// <summary>A word as a number without a plus sign, with one digit or more before the point; null where that is none.</summary>
+    private static string? Corrected(string word)
+    {
+        var rest = word.TrimStart('+', '-').TrimStart('0');
+        var number = (word[0] == '-' ? "-" : "") + (rest.Length == 0 || !char.IsAsciiDigit(rest[0]) ? "0" : "") + rest;
+        return Regex.IsMatch(number, "^-?(0|[1-9][0-9]*)(\\.[0-9]+)?(e[+-]?[0-9]+)?$", RegexOptions.IgnoreCase) ? number : null;
     }
 
     /// <summary>A word without quotes, where a value should be.</summary>
@@ -97,26 +98,7 @@ internal readonly ref struct WrongToken(SourceText text)
 
     private JsonMistake NotFinite(int at) => new(at, words.End(at), $"{words.Word(at)} is not allowed; a number must be finite");
 
-    private int SkipDigits(int at)
-    {
-        while (words.IsDigit(at)) at++;
-        return at;
-    }
-
     private static bool IsNotFinite(string word) => word.TrimStart('+', '-').ToLowerInvariant() is "nan" or "inf" or "infinity";
-
-    private static bool IsNumber(string word)
-    {
-        var reader = new Utf8JsonReader(Encoding.UTF8.GetBytes(word));
-        try
-        {
-            return reader.Read() && reader.TokenType == JsonTokenType.Number && reader.BytesConsumed == word.Length && !reader.Read();
-        }
-        catch (JsonException)
-        {
-            return false;
-        }
-    }
 
     private static bool IsInvisible(Rune c) => !c.IsAscii && (Rune.IsWhiteSpace(c) || Rune.GetUnicodeCategory(c) == UnicodeCategory.Format);
 

@@ -10,7 +10,6 @@ public sealed class MeshFileTests : IDisposable
     [InlineData("teapot.fbx", "a mesh file must be .obj, .ply or .stl, but this one is .fbx")]
     [InlineData("teapot", "a mesh file's name must end with .obj, .ply or .stl, but this one has no extension")]
     [InlineData("", "a mesh file's name must end with .obj, .ply or .stl, but this one has no extension")]
-    [InlineData("a\0b.obj", "cannot be read: Null character in path. (Parameter 'path')")]
     public void NameThatIsNoMeshFileIsRefused(string path, string reason) =>
         Assert.Equal($"{path}: {reason}", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
 
@@ -32,7 +31,7 @@ public sealed class MeshFileTests : IDisposable
     public void FolderIsNoFile()
     {
         var path = Directory.CreateDirectory(folder["box.obj"]).FullName;
-        Assert.Equal($"{path}: is a folder, not a mesh file", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
+        Assert.Equal($"{path}: it is a folder, not a mesh file", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
     }
 
     [Fact]
@@ -42,7 +41,7 @@ public sealed class MeshFileTests : IDisposable
         var path = folder.Write("box.obj", "");
         File.SetUnixFileMode(path, UnixFileMode.None);
         Assert.SkipWhen(Environment.IsPrivilegedProcess, "may read everything");
-        Assert.Equal($"{path}: no permission to read it", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
+        Assert.Equal($"{path}: access is denied", Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
     }
 
     [Theory]

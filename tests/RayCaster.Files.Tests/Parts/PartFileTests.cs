@@ -108,7 +108,7 @@ public sealed class PartFileTests : IDisposable
     private string Write(PartFacts facts, int? lines = null, int width = 7)
     {
         using var output = new MemoryStream();
-        using var writer = PictureWriter.Create(PictureFormat.Png, output, width, lines ?? facts.Lines.Count, facts.ToString());
+        using var writer = PictureWriter.Create(PictureFormat.Png, output, width, lines ?? facts.Lines.Count, facts.PngText);
         writer.WriteRows(Pixels(lines ?? facts.Lines.Count, width));
         writer.Finish();
         return folder.Write("part.png", output.ToArray());

@@ -8,29 +8,22 @@ public sealed class WrittenFilesTests : IDisposable
 
     public void Dispose() => folder.Dispose();
 
-    [Fact]
-    public void ANewFileIsThereAtTheEndAndATemporaryOneBefore()
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void AFileIsThereAtTheEndAndATemporaryOneBefore(bool isReplaced)
     {
-        WrittenFiles.Write(folder["room.png"], file =>
-        {
-            file.Write("new"u8);
-            Assert.Matches(@"^room\.png\.[0-9a-f]{8}\.tmp$", Assert.Single(folder.Names));
-        });
-        Assert.Equal("new", File.ReadAllText(folder["room.png"]));
-        Assert.Equal(["room.png"], folder.Names);
-    }
-
-    [Fact]
-    public void AnOldFileIsReplacedAtTheEndAndNotBefore()
-    {
-        var path = folder.Write("room.png", "old and longer"u8);
+        var path = folder["room.png"];
+        if (isReplaced) folder.Write("room.png", "old and longer"u8);
         WrittenFiles.Write(path, file =>
         {
             file.Write("new"u8);
             file.Flush();
-            Assert.Equal("old and longer", File.ReadAllText(path));
+            Assert.Matches(@"^room\.png\.[0-9a-f]{8}\.tmp$", Assert.Single(folder.Names, name => name != "room.png"));
+            if (isReplaced) Assert.Equal("old and longer", File.ReadAllText(path));
         });
         Assert.Equal("new", File.ReadAllText(path));
+        Assert.Equal(["room.png"], folder.Names);
     }
 
     [Fact]
@@ -288,6 +281,7 @@ public sealed class WrittenFilesTests : IDisposable
     {
         Assert.Equal(message, Assert.Throws<ProblemException>(() => WrittenFiles.Write(path, _ => { })).Message);
         Assert.Equal(message, Assert.Throws<ProblemException>(() => PictureFile.Read(path)).Message);
+        Assert.EndsWith(message, Assert.Single(SceneReader.Read(path).Problems).Message);
     }
 
     [Fact]
