@@ -5,11 +5,8 @@ namespace RayCaster;
 /// <summary>A sphere, visible from outside and from inside.</summary>
 /// <param name="Center">C.</param>
 /// <param name="Radius">R &gt; 0.</param>
-public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IBounded
+public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IRound
 {
-    /// <inheritdoc/>
-    public Bounds Bounds => new(Center - new Vector3(Radius, Radius, Radius), Center + new Vector3(Radius, Radius, Radius));
-
     /// <summary>
     /// Slide "Sphere – Geometric Solution": t = t_ca ∓ t_hc. t_ca is the parameter of the ray's point nearest to C, t_hc half of the chord.
     /// </summary>
