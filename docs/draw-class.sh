@@ -36,8 +36,8 @@ sandbox() { # seconds, "--bind" or "--ro-bind" of /work, a command. Nothing else
     prlimit --data=$((3 << 30)) --nproc=256 --fsize=$((64 << 20)) --core=0 timeout --kill-after=1 "$1" \
         bwrap --unshare-all --die-with-parent --new-session --clearenv --ro-bind /usr /usr --ro-bind /etc /etc \
         --symlink usr/bin /bin --symlink usr/lib /lib --symlink usr/lib64 /lib64 --proc /proc --dev /dev --size $((256 << 20)) --tmpfs /tmp \
-        --ro-bind "$dotnet" "$dotnet" --ro-bind-try ~/.nuget/packages /packages --ro-bind "$scenes" /scenes --ro-bind "$submissions/$name" /submission \
-        --ro-bind-try "${HANDOUT:-/nothing}" /handout "$2" "$work" /work --chdir /work \
+        --ro-bind "$dotnet" "$dotnet" --ro-bind-try ~/.nuget/packages /packages --ro-bind "$scenes" /scenes \
+        --ro-bind "$submissions/$name" /submission --ro-bind-try "${HANDOUT:-/nothing}" /handout "$2" "$work" /work --chdir /work \
         --setenv PATH "$dotnet:/usr/bin" --setenv HOME /tmp --setenv LANG C.UTF-8 --setenv NUGET_PACKAGES /packages --setenv DOTNET_NOLOGO 1 \
         sh -c "$3" </dev/null 2>>"$out/$name/log.txt" | head -c 64M
 }

@@ -14,9 +14,15 @@ internal static class Csv
     /// <exception cref="ProblemException">The file cannot be read.</exception>
     public static List<List<string>> Read(string path)
     {
-        if (InputBytes.ReadFile(path, "table", MaxBytes, "", out var bytes) is { } problem) throw new ProblemException($"{path}: {problem}");
-        return Rows(Text(bytes).TrimStart('\uFEFF')) ?? throw new ProblemException(
-            $"cannot read {path}: a cell begins with a quote (\") and does not end with one");
+        try
+        {
+            return Rows(Text(InputFile.Read(path, "table", MaxBytes)).TrimStart('\uFEFF'))
+                ?? throw new ProblemException("a cell begins with a quote (\") and does not end with one");
+        }
+        catch (ProblemException e)
+        {
+            throw new ProblemException($"cannot read {path}: {e.Message}", e);
+        }
     }
 
     private static string Text(ReadOnlySpan<byte> bytes) => bytes switch

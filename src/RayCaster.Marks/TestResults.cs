@@ -38,10 +38,11 @@ internal static partial class TestResults
         {
             try
             {
-                if (InputBytes.ReadFile(Path.Combine(submission.Folder, file), "file", MaxBytes, "", out var bytes) is { } unread)
-                    problem = $"{file}: {unread}";
-                else
-                    tests.AddRange(TestsIn([.. bytes]));
+                tests.AddRange(TestsIn([.. InputFile.Read(Path.Combine(submission.Folder, file), "file", MaxBytes)]));
+            }
+            catch (ProblemException e)
+            {
+                problem = $"{file}: {e.Message}";
             }
             catch (XmlException e)
             {

@@ -87,7 +87,8 @@ public sealed class HandOutCommandTests : CommandTests
     {
         raycaster.Run("handout", "lab1", "--open", steps);
         Assert.StartsWith(
-            $"raycaster: option '--open' takes one step of 1 to 10, or the first and the last as in 1..4, but '{steps}' is given\n", raycaster.Error);
+            $"raycaster: option '--open' takes one step of 1 to 10, or the first and the last as in 1..4, but '{steps}' is given\n",
+            raycaster.Error);
         Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
         Assert.Empty(raycaster.Files);
     }

@@ -66,7 +66,8 @@ public class PixelNumbersTests
         Assert.Equal("  ur (from your d): yours 0.23196, not right: here it parts", Of("symptom"));
 
         static string Of(string hint) =>
-            Numbers("Camera", "h * r / Height - h / 2", "h * r / Height", hint).Single(line => line.StartsWith("  ur (from your d): ", StringComparison.Ordinal));
+            Numbers("Camera", "h * r / Height - h / 2", "h * r / Height", hint)
+                .Single(line => line.StartsWith("  ur (from your d): ", StringComparison.Ordinal));
     }
 
     [Fact]

@@ -48,7 +48,7 @@ public class DerivationTests
             (near, far) == (16, 24),
             $"P = (20, 0, 0), d = (−1, 0, 0), sphere C = (0, 0, 0), R = 4: expected t = 16 and 24, but got {near} and {far}");
         var steps = FormulaStep.LeadingTo(crossings.Near, crossings.Far);
-        Assert.Equal(["L", "tca", "D", "thc"], steps.Select(step => step.Name));
+        Assert.Equal(["L", "t_ca", "D", "t_hc"], steps.Select(step => step.Name));
         Assert.Equal("√(16 − (0, 0, 0) · (0, 0, 0))", steps[3].Numbers);
         Assert.Equal("20 − 4", new TermText().Of(crossings.Near.Term));
     }

@@ -30,7 +30,7 @@ public class FormulaBookTests
 
     [Theory]
     [InlineData("L: displacement = C - P", "L = C − P")]
-    [InlineData("thc: length = √(R² - |C - P|²)", "thc = √(R² − |C − P|²)")]
+    [InlineData("t_hc: length = √(R² - |C - P|²)", "t_hc = √(R² − |C − P|²)")]
     [InlineData("t: length = n·(Q - P) / (n·d)", "t = n·(Q − P) / (n·d)")]
     [InlineData("t: length² = -(n × d)·n / 2", "t = −(n × d)·n / 2")]
     [InlineData("in: truth = R ≥ 0 and (C.x - P.x ≤ R or not (R > 1))", "in = R ≥ 0 and (C.x − P.x ≤ R or not (R > 1))")]

@@ -4,7 +4,7 @@ namespace RayCaster.Teaching.Tests.Formulas;
 public class PlantedSlipsTests
 {
     [Theory]
-    [InlineData("thc = √(2 R² − D²)", "sphere", "thc", "thc = √(R² − D2)")]
+    [InlineData("t_hc = √(2 R² − D²)", "sphere", "t_hc", "t_hc = √(R² − D2)")]
     [InlineData("C − B for C − A", "triangle", "e2", "e2 = C − A")]
     [InlineData("uc = w c / width − w / 4", "pixel", "uc", "uc = w·c / width − w / 2")]
     public void ASlipIsFoundInItsFormula(string what, string section, string step, string formula)
