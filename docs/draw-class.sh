@@ -5,7 +5,7 @@
 #     docs/draw-class.sh SUBMISSIONS SCENES OUT NAME     one student
 #
 # It writes OUT/NAME/SCENE.png of each SCENES/SCENE.json, OUT/NAME/results.xml, and OUT/NAME/log.txt, which holds what the programs printed. The
-# same command run again draws those students only that OUT/jobs.log does not list. More machines: PARALLEL="--sshlogin node1,node2 --workdir ."
+# same command run again draws those students only that OUT/.jobs.log does not list. More machines: PARALLEL="--sshlogin node1,node2 --workdir ."
 #
 # Needs bubblewrap and GNU parallel (apt-get install bubblewrap parallel), and an ordinary user: Linux does not limit the processes of root.
 set -euo pipefail
@@ -23,7 +23,7 @@ if [ $# -eq 3 ]; then
     [ "$(id -u)" != 0 ] || { echo "run this as an ordinary user: Linux does not limit the processes of root" >&2; exit 2; }
     [ -n "${BUILD:-}" ] || [ -d "${HANDOUT:-}" ] || { echo "set HANDOUT to the folder of your hand-out, as in HANDOUT=../lab1 $0 …" >&2; exit 2; }
     mkdir -p "$out"
-    exec parallel --will-cite --jobs 50% --joblog "$out/jobs.log" --resume -0 "$(realpath "$0")" "$submissions" "$scenes" "$out" \
+    exec parallel --will-cite --jobs 50% --joblog "$out/.jobs.log" --resume -0 "$(realpath "$0")" "$submissions" "$scenes" "$out" \
         < <(find "$submissions" -mindepth 1 -maxdepth 1 -type d -printf '%f\0' | sort -z)
 fi
 

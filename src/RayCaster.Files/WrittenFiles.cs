@@ -192,7 +192,7 @@ public static class WrittenFiles
             }
             catch (Exception e) when (ProblemException.IsCausedByFile(e))
             {
-                // It stays. This must not hide the error that gave the file up.
+                // It stays. This must not hide the error before.
             }
         }
     }

@@ -50,9 +50,10 @@ internal sealed class JsonTree
         return text.ToArray();
     }
 
-    /// <param name="text">Valid UTF-8.</param>
     public static JsonTree? Parse(SourceText text, out JsonMistake? mistake)
     {
+        mistake = Encodings.MistakeIn(text.Utf8);
+        if (mistake is not null) return null;
         var tree = new JsonTree(text);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
         var depth = 0;
@@ -74,7 +75,6 @@ internal sealed class JsonTree
                 var end = last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd;
                 tree.nodes.Add(new(last, start, end, tree.nodes.Count + 1));
             }
-            mistake = null;
             return tree;
         }
         catch (JsonException e)

@@ -106,19 +106,7 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
     }
 
     /// <summary>A colour: three numbers of at least 0, or a text like <c>"#ff8800"</c>.</summary>
-    public Color Color(string key, string meaning, Color orElse)
-    {
-        if (Take(new(key, KeyKind.Color, meaning, false, orElse)) is not { } value) return orElse;
-        if (value.Kind == JsonTokenType.String)
-        {
-            if (SceneColor.Parse(value.Text) is { } parsed) return parsed;
-            Refuse(key, $" must be {SceneColor.Form}, but is {value.Json.InWords}; # and six hexadecimal digits make a colour");
-            return orElse;
-        }
-        var color = value.Vector(Limits.NotNegative, SceneColor.Form);
-        if (SceneColor.LooksLikeBytes(color)) Warn(key, $" is {color}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
-        return new(color.X, color.Y, color.Z);
-    }
+    public Color Color(string key, string meaning, Color orElse) => Take(new(key, KeyKind.Color, meaning, false, orElse))?.Color() ?? orElse;
 
     /// <summary>A text; null where it is left out or something else. A required one must not be empty.</summary>
     public string? Text(string key, string meaning, bool isRequired)
@@ -145,13 +133,9 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
 
     public SceneObject? Object(string key, string meaning)
     {
-        if (described is not null)
-        {
-            var describing = Describing(out var members);
-            described.Add(new(key, KeyKind.Object, meaning, true) { Members = members });
-            return describing;
-        }
-        return Take(new(key, KeyKind.Object, meaning, true)) is { } value ? AsObject(document!, value.Json, PathOf(key)) : null;
+        var describing = Describing(out var members);
+        var value = Take(new(key, KeyKind.Object, meaning, true) { Members = members });
+        return document is null ? describing : value is { } found ? AsObject(document, found.Json, PathOf(key)) : null;
     }
 
     /// <summary>The objects of an array; elements that are something else are reported and left out.</summary>

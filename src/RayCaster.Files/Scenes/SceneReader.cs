@@ -77,8 +77,7 @@ public static class SceneReader
         where T : class
     {
         document = new SceneDocument(new SourceText(displayName, utf8), folder);
-        var mistake = Encodings.MistakeIn(document.Text.Utf8);
-        var tree = mistake is null ? JsonTree.Parse(document.Text, out mistake) : null;
+        var tree = JsonTree.Parse(document.Text, out var mistake);
         if (mistake is { } wrong) document.Add(true, wrong.Start, wrong.End, wrong.Message);
         var root = tree is null ? null : SceneObject.AsObject(document, tree.Root, "", name);
         var result = root is null ? null : read(root);

@@ -54,6 +54,23 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
         return NoVector;
     }
 
+    /// <summary>Three numbers of at least 0, or a text like <c>"#ff8800"</c>: each pair of digits / 255.</summary>
+    public Color? Color()
+    {
+        const string form = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
+        if (json.Kind == JsonTokenType.String)
+        {
+            if (json.Text is ['#', ..] and { Length: 7 } text && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
+                return new((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
+            Report(true, $" must be {form}, but is {json.InWords}; # and six hexadecimal digits make a colour");
+            return null;
+        }
+        var c = Vector(Limits.NotNegative, form);
+        if (Math.Max(c.X, Math.Max(c.Y, c.Z)) is > 9 and <= 255 && double.IsInteger(c.X) && double.IsInteger(c.Y) && double.IsInteger(c.Z))
+            Report(false, $" is {c}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
+        return new(c.X, c.Y, c.Z);
+    }
+
     /// <summary>Adds the triangles of a face, an array of at least three indices.</summary>
     public void AddTriangles(Limits limits, List<int> triangles)
     {

@@ -21,7 +21,9 @@ public class DocsTests
 
     [Fact]
     public void AllPagesAreRead() =>
-        Assert.Superset(new HashSet<string> { "README.md", "docs/limits.md", "src/RayCaster.Engine/README.md" }, Documents.Select(file => file.Data).ToHashSet());
+        Assert.Superset(
+            new HashSet<string> { "README.md", "docs/limits.md", "src/RayCaster.Engine/README.md" },
+            Documents.Select(file => file.Data).ToHashSet());
 
     [Theory]
     [MemberData(nameof(Documents))]

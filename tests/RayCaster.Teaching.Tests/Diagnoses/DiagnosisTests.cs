@@ -8,12 +8,15 @@ public class DiagnosisTests
 {
     internal static readonly Scene scene = SceneFolder.Small("mistakes/generic", 4);
 
+    /// <summary>The same where no mistake is the cause: then all are tried, and thousands of edits.</summary>
+    private static readonly Scene tiny = SceneFolder.Small("mistakes/generic", 8);
+
     private static readonly ConcurrentDictionary<string, Lazy<Diagnosis>> diagnoses = [];
 
     /// <summary>Of the picture with a planted mistake: one search for all tests that read it.</summary>
     internal static Diagnosis OfPlanted(string id) => diagnoses.GetOrAdd(id, id => new(() => Diagnosis.Of(scene, Planted(id)))).Value;
 
-    private static Picture Planted(string id)
+    internal static Picture Planted(string id)
     {
         var lab = new PictureDifference(EditedLab.Render(scene, Mistakes.Mistake.None), ScalarRenderer.Render(scene));
         Assert.True(lab.Wrong <= 3, $"the lab (src/RayCaster.Lab) and the library (src/RayCaster) draw {lab.Wrong} pixels differently");
@@ -80,11 +83,11 @@ public class DiagnosisTests
     [Fact]
     public void ARightPictureOfAnotherProgramMayHaveSingleOutlinePixelsOff()
     {
-        var picture = ScalarRenderer.Render(scene);
+        var picture = ScalarRenderer.Render(tiny);
         var y = picture.Height / 2;
         var x = Enumerable.Range(1, picture.Width - 1).First(x => PictureDifference.Levels(picture[x, y], picture[x - 1, y]) > 20);
         picture[x, y] = picture[x - 1, y];
-        Assert.Equal(Finding.Matches, Diagnosis.Of(scene, picture).Finding);
+        Assert.Equal(Finding.Matches, Diagnosis.Of(tiny, picture).Finding);
     }
 
     [Fact]
@@ -114,11 +117,11 @@ public class DiagnosisTests
     [Fact]
     public void AMissingModelIsNamed()
     {
-        for (var i = 0; i < scene.Models.Count; i += 4)
+        for (var i = 0; i < tiny.Models.Count; i += 4)
         {
-            var without = scene with { Models = [.. scene.Models.Where((_, place) => place != i)] };
-            var diagnosis = Diagnosis.Of(scene, ScalarRenderer.Render(without));
-            if (diagnosis.Finding != Finding.Matches) Assert.Equal($"`{scene.Models[i].Name}`", diagnosis.MissingModel);
+            var without = tiny with { Models = [.. tiny.Models.Where((_, place) => place != i)] };
+            var diagnosis = Diagnosis.Of(tiny, ScalarRenderer.Render(without));
+            if (diagnosis.Finding != Finding.Matches) Assert.Equal($"`{tiny.Models[i].Name}`", diagnosis.MissingModel);
         }
     }
 
@@ -157,15 +160,6 @@ public class DiagnosisTests
         room = room.WithSize(166, 166);
         var picture = EditedLab.Render(room, new Manner(Truncates: true, Float: true), Mistakes.Mistake.None, Mistakes.Mistake.None);
         Assert.Equal(Finding.Matches, Diagnosis.Of(room, picture).Finding);
-    }
-
-    [Fact]
-    public void NamesBothOfTwo()
-    {
-        var picture = Planted("rows");
-        for (var i = 0; i < picture.Rgb.Length; i += 3) (picture.Rgb[i], picture.Rgb[i + 2]) = (picture.Rgb[i + 2], picture.Rgb[i]);
-        var suspect = Diagnosis.Of(scene, picture).Suspects[0];
-        Assert.Equal(["bgr", "rows"], suspect.Mistakes.Select(mistake => mistake.Id).Order());
     }
 
     [Fact]

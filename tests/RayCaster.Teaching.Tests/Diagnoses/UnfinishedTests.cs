@@ -49,7 +49,6 @@ public class UnfinishedTests
 
     [Theory]
     [InlineData("circle,triangle", "rows")]
-    [InlineData("aabb,circle,triangle", "far-root")]
     public void AMistakeOnTopOfWhatIsThereIsNamed(string kinds, string id)
     {
         var diagnosis = Diagnosis.Of(scene, Drawn(kinds, id));

@@ -21,7 +21,7 @@ public class PlantedSlipsTests
 
     private static Diagnosis Diagnose(string name, int slip)
     {
-        var scene = SceneFolder.Small(name);
+        var scene = SceneFolder.Small(name, 4);
         return Diagnosis.Of(scene, new PlantedSlips(scene, slip).Draw());
     }
 }

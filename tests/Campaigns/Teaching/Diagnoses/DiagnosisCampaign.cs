@@ -56,6 +56,19 @@ public class DiagnosisCampaign
     }
 
     [Fact]
+    public void NamesBothOfTwo()
+    {
+        var picture = Planted("rows");
+        for (var i = 0; i < picture.Rgb.Length; i += 3) (picture.Rgb[i], picture.Rgb[i + 2]) = (picture.Rgb[i + 2], picture.Rgb[i]);
+        var suspect = Diagnosis.Of(scene, picture).Suspects[0];
+        Assert.Equal(["bgr", "rows"], suspect.Mistakes.Select(mistake => mistake.Id).Order());
+    }
+
+    [Theory]
+    [InlineData("bgr")]
+    public void ALengthWithoutItsRootIsNamedBesideOthers(string other) => new DiagnosisTests().ALengthWithoutItsRootIsNamedBesideAnotherMistake(other);
+
+    [Fact]
     public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
     {
         var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);
