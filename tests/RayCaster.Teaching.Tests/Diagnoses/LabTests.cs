@@ -10,7 +10,7 @@ public class LabTests
     [MemberData(nameof(Scenes))]
     public void WithoutAMistakeEveryByteIsTheDefinitions(string name)
     {
-        var scene = SceneFolder.Small(name);
+        var scene = SceneFolder.Small(name, 4);
         Assert.Equal(Renderer.Render(scene).Rgb, new Lab(scene).Render().Rgb); // which is the scalar definition's, to the bit
     }
 

@@ -28,6 +28,15 @@ public class DiagnosisCampaign
     [InlineData("center")]
     public void NamesOtherPlantedMistakesFirst(string id) => new DiagnosisTests().NamesThePlantedMistakeFirst(id);
 
+    [Fact]
+    public void ARightPictureOfAnotherProgramMayHaveSingleOutlinePixelsOff() => ASingleOutlinePixelIsNoMistake(scene);
+
+    [Fact]
+    public void AMissingModelIsNamed()
+    {
+        for (var i = 0; i < scene.Models.Count; i += 4) AModelThatIsMissingIsNamed(scene, i);
+    }
+
     [Theory]
     [InlineData("tri-uv")]
     [InlineData("cross-x")]

@@ -20,6 +20,13 @@ public class UnfinishedCampaign
     public void OtherMistakesOnTopAreNamed(string kinds, string id) => new UnfinishedTests().AMistakeOnTopOfWhatIsThereIsNamed(kinds, id);
 
     [Fact]
+    public void AttenuationAloneIsAMistakeOfTheCatalogueToo()
+    {
+        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.Named("att-none")));
+        Assert.Equal((Finding.Mistake, "att-none"), (diagnosis.Finding, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
+    }
+
+    [Fact]
     public void WhereShapesAreMissingTheTextNamesTheOptionForThoseThatAreWritten()
     {
         var diagnosis = Diagnosis.Of(scene, Drawn("aabb,circle,triangle", "ok"));
