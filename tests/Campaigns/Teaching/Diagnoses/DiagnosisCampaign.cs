@@ -75,7 +75,8 @@ public class DiagnosisCampaign
 
     [Theory]
     [InlineData("bgr")]
-    public void ALengthWithoutItsRootIsNamedBesideOthers(string other) => new DiagnosisTests().ALengthWithoutItsRootIsNamedBesideAnotherMistake(other);
+    public void ALengthWithoutItsRootIsNamedBesideOthers(string other) =>
+        new DiagnosisTests().ALengthWithoutItsRootIsNamedBesideAnotherMistake(other);
 
     [Fact]
     public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
