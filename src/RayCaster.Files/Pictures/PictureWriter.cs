@@ -27,12 +27,12 @@ public abstract class PictureWriter : IDisposable
     /// <param name="text">A text that the file holds beside the picture, in Latin-1; only a PNG can.</param>
     public static PictureWriter Create(
         PictureFormat format, Stream output, int width, int height, (string Keyword, string Value)? text = null) => format switch
-    {
-        PictureFormat.Png => new PngWriter(output, width, height, text),
-        _ when text is not null => throw new ArgumentException("only a PNG can hold a text", nameof(format)),
-        PictureFormat.Ppm or PictureFormat.PpmText => new PpmWriter(output, width, height, isText: format == PictureFormat.PpmText),
-        _ => throw new ArgumentOutOfRangeException(nameof(format), format, null),
-    };
+        {
+            PictureFormat.Png => new PngWriter(output, width, height, text),
+            _ when text is not null => throw new ArgumentException("only a PNG can hold a text", nameof(format)),
+            PictureFormat.Ppm or PictureFormat.PpmText => new PpmWriter(output, width, height, isText: format == PictureFormat.PpmText),
+            _ => throw new ArgumentOutOfRangeException(nameof(format), format, null),
+        };
 
     /// <summary>Writes the next lines.</summary>
     /// <param name="rgb">Any number of whole lines, width · 3 bytes each: red, green, blue, from left to right.</param>

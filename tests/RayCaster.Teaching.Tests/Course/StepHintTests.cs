@@ -102,8 +102,6 @@ public class StepHintTests
     }
 
     [Theory]
-    [InlineData("plane")]
-    [InlineData("room")]
     [InlineData("mistakes/generic")]
     public void MultipliedByDnIsAVariantOfThePlanes(string file)
     {

@@ -26,12 +26,13 @@ public class EditLabelsTests
 
     [Theory]
     [InlineData("v-up")]
-    [InlineData("no-center")]
     [InlineData("att-zfar")]
-    public void ALabelledEditIsDrawnAndNamedAsItsMistake(string id)
+    public void ALabelledEditIsDrawnAndNamedAsItsMistake(string id) => LabelledEditsAreDrawnAndNamedAsTheirMistake(id, 1);
+
+    internal static void LabelledEditsAreDrawnAndNamedAsTheirMistake(string id, int count)
     {
         var scene = DiagnosisTests.scene;
-        foreach (var edit in edits.Where(edit => edit.Label == id && edit.Operator == EditOperator.OtherLaw && edit.Place is not null).Take(3))
+        foreach (var edit in edits.Where(edit => edit.Label == id && edit.Operator == EditOperator.OtherLaw && edit.Place is not null).Take(count))
         {
             var mistake = EditNaming.Of(new(0, [edit]));
             Assert.Equal(id, mistake.Id);

@@ -4,10 +4,12 @@ namespace RayCaster.Teaching.Tests.Explanations;
 public class DerivationTests
 {
     [Fact]
-    public void EveryFormulaGivesTheSameBitsAsPlainDoubles()
+    public void EveryFormulaGivesTheSameBitsAsPlainDoubles() => FormulasGiveTheSameBitsAsPlainDoubles(50);
+
+    internal static void FormulasGiveTheSameBitsAsPlainDoubles(int scenes)
     {
         var random = new Random(20);
-        for (var i = 0; i < 300; i++)
+        for (var i = 0; i < scenes; i++)
         {
             var scene = RandomScene.Make(random);
             var (c, r) = (random.Next(scene.Camera.Width), random.Next(scene.Camera.Height));

@@ -10,7 +10,7 @@ public class FormulaBookTests
     [MemberData(nameof(Scenes))]
     public void EachSectionDrawsTheDefinitionsPicture(string name)
     {
-        var scene = SceneFolder.Small(name, 4);
+        var scene = SceneFolder.Small(name, 8);
         var definition = Renderer.Render(scene);
         var slides = FormulaProgram.For(scene.Camera);
         var evaluator = new FormulaEvaluator(
