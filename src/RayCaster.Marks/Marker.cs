@@ -19,14 +19,13 @@ internal sealed class Marker(Rubric rubric)
         var marks = isUntouched ? Untouched(student, submitted) : ByPictures(student, submitted);
         var more = new List<string>();
         tests ??= new Dictionary<int, StepResult>();
-        // Tests that all pass explain no wrong picture, so they do not decide what such a picture leaves open.
-        var isOdd = tests.Values.All(step => step.IsPassed) && marks.Scenes.Any(scene => scene.Verdict == SceneVerdict.Unexplained);
+        var areContradictory = tests.Values.All(step => step.IsPassed) && marks.Scenes.Any(scene => scene.Verdict == SceneVerdict.Unexplained);
         return marks with
         {
             Items =
             [
                 .. rubric.Items.Zip(marks.Items, (item, pictures) =>
-                    item.Evidence == ItemEvidence.Pictures || isOdd && item.Evidence == ItemEvidence.Both ? pictures
+                    item.Evidence == ItemEvidence.Pictures || areContradictory && item.Evidence == ItemEvidence.Both ? pictures
                         : WithTests(item, pictures, isUntouched, tests, more)),
             ],
             LookYourself = [.. notes, .. marks.LookYourself, .. more],

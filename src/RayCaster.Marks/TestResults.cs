@@ -40,11 +40,7 @@ internal static partial class TestResults
             {
                 tests.AddRange(TestsIn([.. InputFile.Read(Path.Combine(submission.Folder, file), "file", MaxBytes)]));
             }
-            catch (ProblemException e)
-            {
-                problem = $"{file}: {e.Message}";
-            }
-            catch (XmlException e)
+            catch (Exception e) when (e is ProblemException or XmlException)
             {
                 problem = $"the test results {file} cannot be read: {e.Message}";
             }
