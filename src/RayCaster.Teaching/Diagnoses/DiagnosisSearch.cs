@@ -97,6 +97,13 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         if (!isDone && Ranking.IsDone(all) && !Ranking.IsDone(all, Nearly)) all.AddRange(NearestPairs());
         if (Ranking.IsDone(all)) return Ranking.Sorted(all);
 
+        var nearest = Ranking.Sorted([.. plain, .. onTop]).FirstOrDefault();
+        if (nearest is { Base.NotYet.Count: > 0 } && !nearest.Base.Kinds.Any())
+        {
+            // All shapes are there, only light or clipping is not: one edit is likelier than two mistakes.
+            all.AddRange(Edits(nearest.Base));
+            if (Ranking.IsCertain(all)) return Ranking.Sorted(all);
+        }
         foreach (var some in pairs.ByEffort(Ranking.Sorted([.. singles, .. parts]), onTop))
         {
             var best = Ranking.BestPairs(some);
@@ -105,12 +112,11 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
             if (Ranking.IsCertain(all)) break;
         }
         // An edit takes longest to find, and pairs of known mistakes explain most pictures.
-        if (!Ranking.IsDone(all) && Ranking.Sorted([.. plain, .. onTop]).FirstOrDefault() is { Base.NotYet.Count: > 0 } nearest)
+        if (!Ranking.IsDone(all) && nearest is not null && nearest.Base.Kinds.Any())
         {
             all.AddRange(Edits(nearest.Base));
             // A kind that seems to be missing may be what the edit loses; then it shows in what is there of that kind.
-            if (nearest.Base.Kinds.Any())
-                all.AddRange(Edits(new([.. nearest.Base.NotYet.Except(nearest.Base.Kinds)]), nearest with { Variants = [] }));
+            all.AddRange(Edits(new([.. nearest.Base.NotYet.Except(nearest.Base.Kinds)]), nearest with { Variants = [] }));
         }
         return Ranking.Sorted(all);
 
