@@ -60,7 +60,15 @@ internal sealed class DefinitionCheck
         if (right is null) Compute();
     }
 
-    private void Compute() => right = [.. pixels.Select(pixel => ScalarRenderer.Pixel(scene, pixel.Column, pixel.Line))];
+    private void Compute() => right = [.. pixels.Select(pixel => Defined(pixel.Column, pixel.Line))];
+
+    /// <summary>A pixel as the definition draws it, also through the picture's own code.</summary>
+    private (byte R, byte G, byte B) Defined(int column, int line)
+    {
+        var part = new Picture(1, 1);
+        ScalarRenderer.Render(scene, part, column, line, threads: 1);
+        return part[0, 0];
+    }
 
     /// <summary>The first pixel whose bytes differ from the definition's, once all lines are taken, as a message; null if all are equal.</summary>
     public string? Difference()
