@@ -35,7 +35,7 @@ internal sealed class TextScanner
         get
         {
             const int most = 40;
-            var word = Line[wordAt..Position];
+            var word = Line[wordAt..Math.Max(wordAt, Position)]; // Return may have gone back before it
             if (word.IsEmpty) return lineEnd == 0 ? "the end of the file" : "the end of the line";
             var text = Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)]).Select(c => char.IsControl(c) ? '?' : c);
             return $"'{string.Concat(text)}{(word.Length > most ? "…" : "")}'";
