@@ -66,7 +66,7 @@ internal sealed class DefinitionCheck
     private (byte R, byte G, byte B) Defined(int column, int line)
     {
         var part = new Picture(1, 1);
-        ScalarRenderer.Render(scene, part, column, line, threads: 1);
+        part[0, 0] = ScalarRenderer.Pixel(scene, column, line);
         return part[0, 0];
     }
 
