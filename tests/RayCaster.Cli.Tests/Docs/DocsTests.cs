@@ -6,7 +6,7 @@ namespace RayCaster.Cli.Tests.Docs;
 /// <summary>The documents show what the program prints and draws.</summary>
 public class DocsTests
 {
-    /// <summary>All pages that git knows; those of tests/HandOut are written for the folder that is handed out.</summary>
+    /// <summary>All pages that git knows; those of tests/HandedOut are written for the folder that is handed out.</summary>
     public static TheoryData<string> Documents
     {
         get
@@ -15,7 +15,7 @@ public class DocsTests
                 new ProcessStartInfo("git", ["ls-files", "*.md"]) { WorkingDirectory = ProjectFolder.Root, RedirectStandardOutput = true })!;
             var files = git.StandardOutput.ReadToEnd().Split('\n', StringSplitOptions.RemoveEmptyEntries);
             git.WaitForExit();
-            return new(files.Where(file => !file.StartsWith("tests/HandOut/", StringComparison.Ordinal)));
+            return new(files.Where(file => !file.StartsWith("tests/HandedOut/", StringComparison.Ordinal)));
         }
     }
 

@@ -1,7 +1,7 @@
 using RayCaster.Teaching.Tests.Mistakes;
 using Mistake = RayCaster.Teaching.Mistake;
 
-namespace RayCaster.Documents;
+namespace RayCaster.Generator;
 
 /// <summary>What part of which scene shows a mistake best.</summary>
 /// <param name="Name">The scene, in scenes/mistakes.</param>

@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace RayCaster.Documents;
+namespace RayCaster.Generator;
 
 /// <summary>docs/mistakes.md and its pictures, made from the catalogue.</summary>
 internal static class Gallery
@@ -54,7 +54,7 @@ internal static class Gallery
 
             ![All mistakes, one small picture each, in the order of this page; the first picture is right](mistakes/all.png)
 
-            `dotnet run --project tests/Documents` makes this page from the
+            `dotnet run --project tests/Generator` makes this page from the
             [catalogue](../src/RayCaster.Teaching/Diagnoses/MistakeCatalog.cs).
 
             """);

@@ -1,7 +1,7 @@
 // Writes the files that are made from the code: schemas, meshes, an explanation, and the gallery of mistakes. Prints the name of each file
 // that was out of date; the exit code is 1 if there was one.
 using RayCaster;
-using RayCaster.Documents;
+using RayCaster.Generator;
 using RayCaster.Files.Tests.Meshes;
 using RayCaster.Files.Tests.Scenes;
 using RayCaster.Marks.Tests;
