@@ -17,12 +17,9 @@ internal static class JsonText
         Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping, // letters of all languages stay
     };
 
-    /// <summary>A property that is written as null; one that is null is left out.</summary>
-    public static object Null => DBNull.Value;
-
     /// <summary>
-    /// The text, indented, with a line end. Names of properties and of enum members begin with a small letter. NaN and the infinities, which JSON
-    /// has no numbers for, become texts. Vectors, colours and tuples become arrays.
+    /// The text, indented, with a line end. Names of properties begin with a small letter; a property that is null is left out. NaN and the
+    /// infinities, which JSON has no numbers for, become texts.
     /// </summary>
     public static string Of(object value)
     {
@@ -36,32 +33,17 @@ internal static class JsonText
     {
         switch (value)
         {
-            case DBNull:
-                json.WriteNullValue();
-                break;
             case bool flag:
                 json.WriteBooleanValue(flag);
                 break;
             case double number when double.IsFinite(number):
                 json.WriteNumberValue(number);
                 break;
-            case byte or int or long:
+            case int or long:
                 json.WriteNumberValue(Convert.ToInt64(value, CultureInfo.InvariantCulture));
                 break;
-            case string or char or double:
+            case string or double:
                 json.WriteStringValue(Convert.ToString(value, CultureInfo.InvariantCulture));
-                break;
-            case Vector3 v:
-                Write(json, (v.X, v.Y, v.Z));
-                break;
-            case Color color:
-                Write(json, (color.R, color.G, color.B));
-                break;
-            case ITuple tuple:
-                Write(json, Enumerable.Range(0, tuple.Length).Select(i => tuple[i]));
-                break;
-            case Enum name:
-                json.WriteStringValue(Name(name.ToString()));
                 break;
             case IEnumerable list:
                 json.WriteStartArray();
@@ -73,13 +55,11 @@ internal static class JsonText
                 foreach (var property in value.GetType().GetProperties())
                 {
                     if (property.GetValue(value) is not { } content) continue;
-                    json.WritePropertyName(Name(property.Name));
+                    json.WritePropertyName(JsonNamingPolicy.CamelCase.ConvertName(property.Name));
                     Write(json, content);
                 }
                 json.WriteEndObject();
                 break;
         }
     }
-
-    private static string Name(string name) => JsonNamingPolicy.CamelCase.ConvertName(name);
 }

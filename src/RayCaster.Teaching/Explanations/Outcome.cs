@@ -1,5 +1,3 @@
-using System.Text.Json;
-
 namespace RayCaster.Teaching;
 
 /// <summary>What becomes of a model, or of one of its crossings, on a ray.</summary>
@@ -30,7 +28,7 @@ public enum Outcome
     Misses,
 }
 
-/// <summary>Decides which crossings count, and puts outcomes into groups.</summary>
+/// <summary>Decides which crossings count.</summary>
 internal static class Outcomes
 {
     /// <summary>Why a crossing does not count; <see cref="Outcome.Shows"/> if it does, whatever else is in the scene.</summary>
@@ -44,14 +42,6 @@ internal static class Outcomes
         : Outcome.BeyondFar;
 
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;
-
-    /// <summary>The group, for other programs: shows, hidden, notNeeded, refused or missed.</summary>
-    public static string Verdict(this Outcome outcome) => outcome.Counts() ? Word(outcome) : outcome == Outcome.Misses ? "missed" : "refused";
-
-    /// <summary>Why a crossing does not count, for other programs: none, behind, underBias, beforeNear, beyondFar or misses.</summary>
-    public static string Refusal(this Outcome outcome) => outcome.Counts() ? "none" : Word(outcome);
-
-    private static string Word(Outcome outcome) => JsonNamingPolicy.CamelCase.ConvertName(outcome.ToString());
 }
 
 /// <summary>How many models, triangles or rays have each outcome.</summary>

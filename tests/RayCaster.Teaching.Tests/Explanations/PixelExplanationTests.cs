@@ -1,4 +1,3 @@
-using System.Text.Json;
 
 namespace RayCaster.Teaching.Tests.Explanations;
 
@@ -70,7 +69,7 @@ public class PixelExplanationTests
     public void AShapeOfOnesOwnIsExplainedByItsOwnFormula()
     {
         var model = Explain(Model.Of(new Ring(new(-5, 0.5, 0), new(1, 0, 0), 1, 2)));
-        Assert.Equal(("ring", "missed"), (model.Fate.Model.Kind, model.Fate.Outcome.Verdict()));
+        Assert.Equal(("ring", Outcome.Misses), (model.Fate.Model.Kind, model.Fate.Outcome));
         Assert.EndsWith("= 0.25 ≥ 1 is false", model.Reason);
         Assert.Equal("t", Assert.Single(model.Steps).Name);
         Assert.Equal(5, model.Crossings[0].Untested);
@@ -82,7 +81,7 @@ public class PixelExplanationTests
         var seen = Explain(new Cylinder(new(-5, 0, 0), 1, 4));
         Assert.Equal((Outcome.Shows, 4.0), (seen.Fate.Outcome, Assert.Single(seen.Crossings).T));
         var clipped = Explain(new Cylinder(new(-5, 0, 0), 1, 4), zNear: 20);
-        Assert.Equal(("refused", 4.0), (clipped.Fate.Outcome.Verdict(), Assert.Single(clipped.Crossings).T));
+        Assert.Equal((Outcome.BeforeNear, 4.0), (clipped.Fate.Outcome, Assert.Single(clipped.Crossings).T));
         Assert.StartsWith("z = 4 < zNear = 20", clipped.Reason);
         Assert.EndsWith("< 0: behind the camera", Explain(new Cylinder(new(5, 0, 0), 1, 4)).Reason);
     }
@@ -200,39 +199,32 @@ public class PixelExplanationTests
             var pixel = new PixelExplanation(scene, column, line);
             Assert.Equal(picture[column, line], pixel.Bytes);
             Assert.NotEmpty(ExplanationText.Of(pixel));
-            CheckNumbers(JsonDocument.Parse(ExplanationJson.Of(pixel)).RootElement, picture[column, line]);
+            CheckNumbers(pixel, picture[column, line]);
         }
     }
 
-    /// <summary>Follows the numbers of the JSON alone to the bytes.</summary>
-    private static void CheckNumbers(JsonElement json, (byte R, byte G, byte B) bytes)
+    /// <summary>Follows the numbers of the explanation alone to the bytes.</summary>
+    private static void CheckNumbers(PixelExplanation pixel, (byte R, byte G, byte B) bytes)
     {
-        var color = json.GetProperty("color");
-        var (full, value) = (Vector(color.GetProperty("full")), Vector(color.GetProperty("value")));
+        var full = pixel.Scene.Background;
         var light = 1.0;
-        if (json.GetProperty("hit") is { ValueKind: JsonValueKind.Object } hit)
+        if (pixel.Winner is { } index)
         {
-            var t = hit.GetProperty("t").GetDouble();
-            light = Math.Max(0, 1 - t / json.GetProperty("camera").GetProperty("fadeDistance").GetDouble());
-            Assert.Equal(color.GetProperty("attenuation").GetDouble(), light);
-            var ray = json.GetProperty("ray");
-            Assert.Equal(Vector(hit.GetProperty("point")), Vector(ray.GetProperty("origin")) + t * Vector(ray.GetProperty("direction")));
-            var models = json.GetProperty("models").EnumerateArray();
-            var winner = models.Single(model => model.GetProperty("verdict").GetString() == "shows");
-            var shown = winner.GetProperty("crossings").EnumerateArray().Single(crossing => crossing.GetProperty("verdict").GetString() == "shows");
-            Assert.Equal(hit.GetProperty("model").GetInt32(), winner.GetProperty("index").GetInt32());
-            Assert.Equal(t, shown.GetProperty("t").GetDouble());
-            Assert.Equal(t * ray.GetProperty("depthPerT").GetDouble(), shown.GetProperty("z").GetDouble());
+            var t = pixel.Ray.HitParameter;
+            full = pixel.Scene.Models[index].Color;
+            light = Math.Max(0, 1 - t / pixel.Scene.Camera.FadeDistance);
+            Assert.Equal(light, pixel.ColorSteps.Single(step => step.Name == "attenuation").Value);
+            var winner = pixel.Models.Single(model => model.Fate.Outcome == Outcome.Shows);
+            var shown = winner.Crossings.Single(crossing => crossing.Outcome == Outcome.Shows);
+            Assert.Equal(index, winner.Fate.Index);
+            Assert.Equal(t, shown.T);
+            Assert.Equal(t * pixel.Ray.DepthPerT, shown.Z);
         }
-        Assert.Equal(value, light * full);
-        byte[] levels = [Level(value.X), Level(value.Y), Level(value.Z)];
-        Assert.Equal([bytes.R, bytes.G, bytes.B], levels);
-        Assert.Equal(levels, color.GetProperty("bytes").EnumerateArray().Select(level => level.GetByte()));
+        Assert.Equal(pixel.Color, light * full);
+        Assert.Equal(bytes, (Level(pixel.Color.R), Level(pixel.Color.G), Level(pixel.Color.B)));
 
         static byte Level(double channel) => (byte)(255 * Math.Clamp(channel, 0, 1) + 0.5);
     }
-
-    private static Vector3 Vector(JsonElement json) => new(json[0].GetDouble(), json[1].GetDouble(), json[2].GetDouble());
 
     /// <summary>One pixel, whose ray goes along −x from the origin.</summary>
     private static Scene Scene(IReadOnlyList<Model> models, double zNear = 0) =>
