@@ -10,7 +10,7 @@ public sealed class FaultTests : CommandTests
 {
     internal const string Old = "the old picture";
 
-    [Theory]
+    [Theory(Skip = "Linux only", SkipUnless = nameof(Here.IsLinux), SkipType = typeof(Here))]
     [InlineData("room.ppm", "64k", "-q ROOM -s 999x999")]
     [InlineData("room.png", "8k", "-q ROOM -s 999x999")]
     public void AFullDiskLeavesTheOldPictureAndNothingElse(string file, string size, string command)
@@ -20,7 +20,7 @@ public sealed class FaultTests : CommandTests
         Assert.Equal($"{file} old\n", raycaster.OutputText);
     }
 
-    [Fact]
+    [Fact(Skip = "Linux only", SkipUnless = nameof(Here.IsLinux), SkipType = typeof(Here))]
     public void AReadOnlyFileSystemIsNamed()
     {
         InOwnFileSystem(
@@ -29,8 +29,8 @@ public sealed class FaultTests : CommandTests
         Assert.Equal("room.png old\n", raycaster.OutputText);
     }
 
-    [Fact]
-    [UnsupportedOSPlatform("windows")] // rights are others there
+    [Fact(Skip = "has other rights", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
+    [UnsupportedOSPlatform("windows")]
     public void AFolderOneMayNotWriteToIsNamed()
     {
         var folder = Environment.IsPrivilegedProcess ? "/proc" : "locked"; // no user may write to the first
@@ -39,12 +39,11 @@ public sealed class FaultTests : CommandTests
         Assert.Equal((2, $"raycaster: cannot write {folder}/room.png: you may not write to its folder\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [Theory]
+    [Theory(Skip = "has no such limit", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     [InlineData("room.ppm")]
     [InlineData("room.png")]
     public void ALimitOfFileSizesLeavesTheOldPictureAndNothingElse(string picture)
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "has no such limit");
         raycaster.Write(picture, Old);
         // The runtime's own large file of no content must not count.
         raycaster.RunInShell($"ulimit -f 8; export DOTNET_EnableWriteXorExecute=0; raycaster -q '{Room}' -s 1500x1500 -o {picture}");
@@ -52,44 +51,40 @@ public sealed class FaultTests : CommandTests
         OnlyTheOldPicture(picture);
     }
 
-    [Theory]
+    [Theory(Skip = "others have no such device, or other words", SkipUnless = nameof(Here.IsLinux), SkipType = typeof(Here))]
     [InlineData(">/dev/full", "No space left on device")]
     [InlineData(">&-", "it is closed")]
     public void AnOutputThatTakesNothingIsTold(string where, string reason)
     {
-        Assert.SkipUnless(OperatingSystem.IsLinux(), "others have no such device, or other words");
         raycaster.RunInShell($"{{ raycaster -q '{Room}' -s 3000x3000 -o -; echo $? >code; }} {where}");
         Assert.Equal($"raycaster: cannot write to standard output: {reason}\n", raycaster.Error);
         Assert.Equal("2\n", File.ReadAllText(raycaster.PathOf("code")));
     }
 
-    [Fact]
+    [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void AReaderThatHasStoppedDoesNotKeepOneFromCancelling()
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "no kill command there");
         using var process = raycaster.Start(Room, "-s", "3000x3000", "-o", "-");
         process.StandardOutput.BaseStream.ReadByte(); // the test reads no further, and the pipe is soon full
         Thread.Sleep(300);
         Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
     }
 
-    [Theory]
+    [Theory(Skip = "no sh there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     [InlineData(24)]
     [InlineData(32)]
     [InlineData(48)]
     public void TooLittleMemoryIsTold(int megabytes)
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "no sh there");
         raycaster.Write("wide.png", Old);
         raycaster.RunInShell($"export DOTNET_GCHeapHardLimit={megabytes << 20:x}; raycaster '{Room}' -s 1000000x64 -t 2 -o wide.png");
         Assert.Equal((2, "raycaster: there is not enough memory\n"), (raycaster.ExitCode, raycaster.Error));
         OnlyTheOldPicture("wide.png");
     }
 
-    [Fact]
+    [Fact(Skip = "no sh there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void ADiagnosisWithTooLittleMemoryIsTold()
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "no sh there");
         raycaster.Run(Room, "-q");
         raycaster.RunInShell($"export DOTNET_GCHeapHardLimit={4 << 20:x}; raycaster diagnose '{Room}' room.png");
         Assert.Equal((2, "raycaster: there is not enough memory\n"), (raycaster.ExitCode, raycaster.Error));
@@ -112,10 +107,9 @@ public sealed class FaultTests : CommandTests
         Assert.Equal(9, PictureFile.Read(raycaster.PathOf("room.png")).Width);
     }
 
-    [Fact]
+    [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void ARunDoesNotDisturbAnotherThatWritesTheSamePicture()
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "no kill command there");
         using var slow = raycaster.Start(Room, "--size", "20000x2000");
         WaitForTemporaryFile(slow);
         RayCasterProcess.Send(slow, "STOP"); // it goes on after the other has ended, however fast either is
@@ -140,7 +134,6 @@ public sealed class FaultTests : CommandTests
     /// shell.</summary>
     private void InOwnFileSystem(string mount, string run)
     {
-        Assert.SkipUnless(OperatingSystem.IsLinux(), "Linux only");
         Directory.CreateDirectory(raycaster.PathOf("disk"));
         var user = Environment.IsPrivilegedProcess ? "" : "-r"; // where the system allows it, one is root in a name space of one's own
         raycaster.Write("faulty.sh", $"""

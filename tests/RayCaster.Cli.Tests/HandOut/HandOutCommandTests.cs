@@ -64,10 +64,9 @@ public sealed class HandOutCommandTests : CommandTests
         Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
     }
 
-    [Fact]
+    [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void AnInterruptedRunLeavesNothing()
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "no kill command there");
         using var process = raycaster.Start("handout", "lab1");
         while (raycaster.Files.Length == 0 && !process.HasExited) Thread.Sleep(10);
         Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));

@@ -77,14 +77,13 @@ public sealed class WrittenFilesTests : IDisposable
         Refused(folder["room.png"], $"cannot write {folder["room.png"]}: it is a folder; name a file in it");
     }
 
-    [Theory]
+    [Theory(Skip = "needs special rights there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     [InlineData("real/precious", "real/precious")]
     [InlineData("real/precious", "real/new")] // the link leads nowhere: what it names is made
     [InlineData("link/../precious", "precious")]
     [InlineData("second", "real/precious")]
     public void ALinkIsFollowed(string leadsTo, string written)
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "needs special rights there");
         Directory.CreateDirectory(folder["real"]);
         if (!written.EndsWith("new", StringComparison.Ordinal)) folder.Write(written, "old"u8);
         else leadsTo = written;
@@ -103,10 +102,9 @@ public sealed class WrittenFilesTests : IDisposable
     }
 
     /// <summary>".." in a link counts from the folder in which the link is, not from the path by which it was reached.</summary>
-    [Fact]
+    [Fact(Skip = "needs special rights there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void ALinkInALinkedFolderCountsFromItsOwnFolder()
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "needs special rights there");
         Directory.CreateDirectory(folder["real/deep"]);
         Directory.CreateSymbolicLink(folder["short"], "real/deep");
         File.CreateSymbolicLink(folder["real/deep/room.png"], "../precious");
@@ -114,19 +112,17 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Equal("new", File.ReadAllText(folder["real/precious"]));
     }
 
-    [Fact]
+    [Fact(Skip = "needs special rights there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void ACircleOfLinksIsRefused()
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "needs special rights there");
         File.CreateSymbolicLink(folder["room.png"], "other");
         File.CreateSymbolicLink(folder["other"], "room.png");
         Refused(folder["room.png"], $"cannot write {folder["room.png"]}: symbolic links lead in a circle", ["other", "room.png"]);
     }
 
-    [Fact]
+    [Fact(Skip = "no mkfifo there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void APipeGetsTheBytesAndStays()
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "no mkfifo there");
         Shell("mkfifo pipe.png");
         var reader = Task.Run(() => File.ReadAllText(folder["pipe.png"]));
         Write("pipe.png");
@@ -137,10 +133,9 @@ public sealed class WrittenFilesTests : IDisposable
     }
 
     /// <summary>The reader of a pipe gets a whole picture or nothing.</summary>
-    [Fact]
+    [Fact(Skip = "no mkfifo there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void APipeGetsNothingOfAFileThatIsGivenUp()
     {
-        Assert.SkipWhen(OperatingSystem.IsWindows(), "no mkfifo there");
         Shell("mkfifo pipe.png");
         Assert.Throws<TimeoutException>(() => WrittenFiles.Write(folder["pipe.png"], file =>
         {
@@ -149,10 +144,9 @@ public sealed class WrittenFilesTests : IDisposable
         })); // without a reader this would wait for ever, if the pipe were opened
     }
 
-    [Fact]
+    [Fact(Skip = "other systems have other numbers of devices", SkipUnless = nameof(Here.IsLinux), SkipType = typeof(Here))]
     public void ADeviceIsNotReplaced()
     {
-        Assert.SkipUnless(OperatingSystem.IsLinux(), "other systems have other numbers of devices");
         Shell("ln -s /dev/null link; mknod null c 1 3 2>/dev/null; test ! -e null || (: >null) 2>/dev/null || rm null");
         foreach (var device in (string[])["link", "null"])
         {
@@ -165,23 +159,21 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
     }
 
-    [Theory]
+    [Theory(Skip = "has no such device", SkipUnless = nameof(Here.IsLinux), SkipType = typeof(Here))]
     [InlineData("/dev/full", "the disk is full")]
     [InlineData("/dev/fd/9999", "nothing is open by this number")]
     public void ADeviceThatFailsIsNamed(string device, string reason)
     {
-        Assert.SkipUnless(File.Exists("/dev/full"), "has no such device");
         var refused = Assert.Throws<ProblemException>(() => WrittenFiles.Write(device, file => file.Write("new"u8)));
         Assert.Equal($"cannot write {device}: {reason}", refused.Message);
     }
 
     /// <summary>What a process has open gets the bytes where it is: in the middle of a file, too.</summary>
-    [Theory]
+    [Theory(Skip = "has no such folder", SkipUnless = nameof(Here.IsLinux), SkipType = typeof(Here))]
     [InlineData("/proc/self/fd/{0}")]
     [InlineData("/dev/fd/{0}")]
     public void WhatIsOpenGetsTheBytes(string name)
     {
-        Assert.SkipUnless(Directory.Exists("/proc/self/fd"), "has no such folder");
         using (var open = new FileStream(folder["room.png"], FileMode.Create, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0))
         {
             open.Write("before "u8);
@@ -208,10 +200,9 @@ public sealed class WrittenFilesTests : IDisposable
                 Assert.Throws<ProblemException>(() => Write(name)).Message);
     }
 
-    [Fact]
+    [Fact(Skip = "open files can be replaced", SkipUnless = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void AFileThatIsOpenElsewhereIsNotReplaced()
     {
-        Assert.SkipUnless(OperatingSystem.IsWindows(), "open files can be replaced");
         using (new FileStream(folder.Write("room.png", "old"u8), FileMode.Open, FileAccess.Read, FileShare.Read))
             Refused(folder["room.png"], $"cannot write {folder["room.png"]}: another program has it open; close it there");
     }
@@ -236,8 +227,8 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Equal("new", File.ReadAllText(folder["room.png"]));
     }
 
-    [Fact]
-    [UnsupportedOSPlatform("windows")] // rights are others there
+    [Fact(Skip = "has other rights", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
+    [UnsupportedOSPlatform("windows")]
     public void TheOldFilesRightsStay()
     {
         const UnixFileMode mine = UnixFileMode.UserRead | UnixFileMode.UserWrite;
