@@ -15,7 +15,7 @@ internal sealed class FileNames
     public string Hint(string path, string extension = "")
     {
         var full = Path.GetFullPath(path);
-        var sought = full == path ? "" : $"; looked for {PrintableText.Of(full)}";
+        var sought = full == path.Replace('/', Path.DirectorySeparatorChar) ? "" : $"; looked for {PrintableText.Of(full)}";
         if (++hints > MaxHints) return sought;
         try
         {

@@ -68,7 +68,8 @@ public class BrokenSceneTests
         {
             var line = problem.ToString().Split('\n')[0];
             Assert.StartsWith(file, line);
-            return line[file.Length..].Replace(folder, "FOLDER").Replace(@"FOLDER\", "FOLDER/") + "\n";
+            var told = line[file.Length..].Replace(folder, "FOLDER");
+            return Regex.Replace(told, "FOLDER[^:]*", path => path.Value.Replace(Path.DirectorySeparatorChar, '/')) + "\n";
         }));
     }
 }
