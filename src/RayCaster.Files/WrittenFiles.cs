@@ -180,13 +180,18 @@ public static class WrittenFiles
 
     private static void Replace(string path, string target, string temporary)
     {
-        try
+        for (var attempt = 1; ; attempt++)
         {
-            File.Move(temporary, target, overwrite: true);
-        }
-        catch (UnauthorizedAccessException e) when (OperatingSystem.IsWindows()) // the folder is writable: the temporary file is in it
-        {
-            throw Failure(path, ProblemException.OpenElsewhere, e);
+            try
+            {
+                File.Move(temporary, target, overwrite: true);
+                return;
+            }
+            catch (UnauthorizedAccessException e) when (OperatingSystem.IsWindows()) // the folder is writable: the temporary file is in it
+            {
+                if (attempt == 10) throw Failure(path, ProblemException.OpenElsewhere, e);
+                Thread.Sleep(50); // a virus scanner or another writer has the target open for a moment
+            }
         }
     }
 
