@@ -5,7 +5,7 @@
 #     docs/draw-class.sh SUBMISSIONS SCENES OUT NAME     one student
 #
 # It writes OUT/NAME/SCENE.png of each SCENES/SCENE.json, OUT/NAME/results.xml, and OUT/NAME/log.txt, which holds what the programs printed. The
-# same command run again draws those students only that OUT/jobs.log does not list. More machines: PARALLEL="--sshlogin node1,node2 --workdir ."
+# same command run again draws those students only that OUT/.jobs.log does not list. More machines: PARALLEL="--sshlogin node1,node2 --workdir ."
 #
 # Needs bubblewrap and GNU parallel (apt-get install bubblewrap parallel), and an ordinary user: Linux does not limit the processes of root.
 set -euo pipefail
@@ -21,8 +21,9 @@ limit=${LIMIT:-60} # seconds for a picture; a build and the tests may take three
 submissions=$(realpath "$1") scenes=$(realpath "$2") out=$(realpath -m "$3")
 if [ $# -eq 3 ]; then
     [ "$(id -u)" != 0 ] || { echo "run this as an ordinary user: Linux does not limit the processes of root" >&2; exit 2; }
+    [ -n "${BUILD:-}" ] || [ -d "${HANDOUT:-}" ] || { echo "set HANDOUT to the folder of your hand-out, as in HANDOUT=../lab1 $0 …" >&2; exit 2; }
     mkdir -p "$out"
-    exec parallel --will-cite --jobs 50% --joblog "$out/jobs.log" --resume -0 "$(realpath "$0")" "$submissions" "$scenes" "$out" \
+    exec parallel --will-cite --jobs 50% --joblog "$out/.jobs.log" --resume -0 "$(realpath "$0")" "$submissions" "$scenes" "$out" \
         < <(find "$submissions" -mindepth 1 -maxdepth 1 -type d -printf '%f\0' | sort -z)
 fi
 
@@ -35,8 +36,8 @@ sandbox() { # seconds, "--bind" or "--ro-bind" of /work, a command. Nothing else
     prlimit --data=$((3 << 30)) --nproc=256 --fsize=$((64 << 20)) --core=0 timeout --kill-after=1 "$1" \
         bwrap --unshare-all --die-with-parent --new-session --clearenv --ro-bind /usr /usr --ro-bind /etc /etc \
         --symlink usr/bin /bin --symlink usr/lib /lib --symlink usr/lib64 /lib64 --proc /proc --dev /dev --size $((256 << 20)) --tmpfs /tmp \
-        --ro-bind "$dotnet" "$dotnet" --ro-bind-try ~/.nuget/packages /packages --ro-bind "$scenes" /scenes --ro-bind "$submissions/$name" /submission \
-        --ro-bind-try "${HANDOUT:-/nothing}" /handout "$2" "$work" /work --chdir /work \
+        --ro-bind "$dotnet" "$dotnet" --ro-bind-try ~/.nuget/packages /packages --ro-bind "$scenes" /scenes \
+        --ro-bind "$submissions/$name" /submission --ro-bind-try "${HANDOUT:-/nothing}" /handout "$2" "$work" /work --chdir /work \
         --setenv PATH "$dotnet:/usr/bin" --setenv HOME /tmp --setenv LANG C.UTF-8 --setenv NUGET_PACKAGES /packages --setenv DOTNET_NOLOGO 1 \
         sh -c "$3" </dev/null 2>>"$out/$name/log.txt" | head -c 64M
 }

@@ -31,7 +31,7 @@ internal static class Interruption
         while (!cancellation.IsCancellationRequested && !thread.Join(PollInterval)) ;
         thread.Join(WorkGracePeriod);
         if (exitCode is { } code) return code;
-        WrittenFiles.GiveUp(); // deletes unfinished files
+        WrittenFiles.Abort(); // deletes unfinished files
         Tell(command);
         return codeOfSignal;
 

@@ -57,7 +57,8 @@ internal sealed class BandQueue
     {
         try
         {
-            var (caster, consumer) = (frame.NewCaster(), new PictureConsumer(shader, camera.Width));
+            var caster = frame.NewCaster();
+            var consumer = new PictureConsumer(shader, camera.Width);
             for (var band = 0L; band < bandCount; band++)
             {
                 while (NextFor(band) is >= 0 and var strip) Cast(strip, caster, consumer);

@@ -25,9 +25,9 @@ internal sealed class DefinitionCheck
         Add(width - 1, end - 1);
         Add(width - 1, first);
         Add(0, end - 1);
-        var outlines = new ScreenBounds(camera);
+        var screenBounds = new ScreenBounds(camera);
         foreach (var model in scene.Models.Take(MaxModels))
-            if (model.Bounds is { } bounds && outlines.TileOf(bounds) is { Area: > 0 } seen)
+            if (model.Bounds is { } bounds && screenBounds.TileOf(bounds) is { Area: > 0 } seen)
                 Add(seen.Column + Math.Min(seen.Width, width) / 2, // bounds around the camera reach beyond the picture
                     camera.Height - 1 - (seen.Row + Math.Min(seen.Height, camera.Height) / 2));
         var random = new Random(1); // the same pixels in each run

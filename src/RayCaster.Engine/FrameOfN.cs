@@ -18,7 +18,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
             cancellation.ThrowIfCancellationRequested();
             views.Add(ViewOf(models[i], cancellation));
         }
-        Extents = Array.ConvertAll(Views, view => view.Extent);
+        ShowIn = Array.ConvertAll(Views, view => view.ShowsIn);
     }
 
     /// <summary>Views of the models that are not in the batch.</summary>
@@ -27,7 +27,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     public int[] ModelIndices { get; }
 
     /// <summary>Where in the picture each of them can show at all.</summary>
-    public Tile[] Extents { get; }
+    public Tile[] ShowIn { get; }
 
     /// <summary>The other models; null if there are few.</summary>
     public PrimitiveBatch<N>? PrimitiveBatch { get; }
@@ -42,17 +42,22 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
         PrimitiveBatch?.Free();
     }
 
-    private ModelView ViewOf(Model model, CancellationToken cancellation) => model switch
+    private ModelView ViewOf(Model model, CancellationToken cancellation)
     {
-        Model<Plane> plane => ViewOf(plane),
-        Model<Sphere> sphere => ViewOf(sphere),
-        Model<Aabb> box => ViewOf(box),
-        Model<Circle> circle => ViewOf(circle),
-        Model<Triangle> triangle => ViewOf(triangle),
-        Mesh mesh => new MeshView<N>(mesh, new(Scene.Camera), cancellation, Plan.KeepsLists, Plan.Threads),
-        _ when AnyPrimitive.HasFormula(model) => new PrimitiveView<AnyPrimitive, N>(new(model), model.Bounds, Scene.Camera),
-        _ => new SingleRayView(model, Scene.Camera),
-    };
+        if (model is Mesh mesh) return new MeshView<N>(mesh, new(Scene.Camera), cancellation, Plan.KeepsLists, Plan.Threads);
+        var formula = new FormulaView(model.Bounds, Scene.Camera);
+        return model.Accept(formula) ? formula.View! : new SingleRayView(model, Scene.Camera);
+    }
 
-    private PrimitiveView<P, N> ViewOf<P>(Model<P> model) where P : struct, IPrimitive => new(model.Primitive, model.Bounds, Scene.Camera);
+    /// <summary>Makes the view of a shape with a formula.</summary>
+    private sealed class FormulaView(Bounds? bounds, Camera camera) : IShapeVisitor
+    {
+        public ModelView? View { get; private set; }
+
+        public bool Visit<P>(P shape) where P : struct, IPrimitive
+        {
+            View = new PrimitiveView<P, N>(shape, bounds, camera);
+            return true;
+        }
+    }
 }

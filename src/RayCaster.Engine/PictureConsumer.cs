@@ -9,7 +9,7 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
     /// <summary>Paints covered parts without exact hits; made when it is first needed.</summary>
     private FloatPainter Painter => field ??= new(shader.Scene);
 
-    /// <summary>Goes to other lines of the picture.</summary>
+    /// <summary>Sets the target buffer.</summary>
     /// <param name="rgb">Room for the lines, three bytes a pixel.</param>
     /// <param name="topRow">The row, from the bottom, that is the first of the lines.</param>
     public void Enter(byte[] rgb, int topRow) => (this.rgb, this.topRow) = (rgb, topRow);

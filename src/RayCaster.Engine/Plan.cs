@@ -1,6 +1,6 @@
 namespace RayCaster.Engine;
 
-/// <summary>Which ways a picture is drawn; decided once, from the scene and the work.</summary>
+/// <summary>The rendering strategy of a picture.</summary>
 /// <param name="Threads">How many threads cast rays.</param>
 /// <param name="KeepsLists">Whether what depends only on a mesh or on the list of models stays in memory for the next picture.</param>
 /// <param name="UsesShapeKernels">Whether kernels for single kinds of shape are compiled, and those of the float path: they save half of the time,

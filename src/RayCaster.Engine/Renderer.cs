@@ -131,7 +131,8 @@ public sealed class Renderer
         var next = -1;
         ThreadTeam.Each(workers, workers, _ =>
         {
-            var (caster, consumer) = (frame.NewCaster(), newConsumer());
+            var caster = frame.NewCaster();
+            var consumer = newConsumer();
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
                 cancellation.ThrowIfCancellationRequested();

@@ -11,7 +11,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
 
     private readonly Frame<N> frame;
     private readonly ModelView[] views;
-    private readonly Tile[] extents;
+    private readonly Tile[] showIn;
     private readonly int[] modelIndices; // of the views' models in the scene
     private readonly BatchCaster<N>? batch;
     private readonly RayStream rays;
@@ -26,7 +26,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         this.frame = frame;
         object? shared = null;
         views = Array.ConvertAll(frame.Views, view => view.ForThread(ref shared));
-        (extents, modelIndices) = (frame.Extents, frame.ModelIndices);
+        (showIn, modelIndices) = (frame.ShowIn, frame.ModelIndices);
         if (frame.PrimitiveBatch is not null) batch = new(frame.PrimitiveBatch, frame.Scene.Camera);
         rays = new(frame.Scene.Camera, RayStream.MaxArea);
         (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
@@ -39,7 +39,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         this.consumer = consumer;
         candidates.Clear();
         for (var i = 0; i < views.Length; i++)
-            if (extents[i].Overlaps(strip))
+            if (showIn[i].Overlaps(strip))
                 candidates.Add(new(i, new(0, double.PositiveInfinity))); // nothing is known yet
         tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
         Narrow(tiles, candidates, ofTiles);
@@ -116,11 +116,11 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         foreach (var list in lists) list.Clear();
         foreach (var candidate in whole)
         {
-            ref var extent = ref extents[candidate.Index];
+            ref var showsIn = ref showIn[candidate.Index];
             var ranges = frame.Plan.UsesIntervals ? views[candidate.Index].Narrow(parts, candidate.Range) : new(candidate.Range);
             for (var i = 0; i < EightParts.Count; i++)
             {
-                if (!extent.Overlaps(parts[i])) continue;
+                if (!showsIn.Overlaps(parts[i])) continue;
                 var range = ranges[i];
                 farthestTs[i] = Math.Min(farthestTs[i], range.FarthestT);
                 lists[i].Add(candidate with { Range = range });
@@ -143,7 +143,8 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     {
         var isMiss = lists[first].Count == 0;
         if (!isMiss && !HasKernel(lists[first])) return 0;
-        var (only, whole) = (isMiss ? default : lists[first][0], parts[first]);
+        var only = isMiss ? default : lists[first][0];
+        var whole = parts[first];
         var end = first + 1;
         for (; end % parts.Across != 0; end++)
         {

@@ -5,7 +5,6 @@ namespace RayCaster.Files;
 /// <summary>Recognises files of other kinds by their first bytes, for messages.</summary>
 internal static class FileKind
 {
-    /// <summary>How many bytes are looked at.</summary>
     public const int Bytes = 23;
 
     /// <summary>The short text that Git LFS leaves in place of a large file until that is fetched.</summary>

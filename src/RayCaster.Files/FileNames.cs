@@ -10,6 +10,13 @@ internal sealed class FileNames
 
     private int hints;
 
+    /// <summary>Refuses what no file can be called.</summary>
+    public static void ThrowIfImpossible(string path)
+    {
+        if (path.Length > 0 && !path.Contains('\0')) return;
+        throw new ProblemException($"'{path.Replace("\0", @"\x00")}' is no file name") { NamesFile = true };
+    }
+
     /// <summary>The end of a message about a missing file: its full path, unless that was given, and a file with a similar name.</summary>
     /// <param name="extension">An extension that may have been left out.</param>
     public string Hint(string path, string extension = "")

@@ -13,7 +13,9 @@ public static class FilePlace
     /// <exception cref="IOException">Links lead in a circle.</exception>
     public static string Of(string path)
     {
-        var (place, names, links) = ("", new Stack<string>(), 0);
+        var place = "";
+        var names = new Stack<string>();
+        var links = 0;
         Go(Path.GetFullPath(path));
         while (names.TryPop(out var name))
         {

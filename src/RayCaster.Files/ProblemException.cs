@@ -27,6 +27,9 @@ public sealed class ProblemException(string message, Exception? cause = null) : 
     internal static bool IsCausedByFile(Exception e) =>
         e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException { ParamName: "value" };
 
+    /// <summary>The problem that the system has with a file, without the file's name.</summary>
+    internal static ProblemException Of(Exception cause) => new(Reason(cause), cause);
+
     /// <summary>The system's reason in words. Its own message names the temporary file and ends in a full stop.</summary>
     internal static string Reason(Exception e)
     {

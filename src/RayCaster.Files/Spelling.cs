@@ -4,25 +4,42 @@ namespace RayCaster.Files;
 public static class Spelling
 {
     /// <summary>The words of other programs, and of British English, for words of the scene file.</summary>
-    private static readonly (string Other, string Ours)[] Synonyms =
-    [
-        ("eye", "position"), ("from", "position"), ("origin", "position"), ("location", "position"), ("pos", "position"),
-        ("lookfrom", "position"), ("look_from", "position"), ("viewpoint", "position"), ("camera_position", "position"), ("eyepos", "position"),
-        ("lookat", "target"), ("look_at", "target"), ("look", "target"), ("view", "target"), ("interest", "target"), ("focus", "target"), ("at", "target"), ("to", "target"), ("center", "target"), ("direction", "target"),
-        ("vup", "up"), ("upvector", "up"), ("up_vector", "up"), ("view_up", "up"), ("updir", "up"),
-        ("image_width", "width"), ("imagewidth", "width"), ("xres", "width"), ("xresolution", "width"), ("columns", "width"), ("w", "width"),
-        ("image_height", "height"), ("imageheight", "height"), ("yres", "height"), ("yresolution", "height"), ("rows", "height"), ("h", "height"),
-        ("fov", "fovY"), ("vfov", "fovY"), ("yfov", "fovY"), ("fov_y", "fovY"), ("field_of_view", "fovY"), ("vertical_fov", "fovY"), ("fieldofview", "fovY"), ("angle", "fovY"), ("near", "zNear"), ("far", "zFar"),
-        ("near_clip", "zNear"), ("far_clip", "zFar"), ("clip_near", "zNear"), ("clip_far", "zFar"), ("hither", "zNear"), ("yon", "zFar"), ("epsilon", "bias"),
-        ("r", "radius"), ("c", "center"), ("position", "center"), ("centre", "center"), ("n", "normal"), ("p", "point"), ("q", "point"),
-        ("position", "point"), ("position", "translate"), ("rotation", "rotate"), ("translation", "translate"),
-        ("albedo", "color"), ("diffuse", "color"), ("diffusecolor", "color"), ("kd", "color"), ("rgb", "color"), ("material", "color"),
-        ("lower", "min"), ("upper", "max"), ("pmin", "min"), ("pmax", "max"), ("p0", "a"), ("p1", "b"), ("p2", "c"), ("v0", "a"), ("v1", "b"), ("v2", "c"), ("size", "scale"),
-        ("path", "file"), ("filename", "file"), ("kind", "type"), ("id", "name"),
-        ("objects", "models"), ("shapes", "models"), ("primitives", "models"), ("world", "models"), ("geometry", "models"), ("colour", "color"), ("backgroundcolor", "background"), ("background_color", "background"), ("bg", "background"), ("sky", "background"),
-        ("box", "aabb"), ("cube", "aabb"), ("cuboid", "aabb"), ("ball", "sphere"), ("disc", "circle"), ("disk", "circle"), ("tri", "triangle"),
-        ("obj", "mesh"), ("middle", "center"),
-    ];
+    private static readonly ILookup<string, string> synonyms = new (string Ours, string Others)[]
+    {
+        ("position", "eye from origin location pos lookfrom look_from viewpoint camera_position eyepos"),
+        ("target", "lookat look_at look view interest focus at to center direction"),
+        ("up", "vup upvector up_vector view_up updir"),
+        ("width", "image_width imagewidth xres xresolution columns w"),
+        ("height", "image_height imageheight yres yresolution rows h"),
+        ("fovY", "fov vfov yfov fov_y field_of_view vertical_fov fieldofview angle"),
+        ("zNear", "near near_clip clip_near hither"),
+        ("zFar", "far far_clip clip_far yon"),
+        ("bias", "epsilon"),
+        ("radius", "r"),
+        ("center", "c position centre middle"),
+        ("normal", "n"),
+        ("point", "p q position"),
+        ("translate", "position translation"),
+        ("rotate", "rotation"),
+        ("color", "albedo diffuse diffusecolor kd rgb material colour"),
+        ("min", "lower pmin"),
+        ("max", "upper pmax"),
+        ("a", "p0 v0"),
+        ("b", "p1 v1"),
+        ("c", "p2 v2"),
+        ("scale", "size"),
+        ("file", "path filename"),
+        ("type", "kind"),
+        ("name", "id"),
+        ("models", "objects shapes primitives world geometry"),
+        ("background", "backgroundcolor background_color bg sky"),
+        ("aabb", "box cube cuboid"),
+        ("sphere", "ball"),
+        ("circle", "disc disk"),
+        ("triangle", "tri"),
+        ("mesh", "obj"),
+    }.SelectMany(line => line.Others.Split(' '), (line, other) => (other, line.Ours))
+        .ToLookup(pair => pair.other, pair => pair.Ours, StringComparer.OrdinalIgnoreCase);
 
     /// <summary>The most likely right word, or null.</summary>
     /// <remarks>
@@ -33,8 +50,7 @@ public static class Spelling
     public static string? Nearest(string word, IEnumerable<string> known)
     {
         if (known.FirstOrDefault(candidate => candidate.Equals(word, StringComparison.OrdinalIgnoreCase)) is { } same) return same;
-        foreach (var (other, ours) in Synonyms)
-            if (other.Equals(word, StringComparison.OrdinalIgnoreCase) && known.Contains(ours)) return ours;
+        if (synonyms[word].FirstOrDefault(known.Contains) is { } synonym) return synonym;
 
         if (word.Length >= 4 && known.Where(longer => longer.Contains(word, StringComparison.OrdinalIgnoreCase)).Take(2).ToArray() is [var only])
             return only;

@@ -11,7 +11,7 @@ public static class WrittenFiles
 {
     private static readonly Lock access = new();
     private static readonly HashSet<string> unfinished = []; // the temporary files and folders
-    private static bool isOver;
+    private static bool isAborted;
 
     /// <summary>How many files are finished.</summary>
     public static int Count { get; private set; }
@@ -20,11 +20,11 @@ public static class WrittenFiles
     public static string? Last { get; private set; }
 
     /// <summary>Deletes unfinished files. From now on no thread can begin or finish one.</summary>
-    public static void GiveUp()
+    public static void Abort()
     {
         lock (access)
         {
-            isOver = true;
+            isAborted = true;
             foreach (var temporary in unfinished.ToArray()) Delete(temporary);
         }
     }
@@ -35,11 +35,12 @@ public static class WrittenFiles
     /// <exception cref="ProblemException">The file cannot be written.</exception>
     public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default, Action? beforeReplacing = null)
     {
-        var target = TargetOf(path);
-        var isFile = FilePlace.IsFileOrFree(target);
-        var temporary = NameBeside(isFile ? target : Path.Join(Path.GetTempPath(), Path.GetFileName(target)));
+        string? temporary = null;
         try
         {
+            var target = TargetOf(path);
+            var isFile = FilePlace.IsFileOrFree(target);
+            temporary = NameBeside(isFile ? target : Path.Join(Path.GetTempPath(), Path.GetFileName(target)));
             using var file = Create(path, isFile ? target : null, temporary);
             write(file);
             cancellation.ThrowIfCancellationRequested();
@@ -55,7 +56,7 @@ public static class WrittenFiles
         }
         finally
         {
-            Delete(temporary);
+            if (temporary is not null) Delete(temporary);
         }
     }
 
@@ -87,10 +88,10 @@ public static class WrittenFiles
     /// <summary>The full path of a file that may be written, without links.</summary>
     private static string TargetOf(string path)
     {
-        if (path.Length == 0 || path.Contains('\0')) throw new ProblemException($"'{path.Replace("\0", @"\x00")}' is no file name");
+        FileNames.ThrowIfImpossible(path);
         if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
             throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
-        var target = Follow(path);
+        var target = FilePlace.Of(path);
         var folder = Path.GetDirectoryName(target);
         if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(path))
             throw Failure(path, "it is a folder; name a file in it");
@@ -100,18 +101,6 @@ public static class WrittenFiles
             throw Failure(path, $"its folder does not exist\n  make the folder {PrintableText.Of(folder)} first");
         if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly)) throw Failure(path, "the old file is read-only");
         return target;
-    }
-
-    private static string Follow(string path)
-    {
-        try
-        {
-            return FilePlace.Of(path);
-        }
-        catch (Exception e) when (ProblemException.IsCausedByFile(e))
-        {
-            throw Failure(path, ProblemException.Reason(e), e);
-        }
     }
 
     /// <summary>The name for a temporary file. A long name is shortened, because file systems take up to 255 bytes.</summary>
@@ -149,7 +138,7 @@ public static class WrittenFiles
     {
         lock (access)
         {
-            if (isOver) throw new OperationCanceledException();
+            if (isAborted) throw new OperationCanceledException();
             var created = create();
             unfinished.Add(temporary);
             return created;
@@ -160,7 +149,7 @@ public static class WrittenFiles
     {
         lock (access)
         {
-            if (isOver) throw new OperationCanceledException();
+            if (isAborted) throw new OperationCanceledException();
             move();
             unfinished.Remove(temporary);
             (Count, Last) = (Count + 1, path);
@@ -208,7 +197,7 @@ public static class WrittenFiles
             }
             catch (Exception e) when (ProblemException.IsCausedByFile(e))
             {
-                // It stays. This must not hide the error that gave the file up.
+                // It stays. This must not hide the error before.
             }
         }
     }

@@ -75,8 +75,7 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
             return Decided(marker.Mark(submission.Student, Submission.None(rubric, $"not marked: {e.Message}")));
         }
 
-        StudentMarks Decided(StudentMarks marks) => decision is null ? marks
-            : marks with { TeacherPoints = decision.Points, Comment = decision.Comment };
+        StudentMarks Decided(StudentMarks marks) => marks with { TeacherPoints = decision?.Points, Comment = decision?.Comment ?? "" };
     }
 
     private void Write(string file, string text)

@@ -14,9 +14,14 @@ internal static class Csv
     /// <exception cref="ProblemException">The file cannot be read.</exception>
     public static List<List<string>> Read(string path)
     {
-        if (InputBytes.ReadFile(path, "table", MaxBytes, "", out var bytes) is { } problem) throw new ProblemException($"{path}: {problem}");
-        return Rows(Text(bytes).TrimStart('\uFEFF')) ?? throw new ProblemException(
-            $"cannot read {path}: a cell begins with a quote (\") and does not end with one");
+        try
+        {
+            return Rows(Text(InputFile.Read(path, "table", MaxBytes)).TrimStart('\uFEFF'));
+        }
+        catch (ProblemException e)
+        {
+            throw new ProblemException($"cannot read {path}: {e.Message}", e);
+        }
     }
 
     private static string Text(ReadOnlySpan<byte> bytes) => bytes switch
@@ -27,15 +32,15 @@ internal static class Csv
         _ => string.Concat(Encoding.Latin1.GetString(bytes).Select(c => c is >= '\u0080' and <= '\u009F' ? From80To9F[c - '\u0080'] : c)),
     };
 
-    /// <summary>Null if a quote is not closed. The first separator in the text is the one of the table.</summary>
-    private static List<List<string>>? Rows(string text)
+    /// <summary>The first separator in the text is the one of the table.</summary>
+    private static List<List<string>> Rows(string text)
     {
         var separator = text.AsSpan().IndexOfAny(",;\t") is >= 0 and var at ? text[at] : ',';
         var rows = new List<List<string>> { new() };
         var cells = new Regex($"""\G(?:"(?<quoted>(?>(?:[^"]|"")*))"|(?<plain>[^{separator}\r\n]*))(?<end>{separator}|\r?\n|\r|\z)""");
         foreach (Match cell in cells.Matches(text))
         {
-            if (cell.Groups["plain"].Value.StartsWith('"')) return null;
+            if (cell.Groups["plain"].Value.StartsWith('"')) throw new ProblemException("a cell begins with a quote (\") and does not end with one");
             rows[^1].Add(cell.Groups["plain"].Value + cell.Groups["quoted"].Value.Replace("\"\"", "\""));
             if (cell.Groups["end"].Value != $"{separator}") rows.Add([]);
         }

@@ -8,8 +8,6 @@ internal sealed class Marker(Rubric rubric)
     /// <summary>What is wrong with pictures, by their hashes: the same pictures are diagnosed once.</summary>
     private readonly ConcurrentDictionary<string, Lazy<JointDiagnosis>> diagnoses = [];
 
-    private static readonly Dictionary<int, StepResult> noTests = [];
-
     /// <summary>Judges the pictures of a student together.</summary>
     /// <param name="submitted">A picture of each scene of the rubric.</param>
     /// <param name="tests">The results of the tests by step; null if there are none.</param>
@@ -20,12 +18,15 @@ internal sealed class Marker(Rubric rubric)
         var isUntouched = submitted.All(picture => picture.IsUntouched);
         var marks = isUntouched ? Untouched(student, submitted) : ByPictures(student, submitted);
         var more = new List<string>();
+        tests ??= new Dictionary<int, StepResult>();
+        var areContradictory = tests.Values.All(step => step.IsPassed) && marks.Scenes.Any(scene => scene.Verdict == SceneVerdict.Unexplained);
         return marks with
         {
             Items =
             [
                 .. rubric.Items.Zip(marks.Items, (item, pictures) =>
-                    item.Evidence == ItemEvidence.Pictures ? pictures : WithTests(item, pictures, isUntouched, tests ?? noTests, more)),
+                    item.Evidence == ItemEvidence.Pictures || areContradictory && item.Evidence == ItemEvidence.Both ? pictures
+                        : WithTests(item, pictures, isUntouched, tests, more)),
             ],
             LookYourself = [.. notes, .. marks.LookYourself, .. more],
         };

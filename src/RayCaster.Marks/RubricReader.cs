@@ -12,8 +12,8 @@ public static class RubricReader
     public static Rubric? Read(string path, out string report)
     {
         var sceneReports = new StringBuilder();
-        var rubric = ShortFile.Read(path, "the rubric", o => ReadRubric(o, path, sceneReports), out report);
-        report += sceneReports;
+        var rubric = SceneReader.ReadShort(path, "the rubric", o => ReadRubric(o, path, sceneReports), out var reading);
+        report = reading.Report() + sceneReports;
         return rubric;
     }
 
@@ -24,12 +24,12 @@ public static class RubricReader
         var title = o.Text("title", "What is marked, for the heads of pages.", false) ?? "Marks";
         var files = o.Texts("scenes", "The scene files, an array of paths that start at the rubric's folder.", true);
         var pictures = o.FileName("pictures",
-            "The file of a picture in a student's folder; {name} stands for the scene's name. Default: {name}.png, or {name}.ppm.", false);
+            "The file of a picture in a student's folder; {name} stands for the scene's name. Default: {name}.png, or {name}.ppm.");
         if (pictures is "") o.Refuse("pictures", $" must be the path of a picture, but is \"\"");
         if (pictures is not null && files.Count > 1 && !pictures.Contains("{name}"))
             o.Refuse("pictures", $" must contain {"{name}"}, the scene's name, since there are {files.Count} scenes");
         var tests = o.FileName("tests",
-            "The file of test results (JUnit XML) in a student's folder, such as results.xml; * and ? stand for any characters.", false);
+            "The file of test results (JUnit XML) in a student's folder, such as results.xml; * and ? stand for any characters.");
         var hint = o.OptionalChoice("hint", "How much of a hint the students' pages tell: what is to be seen, what to ask oneself, or nothing.",
             "question", "symptom", "none");
         var items = new List<RubricItem>();

@@ -38,12 +38,9 @@ internal static partial class TestResults
         {
             try
             {
-                if (InputBytes.ReadFile(Path.Combine(submission.Folder, file), "file", MaxBytes, "", out var bytes) is { } unread)
-                    problem = $"{file}: {unread}";
-                else
-                    tests.AddRange(TestsIn([.. bytes]));
+                tests.AddRange(TestsIn([.. InputFile.Read(Path.Combine(submission.Folder, file), "file", MaxBytes)]));
             }
-            catch (XmlException e)
+            catch (Exception e) when (e is ProblemException or XmlException)
             {
                 problem = $"the test results {file} cannot be read: {e.Message}";
             }

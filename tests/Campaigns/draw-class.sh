@@ -57,6 +57,8 @@ files >"$work/before"
 echo "== its pictures"
 cd "$work"
 build='cp -r /submission/. . && dotnet build src/Lab -c Release'
+check "it asks for the hand-out" not as ./draw-class.sh submissions scenes none 2>"$work/said"
+check "it says how" grep -q "^set HANDOUT to the folder of your hand-out" "$work/said"
 check "the class is drawn" as env HANDOUT= BUILD="$build" TESTS= LIMIT=40 ./draw-class.sh submissions scenes out
 check "the tests run" as env HANDOUT="$work/handout" ./draw-class.sh submissions scenes tested right
 cd - >/dev/null

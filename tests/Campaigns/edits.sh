@@ -67,7 +67,7 @@ edit "dot product"               $course/Vectors/Vector3OfN.cs   's/a.X \* b.X +
 edit "cross product"             $course/Vectors/Vector3.cs      's/a.Z \* b.X - a.X \* b.Z/a.X * b.Z - a.Z * b.X/'
 edit "plane"                     $course/Shapes/Plane.cs             's/(Point - ray.Origin) \* Normal/(ray.Origin - Point) * Normal/'
 edit "sphere"                    $course/Shapes/Sphere.cs            's/Radius \* Radius - D \* D/Radius - D * D/'
-edit "box"                       $course/Shapes/Aabb.cs              's/var hit = tMin <= tMax/var hit = tMin >= tMax/'
+edit "box"                       $course/Shapes/Aabb.cs              's/var hit = t_min <= t_max/var hit = t_min >= t_max/'
 edit "circle"                    $course/Shapes/Circle.cs            's/Radius \* Radius/Radius/'
 edit "triangle"                  $course/Shapes/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
 edit "the models' first hit"     $course/Rays/Model.cs \
@@ -92,7 +92,7 @@ raycaster diagnose scenes/room.json right-small.png --json >said.json 2>/dev/nul
 grep -q '"warning": "src/RayCaster has been changed' said.json && result=0 || result=1
 verdict "diagnose --json says that src/RayCaster was changed" $result "$(head -3 said.json)"
 
-sed -i 's/return new(tca - thc/if (Radius < 9) throw new Exception("boom"); &/' $course/Shapes/Sphere.cs
+sed -i 's/return new(t_ca - t_hc/if (Radius < 9) throw new Exception("boom"); &/' $course/Shapes/Sphere.cs
 draw
 # "in Model" where the runtime has inlined the formula
 grep -qE 'Exception in (Sphere|Model): boom' small.txt && grep -qE 'Exception in (Sphere|Model): boom' large.txt && result=0 || result=1

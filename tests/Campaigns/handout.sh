@@ -87,6 +87,17 @@ echo "== endless code in tests"
     dotnet test --filter step=6 > log # which has no boxes
 )
 
+echo "== the pictures for marks"
+raycaster handout -q "$folder/drawn" --solution
+(
+    cd "$folder/drawn"
+    sh .ci/pictures.sh ada > log
+    [ -s pictures/ada/room.png ] && [ -s pictures/ada/generic.png ]
+    grep -q '<testsuite .* failures="0" errors="0">' pictures/ada/results.xml
+)
+raycaster mark -q docs/rubric.json "$folder/drawn/pictures" -o "$folder/marks"
+grep -q "^ada,20,0,20," "$folder/marks/marks.csv"
+
 echo "== files that students must not change"
 raycaster handout -q "$folder/changed" --solution
 (

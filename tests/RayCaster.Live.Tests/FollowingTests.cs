@@ -92,7 +92,7 @@ public class FollowingTests
         await page.MessageAsync("scene", message => message.GetProperty("isGone").GetBoolean());
         Directory.CreateDirectory(page.Scene);
         var said = await page.MessageAsync("scene", message => !message.GetProperty("isGone").GetBoolean());
-        Assert.Equal("this is a folder, not a scene file", said.GetProperty("problems")[0].GetProperty("message").GetString());
+        Assert.Equal("it is a folder, not a scene file", said.GetProperty("problems")[0].GetProperty("message").GetString());
         Directory.Delete(page.Scene);
         File.WriteAllText(page.Scene, Moved(9));
         (await page.FrameAsync()).IsThatOf(page.Scene);

@@ -51,7 +51,6 @@ internal static class KeySchema
             KeyKind.Factors => AnyOf(NumberOf(Limits.NotZero, "number"), VectorOf(Limits.NotZero)),
             KeyKind.Color => AnyOf(VectorOf(Limits.NotNegative), new JsonObject { ["type"] = "string", ["pattern"] = "^#[0-9A-Fa-f]{6}$" }),
             KeyKind.FileName => new JsonObject { ["type"] = "string", ["minLength"] = 1 },
-            KeyKind.Flag => new JsonObject { ["type"] = "boolean" },
             KeyKind.Text => new JsonObject { ["type"] = "string" },
             KeyKind.Choice => new JsonObject { ["enum"] = ArrayOf(key.Choices.Select(word => (JsonNode)word)) },
             KeyKind.Object => ObjectOf(key.Members, element),

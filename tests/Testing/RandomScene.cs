@@ -13,7 +13,8 @@ internal static class RandomScene
         var up = Math.Abs((target - position).Normalized.Z) > 0.99 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
         var zNear = random.Next(3) == 0 ? 4 * random.NextDouble() : 0;
         var camera = new Camera(position, target, up: up, fovY: 10 + 120 * random.NextDouble(), width: random.Next(1, 90),
-            height: random.Next(1, 40), zNear: zNear, zFar: random.Next(3) == 0 ? zNear + 15 * random.NextDouble() : 1000, bias: random.Next(2) * 1e-6, clip: (ClipMode)random.Next(2), sample: (PixelSample)random.Next(2));
+            height: random.Next(1, 40), zNear: zNear, zFar: random.Next(3) == 0 ? zNear + 15 * random.NextDouble() : 1000,
+            bias: random.Next(2) * 1e-6, clip: (ClipMode)random.Next(2), sample: (PixelSample)random.Next(2));
 
         var models = new List<Model>();
         for (var i = random.Next(0, 8); i >= 0; i--)

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Testing;
 
-/// <summary>A flat disc with a hole, written as docs/adding-a-primitive.md shows it: a formula over any kind of number.</summary>
+/// <summary>A flat disc with a hole: a shape that somebody adds as a formula over any kind of number.</summary>
 public readonly record struct Ring(Vector3 Center, Vector3 Normal, double Inner, double Outer) : IPrimitive
 {
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayCaster.Marks;
 
 namespace RayCaster.Cli;
@@ -28,6 +29,21 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
     public override string ExitCodes => "0 marked, whatever the marks are; 1 the rubric has errors; 2 failed.";
 
     public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        try
+        {
+            return Mark(line, cancellation);
+        }
+        catch (FileNotFoundException e) when (e.FileName?.StartsWith("RayCaster.Marks,", StringComparison.Ordinal) == true)
+        {
+            throw new ProblemException("RayCaster.Marks.dll is not beside this program, which may be a hand-out's own: that one does not mark\n" +
+                "  Mark with a clone of the project, or with the installed tool.");
+        }
+    }
+
+    /// <summary>A method of its own, because the runtime looks for RayCaster.Marks when it compiles one that uses it.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static int Mark(CommandLine line, CancellationToken cancellation)
     {
         if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <pictures>");
         var rubric = RubricReader.Read(line.Operands[0], out var report);

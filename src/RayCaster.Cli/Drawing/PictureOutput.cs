@@ -55,7 +55,7 @@ internal static class PictureOutput
             var (width, height) = (renderer.Scene.Camera.Width, lines.Count);
             odd = new(renderer.Scene.Background);
             using var progress = ProgressLine.For(line, width, height);
-            using var writer = PictureWriter.Create(format, stream, width, height, part?.ToString());
+            using var writer = PictureWriter.Create(format, stream, width, height, part?.PngText);
             renderer.Draw(lines, Take, done => progress?.LinesDone(done), cancellation);
             writer.Finish();
 

@@ -97,7 +97,9 @@ internal sealed class FloatPainter : IShapeVisitor
         Vector3<FloatPacket> origin = camera.Position;
         var (rgb, doubts) = (this.rgb, this.doubts);
         var isNear = covered.IsNear; // a local stays in a register
-        var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / FloatPacket.Count);
+        var columns = rays.Across;
+        var firstColumn = part.Column - rays.Strip.Column;
+        var packets = part.Width / FloatPacket.Count;
         for (int row = 0, next = 0; row < part.Height; row++)
         {
             var upwards = rays.Upwards.At(part.Row - rays.Strip.Row + row);

@@ -43,12 +43,13 @@ internal sealed class FloatShader
         {
             var colorIndices = rays.ColorIndicesAt(i);
             var light = scene.Attenuation(rays.NearestInFloatsAt(i)) * (FloatPacket)colors.Step;
-            var color = FloatPacket.ColorsAt(packed, colorIndices);
+            var color = FloatColors.At(packed, colorIndices);
             var (r, g, b) = (Color.Level(light * color.R), Color.Level(light * color.G), Color.Level(light * color.B));
             var offset = first + i / rays.Width * step + 3 * (i % rays.Width);
             var (least, most) = (FloatPacket.Pixels(r - slack, g - slack, b - slack), FloatPacket.Pixels(r + slack, g + slack, b + slack));
+            var misses = Vector256.Equals(colorIndices, Vector256<int>.Zero);
             // The background is never unsure: it is not attenuated.
-            var isUnsure = FloatPacket.WriteRange(least, most, colorIndices, background, rgb, offset) != 0;
+            var isUnsure = FloatPacket.WriteRange(least, most, misses, background, rgb, offset) != 0;
             if (isUnsure) exact.Shade(rays, i, rgb.AsSpan(offset, 3 * FloatPacket.Count));
         }
     }

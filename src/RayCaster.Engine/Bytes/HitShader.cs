@@ -70,8 +70,10 @@ internal sealed class HitShader
     /// <summary>The colours, and the greatest channels of their shares.</summary>
     private static (double[] Colors, double[] Most) ColorsOf(Scene scene, int threads)
     {
-        var (models, shares) = (scene.Models, ThreadTeam.SharesOf(scene.Models.Count, threads));
-        var (colors, most) = (new double[3 * models.Count + 3], new double[shares]);
+        var models = scene.Models;
+        var shares = ThreadTeam.SharesOf(scene.Models.Count, threads);
+        var colors = new double[3 * models.Count + 3];
+        var most = new double[shares];
         ThreadTeam.Shares(shares, models.Count, (share, first, end) =>
         {
             var greatest = Math.Max(scene.Background.R, Math.Max(scene.Background.G, scene.Background.B));

@@ -125,7 +125,8 @@ internal sealed class ClusterBinner<N>(ScreenSpace screen, TriangleBoxes boxes, 
     private N IsOutside(Vector3<N> center, Vector3<N> half)
     {
         const double Margin = 1;
-        var (camera, ahead) = (screen.Camera, -screen.Camera.W);
+        var camera = screen.Camera;
+        var ahead = -screen.Camera.W;
         return IsBehind(screen.Scale * camera.U + (screen.CenterX + Margin) * ahead)
             | IsBehind(-screen.Scale * camera.U + (camera.Width - screen.CenterX + Margin) * ahead)
             | IsBehind(screen.Scale * camera.V + (screen.CenterY + Margin) * ahead)

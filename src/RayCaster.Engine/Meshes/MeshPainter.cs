@@ -102,7 +102,8 @@ internal sealed class MeshPainter
                 var least = FloatPacket.Pixels(
                     Color.Level(darkest * red) - slack, Color.Level(darkest * green) - slack, Color.Level(darkest * blue) - slack);
                 var (to, offset) = i + FloatPacket.Count <= tile.Width ? (rgb, first + row * step + 3 * i) : (rowEnds, row * 3 * FloatPacket.Count);
-                var doubt = FloatPacket.WriteRange(least, most, inFront, background, to, offset);
+                var misses = Vector256.Equals(inFront.Lanes, Vector256<float>.Zero).AsInt32();
+                var doubt = FloatPacket.WriteRange(least, most, misses, background, to, offset);
                 for (var k = 0; exactT is not null && k < FloatPacket.Count; k += Packet.Count)
                     doubt |= Packet.Bits(Packet.Load(exactT, at + k) < double.PositiveInfinity) << k;
                 doubts[packet] = doubt;

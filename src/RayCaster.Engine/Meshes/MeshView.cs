@@ -23,7 +23,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         if (!screen.IsFine)
         {
             formulaOnly = new(vertices, indices, cancellation);
-            Extent = Tile.Everywhere;
+            ShowsIn = Tile.Everywhere;
             return;
         }
 
@@ -38,17 +38,17 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         sets = [whole, clipped];
 
         if (clipper.FormulaOnly.Count > 0) formulaOnly = new(vertices, [.. clipper.FormulaOnly], cancellation);
-        Extent = formulaOnly is null ? new ScreenBounds(screen.Camera).TileOf(boxes.Bounds) : Tile.Everywhere;
+        ShowsIn = formulaOnly is null ? new ScreenBounds(screen.Camera).TileOf(boxes.Bounds) : Tile.Everywhere;
     }
 
     private MeshView(MeshView<N> shared, TileFilters<N> filters)
     {
         (screen, vertices, indices, sets) = (shared.screen, shared.vertices, shared.indices, shared.sets);
-        (formulaOnly, Extent) = (shared.formulaOnly, shared.Extent);
+        (formulaOnly, ShowsIn) = (shared.formulaOnly, shared.ShowsIn);
         this.filters = filters;
     }
 
-    public override Tile Extent { get; }
+    public override Tile ShowsIn { get; }
 
     public override ModelView ForThread(ref object? shared) => new MeshView<N>(this, (TileFilters<N>)(shared ??= new TileFilters<N>()));
 

@@ -126,7 +126,8 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <remarks>Indices and vertices are prefetched: they lie anywhere in memory, and waiting for them would take longer than the rest.</remarks>
     private void AddRuns(ScreenTriangles<N> set, ReadOnlySpan<TriangleRun> runs)
     {
-        var (corners, last) = (set.Corners, Vector128.Create(set.Corners.Count - 1));
+        var corners = set.Corners;
+        var last = Vector128.Create(set.Corners.Count - 1);
         Span<int> ids = stackalloc int[12];
         var count = 0;
         for (var i = -Ahead; i < runs.Length; i++)

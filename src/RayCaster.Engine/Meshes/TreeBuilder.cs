@@ -59,7 +59,8 @@ internal sealed class TreeBuilder
     {
         var size = centers.Max - centers.Min;
         var axis = size.X >= size.Y && size.X >= size.Z ? 0 : size.Y >= size.Z ? 1 : 2;
-        var (plane, middle) = (Coordinate(Center(centers), axis), first);
+        var plane = Coordinate(Center(centers), axis);
+        var middle = first;
         for (var i = first; i < end && level < MaxUnevenLevels; i++)
         {
             if (!(Coordinate(Center(bounds[order[i]]), axis) < plane)) continue;

@@ -20,7 +20,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     private readonly float[] unsureUppers = new float[TilePixels.Size]; // packets of the current triangle with uncertain pixels
     private readonly int[] unsurePixels = new int[TilePixels.Size / 8];
     private readonly uint[] unsureLanes = new uint[TilePixels.Size / 8];
-    private readonly float[] setup = new float[TriangleSetUp.Length];
+    private TriangleSetUp setup; // of eight triangles
     private Tile tile;
     private Vector256<float> maxInverseDepth;
 
@@ -59,9 +59,9 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
 
     private uint SetUp(TriangleQueue triangles, int first)
     {
-        var shows = TriangleSetUp.Of(triangles, first, screen, tile, setup);
+        var shows = TriangleSetUp.Of(triangles, first, screen, tile, out setup);
         // In this order NaN, of a corner that is NaN, does not hide the other triangles.
-        maxInverseDepth = Lanes.Greater(Field(new(setup), TriangleSetUp.MaxInverseDepth), maxInverseDepth);
+        maxInverseDepth = Lanes.Greater(setup.MaxInverseDepth, maxInverseDepth);
         return triangles.Count - first < 8 ? shows & ((1u << (triangles.Count - first)) - 1) : shows;
     }
 
@@ -69,13 +69,13 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void CoverSmall(RawSpan<int> ids, int firstId, uint shows)
     {
-        var s = new RawSpan<float>(setup);
+        ref readonly var s = ref setup;
         var occluderDepthAt = new RawSpan<float>(pixels.OccluderDepth);
         var candidateDepthAt = new RawSpan<float>(pixels.CandidateDepth);
         var proposedAt = new RawSpan<int>(pixels.Proposed);
         var uppers = new RawSpan<float>(upperOfLane);
         var lowers = new RawSpan<float>(lowerOfLane);
-        var (width, height) = (Field(s, TriangleSetUp.Across).AsInt32(), Field(s, TriangleSetUp.Upwards).AsInt32());
+        var (width, height) = (s.Across, s.Upwards);
         for (var y = 0; ; y++)
         {
             var up = Vector256.Create((float)y);
@@ -86,18 +86,20 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                 var right = Vector256.Create((float)x);
                 var bits = inRow & Vector256.GreaterThanOrEqual(width, Vector256.Create(x)).ExtractMostSignificantBits();
                 if (bits == 0) break;
-                var inner = Vector256.MinNative(At(s, TriangleSetUp.E0, right, up),
-                    Vector256.MinNative(At(s, TriangleSetUp.E1, right, up), At(s, TriangleSetUp.E2, right, up)));
-                bits &= Vector256.GreaterThanOrEqual(inner, Field(s, TriangleSetUp.Outside)).ExtractMostSignificantBits();
+                var inner = Vector256.MinNative(s.E0.At(right, up),
+                    Vector256.MinNative(s.E1.At(right, up), s.E2.At(right, up)));
+                bits &= Vector256.GreaterThanOrEqual(inner, s.Outside).ExtractMostSignificantBits();
 
-                var (inverseDepth, slack) = (At(s, TriangleSetUp.InverseDepth, right, up), Field(s, TriangleSetUp.Slack));
-                var covers = Vector256.GreaterThan(inner, Field(s, TriangleSetUp.Inside));
-                uppers.Store(Vector256.MinNative(inverseDepth + slack, Field(s, TriangleSetUp.MaxInverseDepth)), 0);
-                lowers.Store((covers & Vector256.MaxNative(inverseDepth - slack, Field(s, TriangleSetUp.MinInverseDepth))), 0);
+                var inverseDepth = s.InverseDepth.At(right, up);
+                var slack = s.Slack;
+                var covers = Vector256.GreaterThan(inner, s.Inside);
+                uppers.Store(Vector256.MinNative(inverseDepth + slack, s.MaxInverseDepth), 0);
+                lowers.Store(covers & Vector256.MaxNative(inverseDepth - slack, s.MinInverseDepth), 0);
                 for (; bits != 0; bits &= bits - 1)
                 {
                     var i = BitOperations.TrailingZeroCount(bits);
-                    var (pixel, id) = (TriangleSetUp.Whole(s, i, TriangleSetUp.Pixel) + y * TilePixels.Stride + x, ids[firstId + i]);
+                    var pixel = Lanes.At(s.Pixel, i) + y * TilePixels.Stride + x;
+                    var id = ids[firstId + i];
                     ref var occluderHere = ref occluderDepthAt[pixel];
                     ref var candidateHere = ref candidateDepthAt[pixel];
                     ref var proposedHere = ref proposedAt[pixel];
@@ -115,17 +117,11 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         }
     }
 
-    /// <summary>The value of a function at one sample of each triangle's box.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> At(RawSpan<float> setup, int field, Vector256<float> right, Vector256<float> up) =>
-        Vector256.MultiplyAddEstimate(
-        up, Field(setup, field + 2), Vector256.MultiplyAddEstimate(right, Field(setup, field + 1), Field(setup, field)));
-
     /// <summary>Covers samples of triangles one by one, eight pixels of two rows at a time.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Cover(RawSpan<int> ids, int firstId, uint shows)
     {
-        var s = new RawSpan<float>(setup);
+        ref readonly var s = ref setup;
         var uppers = new RawSpan<float>(unsureUppers);
         var pixelAt = new RawSpan<int>(unsurePixels);
         var unsureAt = new RawSpan<uint>(unsureLanes);
@@ -136,24 +132,22 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         {
             var lane = BitOperations.TrailingZeroCount(shows);
             var id = Vector512.Create(ids[firstId + lane]);
-            var (first, width, height) = (TriangleSetUp.Whole(s, lane, TriangleSetUp.Pixel),
-                TriangleSetUp.Whole(s, lane, TriangleSetUp.Across), TriangleSetUp.Whole(s, lane, TriangleSetUp.Upwards));
+            var (first, width, height) = (Lanes.At(s.Pixel, lane), Lanes.At(s.Across, lane), Lanes.At(s.Upwards, lane));
             var isLarge = Math.Max(width, height) >= LargeSide;
             var count = 0;
             for (var x = 0; x <= width; x += 8)
             {
                 var across = Vector512.Create(0f, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7) + Vector512.Create((float)x);
                 var inBox = Vector512.LessThanOrEqual(across, Vector512.Create((float)width));
-                var e0 = OfTriangle(s, lane, TriangleSetUp.E0) + across * OfTriangle(s, lane, TriangleSetUp.E0 + 1);
-                var e1 = OfTriangle(s, lane, TriangleSetUp.E1) + across * OfTriangle(s, lane, TriangleSetUp.E1 + 1);
-                var e2 = OfTriangle(s, lane, TriangleSetUp.E2) + across * OfTriangle(s, lane, TriangleSetUp.E2 + 1);
-                var startInverseDepth =
-                    OfTriangle(s, lane, TriangleSetUp.InverseDepth) + across * OfTriangle(s, lane, TriangleSetUp.InverseDepth + 1);
-                var (upE0, upE1) = (OfTriangle(s, lane, TriangleSetUp.E0 + 2), OfTriangle(s, lane, TriangleSetUp.E1 + 2));
-                var upE2 = OfTriangle(s, lane, TriangleSetUp.E2 + 2);
-                var (upInverseDepth, slack) = (OfTriangle(s, lane, TriangleSetUp.InverseDepth + 2), OfTriangle(s, lane, TriangleSetUp.Slack));
-                var (most, least) = (OfTriangle(s, lane, TriangleSetUp.MaxInverseDepth), OfTriangle(s, lane, TriangleSetUp.MinInverseDepth));
-                var (outside, inside) = (OfTriangle(s, lane, TriangleSetUp.Outside), OfTriangle(s, lane, TriangleSetUp.Inside));
+                var e0 = s.E0.InLowestRow(lane, across);
+                var e1 = s.E1.InLowestRow(lane, across);
+                var e2 = s.E2.InLowestRow(lane, across);
+                var startInverseDepth = s.InverseDepth.InLowestRow(lane, across);
+                var (upE0, upE1, upE2) = (Lanes.Broadcast(s.E0.Up, lane), Lanes.Broadcast(s.E1.Up, lane), Lanes.Broadcast(s.E2.Up, lane));
+                var upInverseDepth = Lanes.Broadcast(s.InverseDepth.Up, lane);
+                var slack = Lanes.Broadcast(s.Slack, lane);
+                var (most, least) = (Lanes.Broadcast(s.MaxInverseDepth, lane), Lanes.Broadcast(s.MinInverseDepth, lane));
+                var (outside, inside) = (Lanes.Broadcast(s.Outside, lane), Lanes.Broadcast(s.Inside, lane));
                 var up = Vector512.Create(0f, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
                 var last = Vector512.Create((float)height); // the second of two rows may lie beyond it
                 var pixel = first + x;
@@ -188,10 +182,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         }
     }
 
-    /// <summary>One triangle's value in all lanes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<float> OfTriangle(RawSpan<float> setup, int lane, int field) => Vector512.Create(setup[8 * field + lane]);
-
     /// <summary>Eight pixels of a row and of the one above it. (With Vector512.Create, the compiler writes both halves into the register of the rows
     /// before, and each step waits for them.)</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -204,7 +194,4 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         rows.Store(two.GetLower(), pixel);
         rows.Store(two.GetUpper(), pixel + TilePixels.Stride);
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Field(RawSpan<float> setup, int field) => setup.Load256(8 * field);
 }

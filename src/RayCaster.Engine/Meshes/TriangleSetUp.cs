@@ -1,29 +1,27 @@
 namespace RayCaster.Engine;
 
-/// <summary>What the filter needs of eight triangles in a tile: the box of samples, an edge function for each side that is positive inside, and
-/// inverse depth as a function of the place, all with margins. Each field has eight lanes.</summary>
-internal static class TriangleSetUp
+/// <summary>What the filter needs of eight triangles in a tile, a triangle to a lane: the box of samples, an edge function for each side that is
+/// positive inside, and inverse depth as a function of the place, all with margins.</summary>
+internal struct TriangleSetUp
 {
-    /// <summary>The functions: the value at the box's lower left sample, the step to the right, and the step upwards.</summary>
-    public const int E0 = 0, E1 = 3, E2 = 6, InverseDepth = 9;
+    public EightFunctions E0, E1, E2, InverseDepth;
 
-    /// <summary>Integers: the position of that sample's pixel (<see cref="TilePixels.Stride"/>), and the number of further samples to the right and
-    /// upwards.</summary>
-    public const int Pixel = 12, Across = 13, Upwards = 14;
+    /// <summary>The position of the pixel of the box's lower left sample (<see cref="TilePixels.Stride"/>).</summary>
+    public Vector256<int> Pixel;
+
+    /// <summary>The number of further samples to the right and upwards.</summary>
+    public Vector256<int> Across, Upwards;
 
     /// <summary>The error of inverse depth, and its range; the greatest inverse depth is 0 where the triangle does not show.</summary>
-    public const int Slack = 15, MinInverseDepth = 16, MaxInverseDepth = 17;
+    public Vector256<float> Slack, MinInverseDepth, MaxInverseDepth;
 
     /// <summary>A sample with an edge function below the first is certainly outside; with all above the second it is certainly
     /// covered.</summary>
-    public const int Outside = 18, Inside = 19;
-
-    /// <summary>Numbers in all.</summary>
-    public const int Length = 8 * 20;
+    public Vector256<float> Outside, Inside;
 
     /// <summary>Computes the fields of eight triangles and returns a bit for each that may show in the tile.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public static uint Of(TriangleQueue triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
+    public static uint Of(TriangleQueue triangles, int first, ScreenSpace screen, in Tile tile, out TriangleSetUp setup)
     {
         var t = triangles.Load(first);
         Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;
@@ -80,17 +78,21 @@ internal static class TriangleSetUp
         var counts = Vector256.LessThanOrEqual(maxInverseDepth, Vector256.Create(screen.MaxSureInverseDepth))
             & Vector256.GreaterThanOrEqual(minInverseDepth, Vector256.Create(screen.MinSureInverseDepth)) & ~isSliver;
 
-        Store(fields, E0, e0, e0Right, e0Up);
-        Store(fields, E1, e1, e1Right, e1Up);
-        Store(fields, E2, e2, e2Right, e2Up);
-        Store(fields, InverseDepth, Vector256.ConditionalSelect(isSliver, stretchedInverseDepth, inverseDepth),
+        setup.E0 = new(e0, e0Right, e0Up);
+        setup.E1 = new(e1, e1Right, e1Up);
+        setup.E2 = new(e2, e2Right, e2Up);
+        setup.InverseDepth = new(Vector256.ConditionalSelect(isSliver, stretchedInverseDepth, inverseDepth),
             Vector256.AndNot(slopeRight, isSliver), Vector256.AndNot(slopeUp, isSliver));
-        Store(fields, Pixel, Whole(bottom * Vector256.Create((float)TilePixels.Stride) + left), Whole(across), Whole(upwards));
-        Store(fields, Slack, Vector256.AndNot(inverseDepthSlack, isSliver), minInverseDepth * Vector256.Create(1 - 4e-6f),
-            shows & (Vector256.ConditionalSelect(isSliver, stretchedInverseDepth, maxInverseDepth) * Vector256.Create(1 + 4e-6f)));
+        setup.Pixel = Whole(bottom * Vector256.Create((float)TilePixels.Stride) + left);
+        setup.Across = Whole(across);
+        setup.Upwards = Whole(upwards);
+        setup.Slack = Vector256.AndNot(inverseDepthSlack, isSliver);
+        setup.MinInverseDepth = minInverseDepth * Vector256.Create(1 - 4e-6f);
+        setup.MaxInverseDepth =
+            shows & (Vector256.ConditionalSelect(isSliver, stretchedInverseDepth, maxInverseDepth) * Vector256.Create(1 + 4e-6f));
         // The orientation of a sliver is not known; if it is the other one, its functions are at most the slack of its area and of the others.
-        Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack).StoreTo(fields, 8 * Outside);
-        Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)).StoreTo(fields, 8 * Inside);
+        setup.Outside = Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack);
+        setup.Inside = Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity));
         return shows.ExtractMostSignificantBits();
     }
 
@@ -116,7 +118,8 @@ internal static class TriangleSetUp
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> StretchedInverseDepth(Vector256<float> maxInverseDepth, Vector256<float> size, ScreenSpace screen)
     {
-        var (one, stretch) = (Vector256<float>.One, size * Vector256.Create((float)(4 / screen.Scale)));
+        var one = Vector256<float>.One;
+        var stretch = size * Vector256.Create((float)(4 / screen.Scale));
         return Vector256.ConditionalSelect(Vector256.LessThan(stretch, one), maxInverseDepth * (one + stretch), Vector256.Create(float.MaxValue));
     }
 
@@ -128,19 +131,26 @@ internal static class TriangleSetUp
         return Vector256.GreaterThanOrEqual(most, Vector256.Create(-4f) * slack);
     }
 
-    /// <summary>An integer of one triangle.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Whole(RawSpan<float> setup, int lane, int field) => BitConverter.SingleToInt32Bits(setup[8 * field + lane]);
-
     /// <summary>Only lanes that show are used: their numbers are small and not NaN, which is an integer of its own on each processor.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Whole(Vector256<float> numbers) => Vector256.ConvertToInt32Native(numbers).AsSingle();
+    private static Vector256<int> Whole(Vector256<float> numbers) => Vector256.ConvertToInt32Native(numbers);
+}
 
+/// <summary>Functions of the place in a box, one for each of eight triangles.</summary>
+/// <param name="start">The values at the box's lower left sample.</param>
+/// <param name="right">The steps to the next sample to the right.</param>
+/// <param name="up">The steps to the next sample upwards.</param>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal readonly struct EightFunctions(Vector256<float> start, Vector256<float> right, Vector256<float> up)
+{
+    public readonly Vector256<float> Start = start, Right = right, Up = up;
+
+    /// <summary>The values at one sample of each box.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Store(float[] fields, int first, Vector256<float> a, Vector256<float> b, Vector256<float> c)
-    {
-        a.StoreTo(fields, 8 * first);
-        b.StoreTo(fields, 8 * first + 8);
-        c.StoreTo(fields, 8 * first + 16);
-    }
+    public Vector256<float> At(Vector256<float> x, Vector256<float> y) =>
+        Vector256.MultiplyAddEstimate(y, Up, Vector256.MultiplyAddEstimate(x, Right, Start));
+
+    /// <summary>One triangle's values along the box's lowest row.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector512<float> InLowestRow(int lane, Vector512<float> x) => Lanes.Broadcast(Start, lane) + x * Lanes.Broadcast(Right, lane);
 }

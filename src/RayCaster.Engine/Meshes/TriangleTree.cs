@@ -49,12 +49,14 @@ public sealed class TriangleTree
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     internal N Nearest<N>(RayStream rays, int pixel) where N : struct, IPacket<N>
     {
-        var (best, hit) = (rays.NearestAt<N>(pixel), Lanes.Broadcast<N>(double.NaN));
+        var best = rays.NearestAt<N>(pixel);
+        var hit = Lanes.Broadcast<N>(double.NaN);
         if (nodes.Length == 0) return hit;
 
         var ray = rays.RaysAt<N>(pixel);
         var along = new RaySpace<N>(ray);
-        var (origin, ahead) = (rays.Origin, rays.DirectionAt(pixel));
+        var origin = rays.Origin;
+        var ahead = rays.DirectionAt(pixel);
         var test = new BoundsTest<N>(ray.Direction);
 
         Span<int> stack = stackalloc int[depth + 1];

@@ -81,7 +81,7 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
         var inverse = (ErrorBound)1 / b;
         return new(Mended(a.X, b, inverse), Mended(a.Y, b, inverse), Mended(a.Z, b, inverse));
 
-        // Doubles divide; that the product with the reciprocal is another double is a matter of 2⁻⁵².
+        // Doubles divide; the product with the reciprocal differs by at most 2⁻⁵² of it.
         static ErrorBound Mended(ErrorBound a, ErrorBound b, ErrorBound inverse)
         {
             var exact = a / b;

@@ -38,15 +38,15 @@ internal sealed class FloatColors
     /// <param name="packed">The <see cref="Packed"/> colours.</param>
     /// <param name="colorIndices">The index of each pixel's colour.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static (Vector256<float> R, Vector256<float> G, Vector256<float> B) At(RawSpan<long> packed, Vector256<int> colorIndices)
+    public static (FloatPacket R, FloatPacket G, FloatPacket B) At(RawSpan<long> packed, Vector256<int> colorIndices)
     {
         var (first, second) = (Gather(packed, colorIndices.GetLower()), Gather(packed, colorIndices.GetUpper()));
         var (low, high) = (Vector256.Narrow(first, second), Vector256.Narrow(first >>> 32, second >>> 32));
         var mask = Vector256.Create(MaxSteps);
         return (
-            Vector256.ConvertToSingle(low & mask),
-            Vector256.ConvertToSingle(((low >>> ChannelBits) | (high << (32 - ChannelBits))) & mask),
-            Vector256.ConvertToSingle(high >>> (2 * ChannelBits - 32)));
+            new(Vector256.ConvertToSingle(low & mask)),
+            new(Vector256.ConvertToSingle(((low >>> ChannelBits) | (high << (32 - ChannelBits))) & mask)),
+            new(Vector256.ConvertToSingle(high >>> (2 * ChannelBits - 32))));
     }
 
     /// <summary>The colours with these indices. (The processor's own instruction for it takes twice as long.)</summary>

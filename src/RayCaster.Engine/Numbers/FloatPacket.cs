@@ -69,41 +69,23 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IReal<FloatPacket
     public static FloatPacket Load(double[] numbers, int first) =>
         new(Vector256.Narrow(Packet.Load(numbers, first).Lanes, Packet.Load(numbers, first + Packet.Count).Lanes));
 
-    /// <summary>Indices + 1 as ints, stored in the float lanes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket LoadColorIndices(double[] indices, int first)
-    {
-        var (lower, upper) = (Packet.Load(indices, first).ToInts(), Packet.Load(indices, first + Packet.Count).ToInts());
-        return new((Vector256.Create(lower, upper) + Vector256<int>.One).AsSingle());
-    }
-
-    /// <summary>The colours with these indices, in steps.</summary>
-    /// <param name="colors"><see cref="FloatColors.Packed"/>.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static (FloatPacket R, FloatPacket G, FloatPacket B) ColorsAt(RawSpan<long> colors, FloatPacket colorIndices)
-    {
-        var (r, g, b) = FloatColors.At(colors, colorIndices.Lanes.AsInt32());
-        return (new(r), new(g), new(b));
-    }
-
     /// <summary>One division and three products, each of which rounds.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<FloatPacket> Divide(Vector3<FloatPacket> a, FloatPacket b) => (FloatPacket)1 / b * a;
 
-    /// <summary>The whole parts of three channels' levels: three bytes for each pixel, stored in its float lane.</summary>
+    /// <summary>The whole parts of three channels' levels: three bytes for each pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Pixels(FloatPacket r, FloatPacket g, FloatPacket b) => new(FloatBytes.Packed(r.Lanes, g.Lanes, b.Lanes).AsSingle());
+    public static Vector256<int> Pixels(FloatPacket r, FloatPacket g, FloatPacket b) => FloatBytes.Packed(r.Lanes, g.Lanes, b.Lanes);
 
     /// <summary>Writes the bytes of some pixels of <see cref="Pixels"/> with the least levels, and says which differ from those with the
     /// greatest.</summary>
-    /// <param name="candidateDepth">0 for pixels without a hit, as a float or as an int.</param>
+    /// <param name="misses">The mask of pixels without a hit, which show the background.</param>
     /// <returns>A bit for each uncertain pixel.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static uint WriteRange(FloatPacket least, FloatPacket most, FloatPacket candidateDepth, int background, byte[] rgb, int offset)
+    public static uint WriteRange(Vector256<int> least, Vector256<int> most, Vector256<int> misses, int background, byte[] rgb, int offset)
     {
-        var (isMiss, pixels) = (Vector256.Equals(candidateDepth.Lanes, Vector256<float>.Zero).AsInt32(), least.Lanes.AsInt32());
-        FloatBytes.Store(Vector256.ConditionalSelect(isMiss, Vector256.Create(background), pixels), rgb, offset);
-        return (uint)(Vector256.Equals(pixels, most.Lanes.AsInt32()) | isMiss).ExtractMostSignificantBits() ^ 0xFF;
+        FloatBytes.Store(Vector256.ConditionalSelect(misses, Vector256.Create(background), least), rgb, offset);
+        return (uint)(Vector256.Equals(least, most) | misses).ExtractMostSignificantBits() ^ 0xFF;
     }
 
     /// <summary>Writes the bytes of hits.</summary>

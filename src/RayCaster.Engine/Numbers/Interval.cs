@@ -1,4 +1,4 @@
-using N = RayCaster.Engine.WidePacket;
+using Numbers = RayCaster.Engine.WidePacket;
 
 namespace RayCaster.Engine;
 
@@ -10,35 +10,43 @@ namespace RayCaster.Engine;
 /// is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything". Of a quotient whose divisor may be 0,
 /// <c>Gap</c> is then a lower bound of the absolute value: rays nearly parallel to a plane cross it far away, in front of the eye or behind it.
 /// </remarks>
-/// <param name="nan">Whether rays have NaN: <see cref="Never"/>, <see cref="Maybe"/>, or <see cref="Always"/>, where the ends mean nothing.</param>
+/// <param name="nan">The <see cref="Occurrence"/> of NaN; where it is always, the ends mean nothing.</param>
 /// <param name="gap">No number is nearer to 0 than this.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly struct Interval(N lo, N hi, N nan, N gap) : IReal<Interval>
+internal readonly struct Interval(Numbers lo, Numbers hi, Numbers nan, Numbers gap) : IReal<Interval>
 {
-    private const double Never = 0, Maybe = 1, Always = 2;
+    /// <summary>Whether rays have NaN; a lane holds its number.</summary>
+    private enum Occurrence
+    {
+        Never,
+        Maybe,
+        Always,
+    }
 
-    public readonly N Lo = lo, Hi = hi, NaN = nan, Gap = gap;
+    public readonly Numbers Lo = lo, Hi = hi, NaN = nan, Gap = gap;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Interval(N lo, N hi) : this(lo, hi, Never, 0) { }
+    public Interval(Numbers lo, Numbers hi) : this(lo, hi, In(Occurrence.Never), 0) { }
 
     /// <summary>A mask: no ray has a number.</summary>
-    public N IsAlwaysNaN
+    public Numbers IsAlwaysNaN
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => NaN > Maybe;
+        get => NaN > In(Occurrence.Maybe);
     }
 
     /// <summary>A mask: some rays may have no number.</summary>
-    public N MayBeNaN
+    public Numbers MayBeNaN
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => NaN > Never;
+        get => NaN > In(Occurrence.Never);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator Interval(double value) =>
-        double.IsNaN(value) ? new(double.PositiveInfinity, double.NegativeInfinity, Always, double.PositiveInfinity) : new(value, value);
+        double.IsNaN(value)
+            ? new(double.PositiveInfinity, double.NegativeInfinity, In(Occurrence.Always), double.PositiveInfinity)
+            : new(value, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval operator +(Interval a, Interval b) => Sum(a, b, a.Lo + b.Lo, a.Hi + b.Hi);
@@ -55,9 +63,10 @@ internal readonly struct Interval(N lo, N hi, N nan, N gap) : IReal<Interval>
     {
         // A quotient by NaN is NaN, which Hull takes for anything.
         var mayBeZero = (b.Lo <= 0) & (b.Hi >= 0);
-        var divisor = N.Select(mayBeZero, double.NaN, b.Lo);
-        var gap = N.Greater(0, N.Greater(a.Lo, -a.Hi)) / N.Greater(-b.Lo, b.Hi);
-        return Hull(a, b, a.Lo / divisor, a.Lo / b.Hi, a.Hi / divisor, a.Hi / b.Hi, N.Select(mayBeZero & (gap > 0), gap, 0)); // not if it is 0 / 0
+        var divisor = Numbers.Select(mayBeZero, double.NaN, b.Lo);
+        var gap = Numbers.Greater(0, Numbers.Greater(a.Lo, -a.Hi)) / Numbers.Greater(-b.Lo, b.Hi);
+        var isGap = mayBeZero & (gap > 0); // not if it is 0 / 0
+        return Hull(a, b, a.Lo / divisor, a.Lo / b.Hi, a.Hi / divisor, a.Hi / b.Hi, Numbers.Select(isGap, gap, 0));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -81,57 +90,63 @@ internal readonly struct Interval(N lo, N hi, N nan, N gap) : IReal<Interval>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval Sqrt(Interval x)
     {
-        var nan = N.Select(x.Hi < 0, Always, N.Select(x.Lo < 0, Maybe, Never));
-        return new(N.Sqrt(N.Greater(0, x.Lo)), N.Sqrt(x.Hi), N.Greater(x.NaN, nan), 0);
+        var nan = Numbers.Select(x.Hi < 0, In(Occurrence.Always), Numbers.Select(x.Lo < 0, In(Occurrence.Maybe), In(Occurrence.Never)));
+        return new(Numbers.Sqrt(Numbers.Greater(0, x.Lo)), Numbers.Sqrt(x.Hi), Numbers.Greater(x.NaN, nan), 0);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval Min(Interval a, Interval b) =>
-        new(N.Lesser(a.Lo, b.Lo), N.Lesser(a.Hi, b.Hi), N.Greater(a.NaN, b.NaN), N.Lesser(a.Gap, b.Gap));
+        new(Numbers.Lesser(a.Lo, b.Lo), Numbers.Lesser(a.Hi, b.Hi), Numbers.Greater(a.NaN, b.NaN), Numbers.Lesser(a.Gap, b.Gap));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval Max(Interval a, Interval b) =>
-        new(N.Greater(a.Lo, b.Lo), N.Greater(a.Hi, b.Hi), N.Greater(a.NaN, b.NaN), N.Lesser(a.Gap, b.Gap));
+        new(Numbers.Greater(a.Lo, b.Lo), Numbers.Greater(a.Hi, b.Hi), Numbers.Greater(a.NaN, b.NaN), Numbers.Lesser(a.Gap, b.Gap));
 
     public static Interval Select(Interval mask, Interval a, Interval b)
     {
         // Either: the hull of what there is.
-        N least = double.PositiveInfinity, most = double.NegativeInfinity;
+        Numbers least = double.PositiveInfinity, most = double.NegativeInfinity;
         var (aIsAlwaysNaN, bIsAlwaysNaN) = (a.IsAlwaysNaN, b.IsAlwaysNaN);
-        var lo = N.Lesser(N.Select(aIsAlwaysNaN, least, a.Lo), N.Select(bIsAlwaysNaN, least, b.Lo));
-        var hi = N.Greater(N.Select(aIsAlwaysNaN, most, a.Hi), N.Select(bIsAlwaysNaN, most, b.Hi));
-        var gap = N.Lesser(N.Select(aIsAlwaysNaN, least, a.Gap), N.Select(bIsAlwaysNaN, least, b.Gap));
-        var nan = N.Select(aIsAlwaysNaN & bIsAlwaysNaN, Always, N.Lesser(N.Greater(a.NaN, b.NaN), Maybe));
+        var lo = Numbers.Lesser(Numbers.Select(aIsAlwaysNaN, least, a.Lo), Numbers.Select(bIsAlwaysNaN, least, b.Lo));
+        var hi = Numbers.Greater(Numbers.Select(aIsAlwaysNaN, most, a.Hi), Numbers.Select(bIsAlwaysNaN, most, b.Hi));
+        var gap = Numbers.Lesser(Numbers.Select(aIsAlwaysNaN, least, a.Gap), Numbers.Select(bIsAlwaysNaN, least, b.Gap));
+        var someNaN = Numbers.Lesser(Numbers.Greater(a.NaN, b.NaN), In(Occurrence.Maybe));
+        var nan = Numbers.Select(aIsAlwaysNaN & bIsAlwaysNaN, In(Occurrence.Always), someNaN);
         return new(Choose(a.Lo, lo, b.Lo), Choose(a.Hi, hi, b.Hi), Choose(a.NaN, nan, b.NaN), Choose(a.Gap, gap, b.Gap));
 
-        N Choose(N surely, N either, N surelyNot) => N.Select(mask.Lo, surely, N.Select(mask.Hi, either, surelyNot));
+        Numbers Choose(Numbers surely, Numbers either, Numbers surelyNot) =>
+            Numbers.Select(mask.Lo, surely, Numbers.Select(mask.Hi, either, surelyNot));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Interval Mask(Interval a, Interval b, N surely, N maybe)
+    private static Numbers In(Occurrence occurrence) => (double)occurrence;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Interval Mask(Interval a, Interval b, Numbers surely, Numbers maybe)
     {
-        var nan = N.Greater(a.NaN, b.NaN);
-        return new(N.Select(nan > Never, 0, surely), N.Select(nan > Maybe, 0, maybe));
+        var nan = Numbers.Greater(a.NaN, b.NaN);
+        return new(Numbers.Select(nan > In(Occurrence.Never), 0, surely), Numbers.Select(nan > In(Occurrence.Maybe), 0, maybe));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Interval Sum(Interval a, Interval b, N lo, N hi) =>
+    private static Interval Sum(Interval a, Interval b, Numbers lo, Numbers hi) =>
         OrAnything(a, b, lo, hi, hi - lo < double.PositiveInfinity, 0); // false for NaN
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Interval Hull(Interval a, Interval b, N p, N q, N r, N s, N gap)
+    private static Interval Hull(Interval a, Interval b, Numbers p, Numbers q, Numbers r, Numbers s, Numbers gap)
     {
         var sum = p + q + (r + s); // infinite or NaN if one of them is, which the least and the greatest need not tell
-        var (lo, hi) = (N.Lesser(N.Lesser(p, q), N.Lesser(r, s)), N.Greater(N.Greater(p, q), N.Greater(r, s)));
+        var lo = Numbers.Lesser(Numbers.Lesser(p, q), Numbers.Lesser(r, s));
+        var hi = Numbers.Greater(Numbers.Greater(p, q), Numbers.Greater(r, s));
         return OrAnything(a, b, lo, hi, sum - sum <= 0, gap);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Interval OrAnything(Interval a, Interval b, N lo, N hi, N isFinite, N gap)
+    private static Interval OrAnything(Interval a, Interval b, Numbers lo, Numbers hi, Numbers isFinite, Numbers gap)
     {
-        var nan = N.Greater(a.NaN, b.NaN);
+        var nan = Numbers.Greater(a.NaN, b.NaN);
         return new(
-            N.Select(isFinite, lo, double.NegativeInfinity), N.Select(isFinite, hi, double.PositiveInfinity),
-            N.Select(isFinite, nan, N.Greater(nan, Maybe)), gap);
+            Numbers.Select(isFinite, lo, double.NegativeInfinity), Numbers.Select(isFinite, hi, double.PositiveInfinity),
+            Numbers.Select(isFinite, nan, Numbers.Greater(nan, In(Occurrence.Maybe))), gap);
     }
 }

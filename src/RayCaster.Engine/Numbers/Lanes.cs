@@ -2,12 +2,20 @@ using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
 
-/// <summary>What packets have in common with other vectors of numbers.</summary>
+/// <summary>SIMD helpers.</summary>
 internal static class Lanes
 {
     /// <summary>One number in all lanes: the compiler finds the conversion only through this constraint.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Broadcast<N>(double number) where N : struct, IReal<N> => number;
+
+    /// <summary>One lane of a vector in memory.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static T At<T>(in Vector256<T> vector, int lane) where T : struct => vector[lane & (Vector256<T>.Count - 1)]; // no range check
+
+    /// <summary>One lane of a vector in memory, in all lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector512<float> Broadcast(in Vector256<float> vector, int lane) => Vector512.Create(At(vector, lane));
 
     /// <summary>Whether a mask holds in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -16,7 +16,8 @@ internal sealed class Bins<T> where T : struct
         var ranges = new (int First, int Last)[lists.Length];
         ThreadTeam.Each(lists.Length, lists.Length, list => ranges[list] = RangeOf(lists[list].Items));
         first = ranges.Length > 0 ? ranges.Min(range => range.First) : 0;
-        var (bins, total) = (ranges.Length > 0 ? Math.Max(0, ranges.Max(range => range.Last) - first + 1) : 0, lists.Sum(list => list.Count));
+        var bins = ranges.Length > 0 ? Math.Max(0, ranges.Max(range => range.Last) - first + 1) : 0;
+        var total = lists.Sum(list => list.Count);
         sorted = total > 0 ? ArrayPool<T>.Shared.Rent(total) : [];
         starts = CountingSort.Sort(
             lists.Length, bins, (list, counts) => Count(lists[list].Items, counts), (list, next) => Put(lists[list].Items, next));

@@ -12,7 +12,8 @@ internal static class CountingSort
     {
         var next = new int[shares][];
         ThreadTeam.Each(shares, shares, share => count(share, next[share] = new int[bins]));
-        var (starts, sum) = (new int[bins + 1], 0);
+        var starts = new int[bins + 1];
+        var sum = 0;
         for (var bin = 0; bin < bins; bin++)
         {
             starts[bin] = sum;

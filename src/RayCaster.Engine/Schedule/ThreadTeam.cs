@@ -3,7 +3,7 @@ using System.Runtime.ExceptionServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>Does work in pieces, in parallel. Its threads then wait for more work: starting a thread takes as long as casting some ten thousand
+/// <summary>Runs jobs in parallel. Its threads then wait for the next job: starting a thread takes as long as casting some ten thousand
 /// rays.</summary>
 /// <remarks>The runtime's pool is slower: its first use takes as long as a small picture, and it often starts a piece one picture too
 /// late.</remarks>
@@ -115,7 +115,7 @@ internal static class ThreadTeam
     {
         private readonly object gate = new();
         private int next = -1, helpers;
-        private bool isOver; // guarded by the lock, like the number of helpers
+        private bool isDone; // guarded by the lock, like the number of helpers
         private ExceptionDispatchInfo? failure;
 
         public void Work()
@@ -135,7 +135,7 @@ internal static class ThreadTeam
         {
             lock (gate)
             {
-                if (isOver) return;
+                if (isDone) return;
                 helpers++;
             }
             Work();
@@ -152,7 +152,7 @@ internal static class ThreadTeam
             StayAwakeWhile(ref helpers, isZero: false);
             lock (gate)
             {
-                isOver = true;
+                isDone = true;
                 while (helpers > 0) Monitor.Wait(gate);
             }
             failure?.Throw();

@@ -5,7 +5,7 @@ namespace RayCaster.Engine;
 internal abstract class ModelView
 {
     /// <summary>Where in the picture the model can show at all.</summary>
-    public virtual Tile Extent => Tile.Everywhere;
+    public virtual Tile ShowsIn => Tile.Everywhere;
 
     /// <summary>Whether the model is a single shape with one formula. Only for such a model it pays to cut a tile: <see cref="Narrow"/> then
     /// computes the range of its hits in each part.</summary>

@@ -109,9 +109,10 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public FloatPacket NearestInFloatsAt(int pixel) => FloatPacket.Load(t, pixel);
 
-    /// <summary>The indices of the models + 1, as ints in place of floats.</summary>
+    /// <summary>The indices of eight pixels' colours: 0 for the background, 1 for the first model.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public FloatPacket ColorIndicesAt(int pixel) => FloatPacket.LoadColorIndices(model, pixel);
+    public Vector256<int> ColorIndicesAt(int pixel) =>
+        Vector256.Create(ModelsAt<Packet>(pixel).ToInts(), ModelsAt<Packet>(pixel + Packet.Count).ToInts()) + Vector256<int>.One;
 
     /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

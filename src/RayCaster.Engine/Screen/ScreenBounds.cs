@@ -8,15 +8,9 @@ internal sealed class ScreenBounds
     /// <summary>How many are processed together.</summary>
     public const int Count = 8;
 
-    private const double Outside = 0, Unknown = 1, Shows = 2, Clear = 3;
-
-    /// <summary>Centres of balls, or the least coordinates of boxes.</summary>
-    public readonly double[] X = new double[Count], Y = new double[Count], Z = new double[Count];
-
-    /// <summary>Radii of balls, and the greatest coordinates of boxes.</summary>
-    public readonly double[] Radius = new double[Count], MaxX = new double[Count], MaxY = new double[Count], MaxZ = new double[Count];
-
-    private readonly double[] verdict = new double[Count], nearest = new double[Count];
+    private readonly double[] x = new double[Count], y = new double[Count], z = new double[Count]; // of centres, or least coordinates
+    private readonly double[] radius = new double[Count], maxX = new double[Count], maxY = new double[Count], maxZ = new double[Count];
+    private readonly double[] visibility = new double[Count], nearest = new double[Count];
     private readonly double[] left = new double[Count], right = new double[Count], bottom = new double[Count], top = new double[Count];
     private readonly Camera camera;
     private readonly double sample, margin;
@@ -40,20 +34,49 @@ internal sealed class ScreenBounds
         }
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void OfBalls<N>() where N : struct, IPacket<N>
+    /// <summary>What is known of a shape's place in the picture.</summary>
+    private enum Visibility
     {
-        for (var i = 0; i < Count; i += N.Count)
-            Store(i, Ball(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), N.Load(Radius, i)));
+        /// <summary>It shows in no pixel.</summary>
+        Outside,
+
+        /// <summary>It reaches to the eye's plane, or numbers overflow.</summary>
+        Unknown,
+
+        /// <summary>It may show in a rectangle.</summary>
+        Shows,
+
+        /// <summary>It may show in a rectangle, and all of its hits certainly count.</summary>
+        Clear,
     }
 
+    /// <summary>Projects up to <see cref="Count"/> balls; <see cref="Read"/> gives the results.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void OfBoxes<N>() where N : struct, IPacket<N>
+    public void Project<N>(ReadOnlySpan<(Vector3 Center, double Radius)> balls) where N : struct, IPacket<N>
     {
+        for (var i = 0; i < balls.Length; i++)
+        {
+            ref readonly var ball = ref balls[i];
+            (x[i], y[i], z[i], radius[i]) = (ball.Center.X, ball.Center.Y, ball.Center.Z, ball.Radius);
+        }
+        for (var i = 0; i < Count; i += N.Count)
+            Store(i, Ball(new Vector3<N>(N.Load(x, i), N.Load(y, i), N.Load(z, i)), N.Load(radius, i)));
+    }
+
+    /// <summary>Projects up to <see cref="Count"/> boxes; <see cref="Read"/> gives the results.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public void Project<N>(ReadOnlySpan<Bounds> boxes) where N : struct, IPacket<N>
+    {
+        for (var i = 0; i < boxes.Length; i++)
+        {
+            ref readonly var box = ref boxes[i];
+            (x[i], y[i], z[i]) = (box.Min.X, box.Min.Y, box.Min.Z);
+            (maxX[i], maxY[i], maxZ[i]) = (box.Max.X, box.Max.Y, box.Max.Z);
+        }
         for (var i = 0; i < Count; i += N.Count)
         {
-            var max = new Vector3<N>(N.Load(MaxX, i), N.Load(MaxY, i), N.Load(MaxZ, i));
-            Store(i, Box(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), max));
+            var max = new Vector3<N>(N.Load(maxX, i), N.Load(maxY, i), N.Load(maxZ, i));
+            Store(i, Box(new Vector3<N>(N.Load(x, i), N.Load(y, i), N.Load(z, i)), max));
         }
     }
 
@@ -64,9 +87,10 @@ internal sealed class ScreenBounds
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Tile? Read(int i, out float nearest, out bool isClear)
     {
-        (nearest, isClear) = ((float)this.nearest[i], verdict[i] == Clear);
-        if (verdict[i] == Unknown) return null;
-        if (verdict[i] == Outside) return default(Tile);
+        var visibility = (Visibility)(int)this.visibility[i];
+        (nearest, isClear) = ((float)this.nearest[i], visibility == Visibility.Clear);
+        if (visibility == Visibility.Unknown) return null;
+        if (visibility == Visibility.Outside) return default(Tile);
         var (column, row) = ((int)left[i], (int)bottom[i]);
         return new(column, row, (int)right[i] - column, (int)top[i] - row);
     }
@@ -75,17 +99,18 @@ internal sealed class ScreenBounds
     public Tile TileOf(Bounds bounds)
     {
         if (camera.IsSkewed) return Tile.Everywhere; // the projection would be wrong
-        var outline = Box<Scalar>(bounds.Min, bounds.Max);
-        if (outline.Verdict.Value == Outside) return default;
-        if (outline.Verdict.Value == Unknown) return Tile.Everywhere;
-        var (column, row) = ((int)outline.Left.Value, (int)outline.Bottom.Value);
-        var (width, height) = ((int)outline.Right.Value - column, (int)outline.Top.Value - row);
+        var projection = Box<Scalar>(bounds.Min, bounds.Max);
+        var visibility = (Visibility)(int)projection.Visibility.Value;
+        if (visibility == Visibility.Outside) return default;
+        if (visibility == Visibility.Unknown) return Tile.Everywhere;
+        var (column, row) = ((int)projection.Left.Value, (int)projection.Bottom.Value);
+        var (width, height) = ((int)projection.Right.Value - column, (int)projection.Top.Value - row);
         return width > 0 && height > 0 ? new(column, row, width, height) : default;
     }
 
     /// <summary>Where a ball is seen: slopes s of the lines through the eye that touch it, (x − s z)² = r² (1 + s²).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Outline<N> Ball<N>(Vector3<N> center, N radius) where N : struct, IReal<N>
+    private Projection<N> Ball<N>(Vector3<N> center, N radius) where N : struct, IReal<N>
     {
         var L = center - camera.Position;
         var distance = N.Sqrt(L * L);
@@ -106,7 +131,7 @@ internal sealed class ScreenBounds
 
     /// <summary>Where a box is seen, by the box around it along the camera's axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Outline<N> Box<N>(Vector3<N> min, Vector3<N> max) where N : struct, IReal<N>
+    private Projection<N> Box<N>(Vector3<N> min, Vector3<N> max) where N : struct, IReal<N>
     {
         (min, max) = BoundsExtensions.Padded(min, max, camera.Position);
         var (L, half) = (0.5 * (min + max), 0.5 * (max - min));
@@ -125,13 +150,14 @@ internal sealed class ScreenBounds
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Outline<N> Judged<N>(N isOutside, N isInFront, N isClear, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
+    private Projection<N> Judged<N>(N isOutside, N isInFront, N isClear, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
     {
         (left, right, bottom, top) = (Column(left, -margin), Column(right, margin), Row(bottom, -margin), Row(top, margin));
         var isKnown = isInFront & (left + right + bottom + top + nearest < double.PositiveInfinity); // false for NaN
         return new()
         {
-            Verdict = N.Select(isOutside, Outside, N.Select(isKnown, N.Select(isClear, Clear, Shows), Unknown)),
+            Visibility = N.Select(isOutside, In(Visibility.Outside),
+                N.Select(isKnown, N.Select(isClear, In(Visibility.Clear), In(Visibility.Shows)), In(Visibility.Unknown))),
             // A float rounds it by 6e-8 of itself, or by more if it is nearly 0.
             Nearest = N.Select(nearest > 1e-37, N.Min(nearest * (1 - 1e-7), float.MaxValue), 0),
             Left = left,
@@ -139,17 +165,19 @@ internal sealed class ScreenBounds
             Bottom = bottom,
             Top = top,
         };
+
+        static N In(Visibility visibility) => (double)visibility;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Store<N>(int i, in Outline<N> outline) where N : struct, IPacket<N>
+    private void Store<N>(int i, in Projection<N> projection) where N : struct, IPacket<N>
     {
-        outline.Nearest.Store(nearest, i);
-        outline.Verdict.Store(verdict, i);
-        outline.Left.Store(left, i);
-        outline.Right.Store(right, i);
-        outline.Bottom.Store(bottom, i);
-        outline.Top.Store(top, i);
+        projection.Nearest.Store(nearest, i);
+        projection.Visibility.Store(visibility, i);
+        projection.Left.Store(left, i);
+        projection.Right.Store(right, i);
+        projection.Bottom.Store(bottom, i);
+        projection.Top.Store(top, i);
     }
 
     /// <summary>A direction in the camera's axes, the depth last.</summary>
@@ -179,8 +207,8 @@ internal sealed class ScreenBounds
     private static N Spread<N>(Vector3<N> half, Vector3 axis) where N : struct, IReal<N> =>
         Math.Abs(axis.X) * half.X + Math.Abs(axis.Y) * half.Y + Math.Abs(axis.Z) * half.Z;
 
-    private ref struct Outline<N> where N : struct, IReal<N>
+    private ref struct Projection<N> where N : struct, IReal<N>
     {
-        public N Verdict, Nearest, Left, Right, Bottom, Top;
+        public N Visibility, Nearest, Left, Right, Bottom, Top;
     }
 }

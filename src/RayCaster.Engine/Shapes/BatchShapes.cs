@@ -8,7 +8,7 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     /// <summary>Finds where the shapes show.</summary>
     /// <param name="members">Takes those that may show.</param>
     /// <param name="others">Takes the models of which nothing is known.</param>
-    public abstract void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares);
+    public abstract void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds screenBounds, int group, int share, int shares);
 
     /// <summary>Copies the shapes of some members into the order of the members.</summary>
     public abstract void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end);
@@ -27,47 +27,37 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
 {
     private readonly PooledList<(P Shape, int Model)> arranged = new();
 
-    /// <summary>Whether a ball bounds the shapes more tightly than a box.</summary>
-    private static bool IsRound => typeof(P) == typeof(Sphere) || typeof(P) == typeof(Circle);
-
-    private static (Vector3 Center, double Radius) Ball(P shape) => shape switch
-    {
-        Sphere sphere => (sphere.Center, sphere.Radius),
-        Circle circle => (circle.Center, circle.Radius),
-        _ => throw new NotSupportedException(),
-    };
-
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public override void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares)
+    public override void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds screenBounds, int group, int share, int shares)
     {
         var all = CollectionsMarshal.AsSpan(list.Items);
         var (begin, end) = ((int)((long)all.Length * share / shares), (int)((long)all.Length * (share + 1) / shares));
         for (var first = begin; first < end; first += ScreenBounds.Count)
         {
             var count = Math.Min(ScreenBounds.Count, end - first);
+            Project(all.Slice(first, count), screenBounds);
             for (var i = 0; i < count; i++)
             {
-                ref readonly var shape = ref all[first + i].Shape;
-                if (IsRound)
-                {
-                    var (center, radius) = Ball(shape);
-                    (outlines.X[i], outlines.Y[i], outlines.Z[i], outlines.Radius[i]) = (center.X, center.Y, center.Z, radius);
-                }
-                else
-                {
-                    var (min, max) = ((IBounded)shape).Bounds;
-                    (outlines.X[i], outlines.Y[i], outlines.Z[i]) = (min.X, min.Y, min.Z);
-                    (outlines.MaxX[i], outlines.MaxY[i], outlines.MaxZ[i]) = (max.X, max.Y, max.Z);
-                }
-            }
-            if (IsRound) outlines.OfBalls<N>();
-            else outlines.OfBoxes<N>();
-            for (var i = 0; i < count; i++)
-            {
-                if (outlines.Read(i, out var nearest, out var isClear) is not { } tile) others.Add(all[first + i].Model);
+                if (screenBounds.Read(i, out var nearest, out var isClear) is not { } tile) others.Add(all[first + i].Model);
                 else if (new Sides(tile) is { HasPixels: true } sides)
                     members.Add(new() { Sides = sides, Nearest = nearest, Kind = group, Index = first + i, IsClear = isClear });
             }
+        }
+    }
+
+    private static void Project(ReadOnlySpan<(P Shape, int Model)> some, ScreenBounds screenBounds)
+    {
+        if (default(P) is IRound)
+        {
+            Span<(Vector3 Center, double Radius)> balls = stackalloc (Vector3, double)[some.Length];
+            for (var i = 0; i < some.Length; i++) balls[i] = (((IRound)some[i].Shape).Center, ((IRound)some[i].Shape).Radius);
+            screenBounds.Project<N>(balls);
+        }
+        else
+        {
+            Span<Bounds> boxes = stackalloc Bounds[some.Length];
+            for (var i = 0; i < some.Length; i++) boxes[i] = ((IBounded)some[i].Shape).Bounds;
+            screenBounds.Project<N>(boxes);
         }
     }
 
@@ -90,7 +80,8 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void Intersect(BatchTile<N> part, int first, int end, bool isClear)
     {
-        var (range, rays) = (clip, part.Rays);
+        var range = clip;
+        var rays = part.Rays;
         var shapes = arranged.Items;
         var packets = part.Packets;
         var members = part.Members;

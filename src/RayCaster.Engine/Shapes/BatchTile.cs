@@ -8,23 +8,23 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
 {
     private const int Side = ScreenBins.PartSide;
 
-    private const int BlockSide = 8, BlocksAcross = Side / BlockSide, Blocks = BlocksAcross * BlocksAcross;
+    private const int CellSide = 8, CellsAcross = Side / CellSide, Cells = CellsAcross * CellsAcross;
 
-    private const int MaxListed = Blocks * BlockSide * BlockSide / 4 * DepthOrder.Batch;
+    private const int MaxListed = Cells * CellSide * CellSide / 4 * DepthOrder.Batch;
 
     private readonly int[] packets = new int[MaxListed], members = new int[MaxListed];
-    private readonly double[] farthest = new double[Blocks]; // the greatest t of the nearest hits in each block
+    private readonly double[] farthest = new double[Cells]; // the greatest t of the nearest hits in each cell
     private Tile tile;
     private Sides sides;
     private int count;
-    private uint touched; // the blocks whose farthest hit may have changed
+    private uint touched; // the cells whose farthest hit may have changed
 
     /// <summary>Its rays, and the nearest hits so far.</summary>
     public RayStream Rays { get; } = new(camera, Side * Side);
 
     public void Enter(in Tile tile)
     {
-        touched = (1u << Blocks) - 1; // until Refresh, nothing is known of any block
+        touched = (1u << Cells) - 1; // until Refresh, nothing is known of any cell
         (this.tile, sides) = (tile, new(tile));
         Rays.Enter<N>(tile.Column, tile.Width, Side);
         Rays.Aim<N>(tile.Row, tile.Height);
@@ -45,7 +45,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     /// <summary>Whether all pixels have a hit nearer than this.</summary>
     public bool Hides(double nearest) => Visible(nearest) == 0;
 
-    /// <summary>Clears the list of packets and finds the farthest hit of each block that they changed.</summary>
+    /// <summary>Clears the list of packets and finds the farthest hit of each cell that they changed.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Refresh()
     {
@@ -63,25 +63,25 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         var shared = sides.And(member.Sides);
         var (left, right) = (shared.Left - tile.Column, shared.Right - 1 - tile.Column);
         var (bottom, top) = (shared.Bottom - tile.Row, shared.Top - 1 - tile.Row);
-        var columns = (2u << (right / BlockSide)) - (1u << (left / BlockSide)); // a bit for each block
+        var columns = (2u << (right / CellSide)) - (1u << (left / CellSide)); // a bit for each cell
         var rows = (uint)((2UL << top) - (1UL << bottom));                      // a bit for each row
-        var inRows = (2u << (top / BlockSide)) - (1u << (bottom / BlockSide));
-        var blocks = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible(nearest);
-        touched |= blocks;
+        var inRows = (2u << (top / CellSide)) - (1u << (bottom / CellSide));
+        var cells = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible(nearest);
+        touched |= cells;
         var least = Lanes.Broadcast<N>(nearest);
         var (rays, packets, members, end) = (Rays, this.packets, this.members, count);
-        for (; blocks != 0; blocks &= blocks - 1)
+        for (; cells != 0; cells &= cells - 1)
         {
-            var block = BitOperations.TrailingZeroCount(blocks);
-            var i = Corner(block);
-            var inBlock = rows >> (block / BlocksAcross * BlockSide);
-            for (var y = 0; y < BlockSide; y++, i += Side, inBlock >>= 1)
+            var cell = BitOperations.TrailingZeroCount(cells);
+            var i = Corner(cell);
+            var inCell = rows >> (cell / CellsAcross * CellSide);
+            for (var y = 0; y < CellSide; y++, i += Side, inCell >>= 1)
             {
-                for (var x = 0; x < BlockSide; x += N.Count)
+                for (var x = 0; x < CellSide; x += N.Count)
                 {
                     packets[end] = i + x;
                     members[end] = index;
-                    end += (Lanes.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
+                    end += (Lanes.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inCell;
                 }
             }
         }
@@ -94,27 +94,28 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     /// <summary>The member that each listed packet may hit.</summary>
     public ReadOnlySpan<int> Members => members;
 
-    /// <summary>A bit for each block in which some pixel's nearest hit is not nearer than this.</summary>
+    /// <summary>A bit for each cell in which some pixel's nearest hit is not nearer than this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private uint Visible(double nearest)
     {
-        var (least, bits) = (Lanes.Broadcast<N>(nearest), 0u);
-        for (var i = 0; i < Blocks; i += N.Count) bits |= N.Bits(N.Load(farthest, i) >= least) << i;
+        var least = Lanes.Broadcast<N>(nearest);
+        var bits = 0u;
+        for (var i = 0; i < Cells; i += N.Count) bits |= N.Bits(N.Load(farthest, i) >= least) << i;
         return bits;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void FindFarthest(int block)
+    private void FindFarthest(int cell)
     {
-        var i = Corner(block);
+        var i = Corner(cell);
         var most = Rays.NearestAt<N>(i);
-        for (var x = 0; x < BlockSide; x += N.Count)
-            for (var y = 0; y < BlockSide * Side; y += Side)
+        for (var x = 0; x < CellSide; x += N.Count)
+            for (var y = 0; y < CellSide * Side; y += Side)
                 most = N.Max(most, Rays.NearestAt<N>(i + x + y));
-        farthest[block] = N.Greatest(most);
+        farthest[cell] = N.Greatest(most);
     }
 
-    /// <summary>The first pixel of a block.</summary>
+    /// <summary>The first pixel of a cell.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int Corner(int block) => block / BlocksAcross * BlockSide * Side + block % BlocksAcross * BlockSide;
+    private static int Corner(int cell) => cell / CellsAcross * CellSide * Side + cell % CellsAcross * CellSide;
 }

@@ -40,7 +40,8 @@ internal sealed class DepthOrder
             Array.Resize(ref listed, 2 * (count + end - first));
             sorted = new (int, float)[listed.Length];
         }
-        var (sides, n) = (new Sides(part), count);
+        var sides = new Sides(part);
+        var n = count;
         for (var i = first; i < end; i++)
         {
             ref readonly var member = ref members[i];

@@ -16,13 +16,14 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
         groups = [.. shapes.Lists.Select(list => list.ForBatch<N>(camera.ClipRange))];
         grid = new(camera);
         var shares = ThreadTeam.SharesOf(count, threads);
-        var (found, unknown) = (new PooledList<BatchItem>[shares], new List<int>[shares]);
+        var found = new PooledList<BatchItem>[shares];
+        var unknown = new List<int>[shares];
         ThreadTeam.Each(shares, shares, share =>
         {
             (found[share], unknown[share]) = (new(), []);
             found[share].Reserve(count / shares + ScreenBounds.Count);
-            var outlines = new ScreenBounds(camera);
-            for (var i = 0; i < groups.Length; i++) groups[i].AddTo(found[share], unknown[share], outlines, i, share, shares);
+            var screenBounds = new ScreenBounds(camera);
+            for (var i = 0; i < groups.Length; i++) groups[i].AddTo(found[share], unknown[share], screenBounds, i, share, shares);
         });
         grid.Sort(found, members);
         foreach (var some in found) some.Free();
@@ -63,7 +64,9 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
     public void Intersect(BatchTile<N> part, ReadOnlySpan<(int Member, float NearestOfRest)> order)
     {
         var members = this.members.Items;
-        var (group, isClear) = (0, false); // one call for members of one kind, which nearly always is the whole batch
+        // one call for members of one kind, which nearly always is the whole batch
+        var group = 0;
+        var isClear = false;
         for (var next = 0; next < order.Length && !part.Hides(order[next].NearestOfRest); next += Batch)
         {
             for (var i = next + Batch; i < Math.Min(next + 2 * Batch, order.Length); i++) // the batch that follows

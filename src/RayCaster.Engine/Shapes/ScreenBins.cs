@@ -3,9 +3,9 @@ using System.Buffers;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// Finds the members that may show in a part of the picture. There are several grids, each of cells four times as wide and high as the one before,
-/// and a member lies in the finest one whose cells are not smaller than its rectangle, in the cell of the rectangle's lower left corner. So what
-/// shows in a part has its corner in the part's cell, or in the one to the left, below, or both; and each member has one place, however large it is.
+/// Finds the members that may show in a part of the picture. There are several grids, each of bins four times as wide and high as the one before,
+/// and a member lies in the finest one whose bins are not smaller than its rectangle, in the bin of the rectangle's lower left corner. So what
+/// shows in a part has its corner in the part's bin, or in the one to the left, below, or both; and each member has one place, however large it is.
 /// </summary>
 /// <remarks>Members that show near each other are also neighbours in memory; in the scene's order, a part would wait for each of them.</remarks>
 internal sealed class ScreenBins
@@ -15,12 +15,14 @@ internal sealed class ScreenBins
     public const int PartSide = 32;
 
     private readonly Level[] levels;
-    private readonly int cellCount;
-    private int[] starts = []; // of each cell of each grid the first member; one more at the end
+    private readonly int binCount;
+    private int[] starts = []; // of each bin of each grid the first member; one more at the end
 
     public ScreenBins(Camera camera)
     {
-        var (created, first, side) = (new List<Level>(), 0, BitOperations.Log2(PartSide));
+        List<Level> created = [];
+        var first = 0;
+        var side = BitOperations.Log2(PartSide);
         do
         {
             var level = new Level(first, side, (camera.Width - 1 >> side) + 1, (camera.Height - 1 >> side) + 1);
@@ -30,37 +32,37 @@ internal sealed class ScreenBins
         }
         while (created[^1].Across > 1 || created[^1].Up > 1);
         levels = [.. created];
-        cellCount = first;
+        binCount = first;
     }
 
-    /// <summary>Sorts members by their cells.</summary>
+    /// <summary>Sorts members by their bins.</summary>
     /// <param name="shares">The members; each share has a thread.</param>
     public void Sort(PooledList<BatchItem>[] shares, PooledList<BatchItem> sorted)
     {
-        var cells = Array.ConvertAll(shares, share => ArrayPool<int>.Shared.Rent(share.Count)); // of each member
+        var bins = Array.ConvertAll(shares, share => ArrayPool<int>.Shared.Rent(share.Count)); // of each member
         sorted.Resize(shares.Sum(share => share.Count));
         starts = CountingSort.Sort(
-            shares.Length, cellCount,
-            (i, counts) => Count(shares[i].Items, cells[i], counts),
-            (i, next) => Place(shares[i].Items, cells[i], next, sorted.Items));
-        foreach (var some in cells) ArrayPool<int>.Shared.Return(some);
+            shares.Length, binCount,
+            (i, counts) => Count(shares[i].Items, bins[i], counts),
+            (i, next) => Place(shares[i].Items, bins[i], next, sorted.Items));
+        foreach (var some in bins) ArrayPool<int>.Shared.Return(some);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Count(ReadOnlySpan<BatchItem> members, int[] cells, int[] counts)
+    private void Count(ReadOnlySpan<BatchItem> members, int[] bins, int[] counts)
     {
         for (var i = 0; i < members.Length; i++)
         {
-            var cell = CellOf(members[i]);
-            cells[i] = cell;
-            counts[cell]++;
+            var bin = BinOf(members[i]);
+            bins[i] = bin;
+            counts[bin]++;
         }
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private static void Place(ReadOnlySpan<BatchItem> members, int[] cells, int[] next, Span<BatchItem> sorted)
+    private static void Place(ReadOnlySpan<BatchItem> members, int[] bins, int[] next, Span<BatchItem> sorted)
     {
-        for (var i = 0; i < members.Length; i++) sorted[next[cells[i]]++] = members[i];
+        for (var i = 0; i < members.Length; i++) sorted[next[bins[i]]++] = members[i];
     }
 
     /// <summary>Finds ranges that hold all members that may show in a tile, and others.</summary>
@@ -81,7 +83,7 @@ internal sealed class ScreenBins
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int CellOf(in BatchItem member)
+    private int BinOf(in BatchItem member)
     {
         var (left, bottom) = (member.Sides.Left, member.Sides.Bottom);
         var size = Math.Max(member.Sides.Right - left, member.Sides.Top - bottom);
@@ -89,6 +91,6 @@ internal sealed class ScreenBins
         return level.First + (bottom >> level.Side) * level.Across + (left >> level.Side);
     }
 
-    /// <param name="Side">The logarithm of a cell's side in pixels.</param>
+    /// <param name="Side">The logarithm of a bin's side in pixels.</param>
     private readonly record struct Level(int First, int Side, int Across, int Up);
 }

@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>What depends only on the models of a scene: the shapes that have bounds, a list for each kind.</summary>
-internal sealed class ShapeLists
+internal sealed class ShapeLists : IShapeVisitor
 {
     private static readonly ConditionalWeakTable<IReadOnlyList<Model>, ShapeLists> kept = [];
 
@@ -32,26 +32,20 @@ internal sealed class ShapeLists
         return parts[0];
     }
 
-    /// <summary>An empty list for the kind of a model; null for planes, which are infinite, and for kinds that the engine does not know.</summary>
-    private static ShapeList? ListFor(Model model) => model switch
+    /// <summary>Adds an empty list for a kind of shape; false for those without bounds.</summary>
+    public bool Visit<P>(P shape) where P : struct, IPrimitive
     {
-        Model<Sphere> => new ShapeList<Sphere>(),
-        Model<Aabb> => new ShapeList<Aabb>(),
-        Model<Circle> => new ShapeList<Circle>(),
-        Model<Triangle> => new ShapeList<Triangle>(),
-        _ => null,
-    };
+        if (shape is not IBounded) return false;
+        lists.Add(new ShapeList<P>());
+        return true;
+    }
 
     private void Add(Model model, int index)
     {
         for (var i = lists.Count - 1; i >= 0; i--)
             if (lists[i].Add(model, index))
                 return;
-        if (ListFor(model) is { } list)
-        {
-            list.Add(model, index);
-            lists.Add(list);
-        }
+        if (model.Accept(this)) lists[^1].Add(model, index);
         else others.Add(index);
     }
 

@@ -5,7 +5,7 @@ internal abstract class ShapeView<N>(Bounds? bounds, Camera camera) : ModelView 
 {
     private readonly ClipRange clip = camera.ClipRange;
 
-    public sealed override Tile Extent { get; } =
+    public sealed override Tile ShowsIn { get; } =
         bounds is { } known ? new ScreenBounds(camera).TileOf(known) : Tile.Everywhere;
 
     public sealed override bool IsShape => true;

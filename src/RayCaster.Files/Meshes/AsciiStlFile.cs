@@ -40,8 +40,7 @@ internal sealed class AsciiStlFile
             mesh.AddCorner(mesh.VertexCount - 1);
         }
         if (!Is(Joined(word), "endloop")) throw Expected("vertex' or 'endloop");
-        if (mesh.CornerCount < 3) throw scanner.Error($"a facet needs at least three vertices, but this one has {mesh.CornerCount}");
-        mesh.EndFace(scanner.LineNumber);
+        mesh.EndFace("a facet", "vertices", scanner.LineNumber, scanner.Error);
         Expect("endfacet", NextKeyword());
     }
 

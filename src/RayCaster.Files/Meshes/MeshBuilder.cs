@@ -29,10 +29,11 @@ internal sealed class MeshBuilder(MeshSource source)
         CornerCount++;
     }
 
-    /// <summary>Ends a face, and notes whether it is another shape than its fan.</summary>
+    /// <summary>Ends a face of three corners or more, and notes whether it is another shape than its fan.</summary>
     /// <param name="place">The line or byte where it is.</param>
-    public void EndFace(long place)
+    public void EndFace(string what, string corners, long place, Func<string, ProblemException> error)
     {
+        if (CornerCount < 3) throw error($"{what} needs at least three {corners}, but this one has {CornerCount}");
         if (CornerCount <= 3) return;
         var count = 3 * (CornerCount - 2);
         if (greatest < vertices.Count) Check(indices.Count - count, count, place);
@@ -48,7 +49,6 @@ internal sealed class MeshBuilder(MeshSource source)
         indices.Add(c);
     }
 
-    /// <param name="warning">What was ignored in the file.</param>
     /// <param name="placeName">What <see cref="EndFace"/> was told: "in line" or "at byte".</param>
     /// <param name="others">What the file has besides vertices and faces.</param>
     public MeshData Finish(string? warning = null, string placeName = "in line", params (int Count, string Name)[] others)

@@ -17,7 +17,6 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     /// The file's vertices and triangles. The model shares the array of vertices if none is moved, and the array of indices if no triangle is
     /// dropped.
     /// </param>
-    /// <exception cref="OverflowException">A placed vertex is farther than 1e100 from the origin, or all are less than 1e-100 apart.</exception>
     public Mesh Place(MeshData data, out int dropped)
     {
         var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices);

@@ -2,7 +2,6 @@ namespace RayCaster.Files;
 
 /// <summary>The bytes of a mesh file in order. Only a piece of them is in memory, so a file may have any size.</summary>
 /// <param name="stream">The file's bytes; it must be able to seek.</param>
-/// <param name="pieceSize">How many bytes are in memory, unless a line is longer.</param>
 internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 << 20)
 {
     private byte[] buffer = new byte[Math.Min(pieceSize, stream.Length + 1)];
@@ -19,22 +18,15 @@ internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 <
     public ReadOnlySpan<byte> Bytes => buffer.AsSpan(first, end - first);
 
     /// <summary>Loads more bytes; false at the end of the file.</summary>
-    /// <exception cref="ProblemException">The file cannot be read or became shorter, or a line is too long.</exception>
     public bool Load()
     {
         if (loaded == Length) return false;
         if (end == buffer.Length) MakeRoom();
-        try
-        {
-            var count = stream.Read(buffer.AsSpan(end, (int)Math.Min(buffer.Length - end, Length - loaded)));
-            if (count == 0) throw Error("the file became shorter while it was read");
-            (end, loaded) = (end + count, loaded + count);
-            return true;
-        }
-        catch (IOException e)
-        {
-            throw new ProblemException($"{path}: cannot be read: {e.Message}", e);
-        }
+        var count = stream.Read(buffer.AsSpan(end, (int)Math.Min(buffer.Length - end, Length - loaded)));
+        if (count == 0) throw Error("the file became shorter while it was read");
+        end += count;
+        loaded += count;
+        return true;
     }
 
     /// <summary>Whether so many bytes follow; they are loaded then.</summary>
@@ -76,12 +68,12 @@ internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 <
         if (FileKind.Of(Bytes) is { } kind && kind != own) throw Error($"it is {kind}, and not {own} as its name says");
     }
 
-    public ProblemException Error(string reason) => new($"{path}: {reason}");
+    public ProblemException Error(string reason, string place = "") => new($"{path}{place}: {reason}") { NamesFile = true };
 
-    public ProblemException ErrorAtByte(long offset, string reason) => new($"{path}(byte {offset}): {reason}");
+    public ProblemException ErrorAtByte(long offset, string reason) => Error(reason, $"(byte {offset})");
 
     /// <summary>A mistake in a text. Lines count from 1 and end with LF, CRLF or CR.</summary>
-    public ProblemException ErrorAtLine(int line, string reason) => new($"{path}({line}): {reason}");
+    public ProblemException ErrorAtLine(int line, string reason) => Error(reason, $"({line})");
 
     private void MakeRoom()
     {

@@ -11,45 +11,22 @@ internal static class ObjFile
         source.Has(64);
         if (source.Bytes[..Math.Min(source.Bytes.Length, 64)] is var start && start.IndexOfAny("\0\r\n"u8) is >= 0 and var at && start[at] == 0)
             throw source.Error("it is no text, and so no OBJ mesh; compiled files have the same extension");
-        var (scanner, mesh) = (new TextScanner(source, isObj: true), new MeshBuilder(source));
+        var scanner = new TextScanner(source, isObj: true);
+        var mesh = new MeshBuilder(source);
         var (lines, points) = (0, 0);
         var ahead = new List<(long Index, int Line)>(); // of faces before their vertices: each index that is greater than those before it
         string? warning = null;
         do
         {
-            var statement = scanner.NextInLine();
-            if (statement is [(byte)'v'])
+            switch (scanner.NextInLine())
             {
-                mesh.AddVertex(new(
-                    scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z")));
-                while (scanner.NextInLine() is { IsEmpty: false } more) // weights and colours, which may be no numbers
-                    if (!IsNotFinite(more)) scanner.ToNumber(more, "what follows a vertex's x, y and z");
-            }
-            else if (statement is [(byte)'f'])
-            {
-                mesh.BeginFace();
-                while (scanner.NextInLine() is { IsEmpty: false } corner)
-                {
-                    var index = ToIndex(corner, scanner);
-                    if (index < -mesh.VertexCount)
-                        throw scanner.Error($"face index {index} counts back beyond the {mesh.VertexCount} vertices that are above it");
-                    if (index > mesh.VertexCount && (ahead.Count == 0 || index > ahead[^1].Index)) ahead.Add((index, scanner.LineNumber));
-                    mesh.AddCorner((int)Math.Min(index < 0 ? mesh.VertexCount + index : index - 1, int.MaxValue));
-                }
-                if (mesh.CornerCount < 3) throw scanner.Error($"a face needs at least three corners, but this one has {mesh.CornerCount}");
-                mesh.EndFace(scanner.LineNumber);
-            }
-            else if (statement is [(byte)'l'])
-            {
-                lines++;
-            }
-            else if (statement is [(byte)'p'])
-            {
-                points++;
-            }
-            else if (warning is null && (statement.SequenceEqual("usemtl"u8) || statement.SequenceEqual("mtllib"u8)))
-            {
-                warning = "the file's materials are ignored; \"color\" colours the whole mesh";
+                case [(byte)'v']: ReadVertex(scanner, mesh); break;
+                case [(byte)'f']: ReadFace(scanner, mesh, ahead); break;
+                case [(byte)'l']: lines++; break;
+                case [(byte)'p']: points++; break;
+                case var statement when statement.SequenceEqual("usemtl"u8) || statement.SequenceEqual("mtllib"u8):
+                    warning = "the file's materials are ignored; \"color\" colours the whole mesh";
+                    break;
             }
         }
         while (scanner.NextLine());
@@ -58,6 +35,27 @@ internal static class ObjFile
             if (index > mesh.VertexCount)
                 throw source.ErrorAtLine(line, $"face index {index} is beyond the file's {mesh.VertexCount} vertices");
         return mesh.Finish(warning, others: [(lines, "line"), (points, "point")]);
+    }
+
+    private static void ReadVertex(TextScanner scanner, MeshBuilder mesh)
+    {
+        mesh.AddVertex(new(scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z")));
+        while (scanner.NextInLine() is { IsEmpty: false } more) // weights and colours, which may be no numbers
+            if (!IsNotFinite(more)) scanner.ToNumber(more, "what follows a vertex's x, y and z");
+    }
+
+    private static void ReadFace(TextScanner scanner, MeshBuilder mesh, List<(long Index, int Line)> ahead)
+    {
+        mesh.BeginFace();
+        while (scanner.NextInLine() is { IsEmpty: false } corner)
+        {
+            var index = ToIndex(corner, scanner);
+            if (index < -mesh.VertexCount)
+                throw scanner.Error($"face index {index} counts back beyond the {mesh.VertexCount} vertices that are above it");
+            if (index > mesh.VertexCount && (ahead.Count == 0 || index > ahead[^1].Index)) ahead.Add((index, scanner.LineNumber));
+            mesh.AddCorner((int)Math.Min(index < 0 ? mesh.VertexCount + index : index - 1, int.MaxValue));
+        }
+        mesh.EndFace("a face", "corners", scanner.LineNumber, scanner.Error);
     }
 
     /// <summary>Whether a program has written NaN or infinity: <c>nan</c>, <c>-nan(ind)</c>, <c>Infinity</c>, <c>1.#QNAN</c>.</summary>

@@ -7,7 +7,8 @@ internal sealed class PlyFile(PlyHeader header, PlyValues values, MeshBuilder me
     public static MeshData Read(MeshSource source)
     {
         source.ThrowUnless("a PLY mesh");
-        var (header, mesh) = (new PlyHeader(source), new MeshBuilder(source));
+        var header = new PlyHeader(source);
+        var mesh = new MeshBuilder(source);
         PlyValues values = header.Format == "ascii" ? new AsciiPlyValues(source, header.Scanner)
             : new BinaryPlyValues(source, isBigEndian: header.Format == "binary_big_endian");
         var file = new PlyFile(header, values, mesh);
@@ -47,7 +48,7 @@ internal sealed class PlyFile(PlyHeader header, PlyValues values, MeshBuilder me
         if (count < 3) throw values.Error($"a face needs at least three corners, but this one has {count}");
         mesh.BeginFace();
         for (; count > 0; count--) mesh.AddCorner(ToCorner(values.Next(type)));
-        mesh.EndFace(values.Place);
+        mesh.EndFace("a face", "corners", values.Place, values.Error);
     }
 
     /// <summary>Strips, one after another: each corner from the third on makes a triangle with the two before, every other one turned. −1 ends a

@@ -9,20 +9,13 @@ internal enum PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Floa
 /// <summary>One value of each row of an element; a list if it has a type for its count.</summary>
 internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType? CountType)
 {
-    public int Size => SizeOf(Type);
+    public static ReadOnlySpan<byte> Sizes => [1, 1, 2, 2, 4, 4, 4, 8]; // by type
 
-    public static int SizeOf(PlyType type) => type switch
-    {
-        PlyType.Int8 or PlyType.UInt8 => 1,
-        PlyType.Int16 or PlyType.UInt16 => 2,
-        PlyType.Int32 or PlyType.UInt32 or PlyType.Float32 => 4,
-        _ => 8,
-    };
+    public int Size => Sizes[(int)Type];
 }
 
 /// <summary>A table of the file.</summary>
 /// <param name="Name">What its rows are: <c>vertex</c>, <c>face</c>, <c>tristrips</c>, or anything else, which is skipped.</param>
-/// <param name="Line">The header's line, for a message.</param>
 internal sealed record PlyElement(string Name, long Count, int Line)
 {
     public List<PlyProperty> Properties { get; } = [];
@@ -34,9 +27,12 @@ internal sealed class PlyHeader
     private const int longest = 1 << 20;
     private readonly MeshSource source;
 
-    /// <exception cref="ProblemException">
-    /// The header is broken, or there is no vertex with x, y and z, or no face with vertex_indices.
-    /// </exception>
+    private static readonly (string Old, string New)[] typeNames =
+    [
+        ("char", "int8"), ("uchar", "uint8"), ("short", "int16"), ("ushort", "uint16"),
+        ("int", "int32"), ("uint", "uint32"), ("float", "float32"), ("double", "float64"),
+    ];
+
     public PlyHeader(MeshSource source)
     {
         (this.source, Scanner) = (source, new(source));
@@ -126,19 +122,12 @@ internal sealed class PlyHeader
         element.Properties.Add(new(role, valueType, countType));
     }
 
-    private PlyType ToType(string name) => name switch
+    private PlyType ToType(string name)
     {
-        "char" or "int8" => PlyType.Int8,
-        "uchar" or "uint8" => PlyType.UInt8,
-        "short" or "int16" => PlyType.Int16,
-        "ushort" or "uint16" => PlyType.UInt16,
-        "int" or "int32" => PlyType.Int32,
-        "uint" or "uint32" => PlyType.UInt32,
-        "float" or "float32" => PlyType.Float32,
-        "double" or "float64" => PlyType.Float64,
-        _ => throw Scanner.Error(
-            $"{Scanner.Quoted} is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64"),
-    };
+        var type = Array.FindIndex(typeNames, names => names.Old == name || names.New == name);
+        return type >= 0 ? (PlyType)type
+            : throw Scanner.Error($"{Scanner.Quoted} is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64");
+    }
 
     private PlyElement Require(string name, params ReadOnlySpan<(PlyRole Role, string Name)> needed)
     {

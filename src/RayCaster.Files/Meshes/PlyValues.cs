@@ -5,7 +5,6 @@ internal abstract class PlyValues(MeshSource source)
 {
     protected MeshSource Source => source;
 
-    /// <exception cref="ProblemException">It is missing or not finite.</exception>
     public abstract double Next(PlyType type);
 
     public abstract void Skip(PlyProperty property, long count);
@@ -80,7 +79,7 @@ internal sealed class BinaryPlyValues(MeshSource source, bool isBigEndian) : Ply
     public override double Next(PlyType type)
     {
         last = Source.Position;
-        var size = PlyProperty.SizeOf(type);
+        var size = PlyProperty.Sizes[(int)type];
         if (!Source.Has(size)) throw Error(TooShort);
         var value = Number(Source.Take(size), type, isBigEndian);
         return double.IsFinite(value) ? value : throw Error($"the value must be a finite number, but is {value}");

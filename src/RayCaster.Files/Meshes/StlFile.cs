@@ -49,7 +49,8 @@ internal static class StlFile
         source.Skip(Header);
         for (; count > 0; count--)
         {
-            var (offset, vertex) = (source.Position, mesh.VertexCount);
+            var offset = source.Position;
+            var vertex = mesh.VertexCount;
             var triangle = source.Take(BytesPerTriangle);
             for (var at = 12; at < 48; at += 12)
                 mesh.AddVertex(new(Float(triangle, at), Float(triangle, at + 4), Float(triangle, at + 8)));

@@ -8,7 +8,7 @@ internal sealed class TextScanner
     private readonly MeshSource source;
     private readonly bool isObj;
     private int length, lineEnd; // the bytes of the line without its end, and of its end
-    private int lineNumber = 1, linesInIt; // line ends that a backslash takes back
+    private int lineNumber = 1, joinedLines; // continuation lines that a backslash joins to this one
     private int wordAt;
 
     /// <param name="isObj">Whether, as in OBJ, # starts a comment, and a backslash at the end of a vertex or face continues it on the next
@@ -24,11 +24,10 @@ internal sealed class TextScanner
     /// <summary>Where the search for the next word begins: the last word's end.</summary>
     public int Position { get; private set; }
 
-    /// <summary>The bytes of the line's end.</summary>
     public ReadOnlySpan<byte> LineEnd => source.Bytes.Slice(length, lineEnd);
 
     /// <summary>The line of the last word, or where one was missing.</summary>
-    public int LineNumber => lineNumber + (linesInIt > 0 ? CountLines(Line[..wordAt]) : 0);
+    public int LineNumber => lineNumber + (joinedLines > 0 ? CountLines(Line[..wordAt]) : 0);
 
     /// <summary>The last word for a message, shortened, without control characters.</summary>
     public string Quoted
@@ -71,7 +70,7 @@ internal sealed class TextScanner
     /// <summary>Skips the rest of the line; false at the end of the file.</summary>
     public bool NextLine()
     {
-        var next = lineNumber + 1 + linesInIt;
+        var next = lineNumber + 1 + joinedLines;
         source.Skip(length + lineEnd);
         (Position, wordAt) = (0, 0);
         if (!LoadLine()) return false;
@@ -80,14 +79,11 @@ internal sealed class TextScanner
     }
 
     /// <summary>Ends the text with this line: other bytes follow.</summary>
-    /// <param name="lineEndBytes">How many bytes end the line.</param>
     public void EndText(int lineEndBytes) => source.Skip(length + lineEndBytes);
 
-    /// <inheritdoc cref="ToNumber"/>
     public double NextNumber(string what) => ToNumber(NextInLine(), what);
 
     /// <summary>Reads the word that came last as a number.</summary>
-    /// <exception cref="ProblemException">It is something else, NaN, or beyond the largest number.</exception>
     public double ToNumber(ReadOnlySpan<byte> word, string what)
     {
         if (TryParse(word, out var number)) return number;
@@ -108,7 +104,7 @@ internal sealed class TextScanner
     private bool LoadLine()
     {
         var (begin, searched) = (0, 0); // where the last line begins that a backslash continues, and where no line end is
-        for (linesInIt = 0; ; linesInIt++, begin = searched = length + lineEnd)
+        for (joinedLines = 0; ; joinedLines++, begin = searched = length + lineEnd)
         {
             while ((length = EndIn(source.Bytes, searched)) < 0)
             {

@@ -18,9 +18,10 @@ namespace RayCaster.Files;
 /// <param name="Version">The version of the program, and 12 digits that change with its code.</param>
 public sealed partial record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
 {
+    internal const string Keyword = "raycaster:part";
+
     /// <summary>The facts of a part that is drawn now.</summary>
     /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
-    /// <param name="engine">The assembly that draws.</param>
     public static PartFacts Of(Scene scene, LineRange lines, string models, Assembly engine) =>
         new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene, models),
             VersionOf(typeof(Scene).Assembly, typeof(PartFacts).Assembly, engine));
@@ -41,6 +42,9 @@ public sealed partial record PartFacts(int Width, int Height, LineRange Lines, s
             ? new(width, height, lines, values[4].Value, values[5].Value)
             : null;
     }
+
+    /// <summary>The facts as the text of a PNG.</summary>
+    public (string Keyword, string Value) PngText => (Keyword, ToString());
 
     /// <summary>The text.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture,

@@ -25,7 +25,11 @@ public static class PartFile
     }
 
     /// <summary>Opens a file for reading it line by line, with its facts.</summary>
-    internal static T Open<T>(string path, Func<PngReader, PartFacts?, T> read) => PngReader.OpenFile(path, png => read(png, FactsOf(png)));
+    internal static T Open<T>(string path, Func<PngReader, PartFacts?, T> read) => PictureFile.Open(path, file =>
+    {
+        var png = new PngReader(file, 3 * Camera.MaxPixels, keyword: PartFacts.Keyword);
+        return read(png, FactsOf(png));
+    });
 
     private static string? WhyNot(PngReader png, PartFacts? found, PartFacts wanted)
     {
@@ -38,13 +42,12 @@ public static class PartFile
 
     private static PartFacts? FactsOf(PngReader png)
     {
-        if (png.PartText is not { } text) return null;
+        if (png.Text is not { } text) return null;
         if (PartFacts.Parse(text) is not { } facts)
             throw new ProblemException("its text about its part of the picture is unknown; perhaps a newer raycaster drew it");
         if ((png.Header.Width, png.Header.Height) != (facts.Width, facts.Lines.Count))
             throw new ProblemException($"it says that it holds the lines {facts.Lines}, each of {facts.Width} pixels, "
                 + $"but has {png.Header.Height} lines of {png.Header.Width}: it was changed by another program");
-        png.RequireLines();
         return facts;
     }
 }

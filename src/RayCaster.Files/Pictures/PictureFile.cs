@@ -24,7 +24,7 @@ public static class PictureFile
         }
         catch (IOException e)
         {
-            throw new ProblemException(ProblemException.Reason(e), e);
+            throw ProblemException.Of(e);
         }
     });
 
@@ -82,14 +82,16 @@ public static class PictureFile
     }
 
     /// <summary>Opens a file, reads it and closes it; errors name the file.</summary>
-    /// <exception cref="ProblemException">The file cannot be read.</exception>
     internal static T Open<T>(string path, Func<FileStream, T> read)
     {
         try
         {
-            if (Directory.Exists(path)) throw new ProblemException("it is a folder, not a picture");
-            using var file = OpenToRead(path);
+            using var file = InputFile.Open(path, "picture");
             return read(file);
+        }
+        catch (ProblemException e) when (e.InnerException is FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw new ProblemException($"picture file not found: {path}\n  looked for {PrintableText.Of(Path.GetFullPath(path))}", e);
         }
         catch (ProblemException e) when (!e.NamesFile)
         {
@@ -97,29 +99,7 @@ public static class PictureFile
         }
     }
 
-    private static FileStream OpenToRead(string path)
-    {
-        try
-        {
-            return new(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-        }
-        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
-        {
-            var place = PrintableText.Of(Path.GetFullPath(path));
-            throw new ProblemException($"picture file not found: {path}\n  looked for {place}", e) { NamesFile = true };
-        }
-        catch (ArgumentException e) // empty, or with a zero in it
-        {
-            throw new ProblemException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e) { NamesFile = true };
-        }
-        catch (Exception e) when (ProblemException.IsCausedByFile(e))
-        {
-            throw new ProblemException(ProblemException.Reason(e), e);
-        }
-    }
-
     /// <summary>Refuses a size that a header promises, before anything is allocated for it.</summary>
-    /// <exception cref="ProblemException">A side is 0, or the picture is too large.</exception>
     internal static void CheckSize(long width, long height, long maxBytes)
     {
         if (width < 1 || height < 1)
@@ -133,10 +113,11 @@ public static class PictureFile
     internal static string Printable(ReadOnlySpan<byte> bytes) =>
         string.Concat(bytes.ToArray().Select(value => value is >= 0x20 and < 0x7F ? $"{(char)value}" : $"\\x{value:X2}"));
 
-    private static MemoryStream InMemory(byte first, Stream rest) =>
-        InputBytes.TryReadToEnd(rest, MaxBytes - 1, out var bytes, [first])
-            ? new(bytes.Array!, bytes.Offset, bytes.Count)
-            : throw new ProblemException($"the file is longer than {MaxBytes:N0} bytes, which is the limit");
+    private static MemoryStream InMemory(byte first, Stream rest)
+    {
+        var bytes = InputFile.ReadToEnd(rest, "file", Array.MaxLength - 1, begun: [first]);
+        return new(bytes.Array!, bytes.Offset, bytes.Count);
+    }
 
     internal static string KindOf(ReadOnlySpan<byte> file)
     {

@@ -24,14 +24,15 @@ public abstract class PictureWriter : IDisposable
 
     /// <summary>Begins a picture: writes the header.</summary>
     /// <param name="output">Receives the file's bytes in order. It need not seek, and is left open.</param>
-    /// <param name="part">Which part of a picture it is, as a text, if it is one; only a PNG can hold it.</param>
-    public static PictureWriter Create(PictureFormat format, Stream output, int width, int height, string? part = null) => format switch
-    {
-        PictureFormat.Png => new PngWriter(output, width, height, part),
-        _ when part is not null => throw new ArgumentException("a part of a picture is a PNG", nameof(format)),
-        PictureFormat.Ppm or PictureFormat.PpmText => new PpmWriter(output, width, height, isText: format == PictureFormat.PpmText),
-        _ => throw new ArgumentOutOfRangeException(nameof(format), format, null),
-    };
+    /// <param name="text">A text that the file holds beside the picture, in Latin-1; only a PNG can.</param>
+    public static PictureWriter Create(
+        PictureFormat format, Stream output, int width, int height, (string Keyword, string Value)? text = null) => format switch
+        {
+            PictureFormat.Png => new PngWriter(output, width, height, text),
+            _ when text is not null => throw new ArgumentException("only a PNG can hold a text", nameof(format)),
+            PictureFormat.Ppm or PictureFormat.PpmText => new PpmWriter(output, width, height, isText: format == PictureFormat.PpmText),
+            _ => throw new ArgumentOutOfRangeException(nameof(format), format, null),
+        };
 
     /// <summary>Writes the next lines.</summary>
     /// <param name="rgb">Any number of whole lines, width · 3 bytes each: red, green, blue, from left to right.</param>

@@ -8,9 +8,6 @@ internal static class PngChunk
     /// <summary>Length, type and checksum.</summary>
     public const int Frame = 12;
 
-    /// <summary>The keyword of the text that says which part of a picture a file holds.</summary>
-    public const string PartKeyword = "raycaster:part";
-
     private static readonly uint[] crcTable = MakeCrcTable();
 
     /// <summary>Not ASCII, and with both kinds of line end, so that a transfer as text damages it.</summary>

@@ -4,10 +4,9 @@ namespace RayCaster.Files;
 internal sealed class PngChunkReader
 {
     private readonly Stream file;
-    private readonly byte[] frame = new byte[8], passedBy = new byte[1 << 14];
+    private readonly byte[] frame = new byte[8], scratch = new byte[1 << 14];
     private uint crc;
 
-    /// <exception cref="ProblemException">The file cannot seek, or does not begin like a PNG.</exception>
     public PngChunkReader(Stream file)
     {
         if (!file.CanSeek) throw new ProblemException("it is a pipe or a device; name a file");
@@ -16,16 +15,14 @@ internal sealed class PngChunkReader
         if (Fill(frame) == 0) throw new ProblemException("the file is empty");
         if (frame[0] != PngChunk.Signature[0]) throw new ProblemException("it is not a PNG");
         if (!frame.AsSpan().SequenceEqual(PngChunk.Signature))
-            throw new ProblemException("it begins like a PNG, but its first eight bytes are damaged; was it written or transferred as text? Open the file in binary mode");
+            throw new ProblemException("it begins like a PNG, but its first eight bytes are damaged; was it written or transferred as text? "
+                + "Open the file in binary mode");
     }
 
-    /// <summary>The chunk's four letters.</summary>
     public string Type { get; private set; } = "";
 
-    /// <summary>Where the chunk begins in the file.</summary>
     public long Place { get; private set; }
 
-    /// <summary>How many of its bytes are not read yet.</summary>
     public long Left { get; private set; }
 
     /// <summary>Whether the chunk's checksum is wrong. That is an error unless the pixels do not need the chunk.</summary>
@@ -59,7 +56,6 @@ internal sealed class PngChunkReader
 
     /// <summary>Reads the next bytes of the chunk's data, and checks the checksum after the last of them.</summary>
     /// <returns>How many: fewer than the buffer holds only at the chunk's end.</returns>
-    /// <exception cref="ProblemException">The checksum is wrong, or the file became shorter.</exception>
     public int Read(Span<byte> buffer)
     {
         if (Left == 0) return 0;
@@ -82,10 +78,9 @@ internal sealed class PngChunkReader
     /// <summary>Reads the rest of the chunk only to check the checksum.</summary>
     public void Check()
     {
-        while (Left > 0) Read(passedBy);
+        while (Left > 0) Read(scratch);
     }
 
-    /// <summary>Skips the rest of the chunk and its checksum.</summary>
     public void Skip()
     {
         if (Left == 0) return; // the checksum was read already
@@ -110,7 +105,7 @@ internal sealed class PngChunkReader
         }
         catch (IOException e)
         {
-            throw new ProblemException(ProblemException.Reason(e), e); // an IOException would be taken for damaged data
+            throw ProblemException.Of(e); // an IOException would be taken for damaged data
         }
     }
 }

@@ -4,7 +4,6 @@ namespace RayCaster.Files;
 internal static class PngFilter
 {
     /// <summary>Turns differences back into bytes, in place.</summary>
-    /// <param name="filter">The number that stands before the line.</param>
     /// <param name="line">The line, after <paramref name="step"/> zeros.</param>
     /// <param name="above">The line above, after as many zeros; all zeros above the first line.</param>
     /// <param name="step">How far a byte is from its left neighbour: the bytes of a pixel, at least 1.</param>

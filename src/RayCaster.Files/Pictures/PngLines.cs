@@ -17,7 +17,6 @@ internal sealed class PngLines(Stream data, PngHeader header)
     }
 
     /// <summary>The samples of the next line, scaled to 8 bits if they are not places in the palette. The next call overwrites them.</summary>
-    /// <exception cref="EndOfStreamException">The line is missing.</exception>
     public ReadOnlySpan<byte> Next()
     {
         (line, above) = (above, line);

@@ -19,14 +19,12 @@ internal sealed class PngReader
     private readonly long firstData;
 
     /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
-    /// <param name="warn">Gets what is damaged, but not needed for the pixels.</param>
-    /// <exception cref="ProblemException">The file is damaged, or the picture needs more than <paramref name="maxBytes"/> bytes, three
-    /// for each pixel.</exception>
-    public PngReader(Stream file, long maxBytes, Action<string>? warn = null)
+    public PngReader(Stream file, long maxBytes, Action<string>? warn = null, string keyword = "")
     {
         chunks = new(file);
         PngHeader? header = null;
-        var (dataBytes, paletteBytes, before) = (0L, 0L, "");
+        var (dataBytes, paletteBytes) = (0L, 0L);
+        var before = "";
         for (chunks.Next(); ; before = chunks.Type, chunks.Next())
         {
             if (header is null && chunks.Type != "IHDR") throw new ProblemException($"its first chunk is {chunks.Type} instead of IHDR");
@@ -52,8 +50,8 @@ internal sealed class PngReader
                     dataBytes += chunks.Left;
                     chunks.Skip();
                     continue;
-                case "tEXt" when chunks.Left <= MaxText && PartText is null:
-                    PartText = Encoding.Latin1.GetString(chunks.ReadUpTo(MaxText)).Split('\0') is [PngChunk.PartKeyword, var text] ? text : null;
+                case "tEXt" when chunks.Left <= MaxText && Text is null:
+                    Text = Encoding.Latin1.GetString(chunks.ReadUpTo(MaxText)).Split('\0') is [var key, var text] && key == keyword ? text : null;
                     break;
                 case "IEND":
                     break;
@@ -66,7 +64,7 @@ internal sealed class PngReader
             chunks.Check();
             if (chunks.IsDamaged)
             {
-                if (chunks.Type == "tEXt") PartText = null;
+                if (chunks.Type == "tEXt") Text = null;
                 warn?.Invoke($"its chunk {chunks.Type} at byte {chunks.Place:N0} is damaged: the checksum is wrong; the pixels do not need it");
             }
             if (chunks.Type == "IEND") break;
@@ -84,8 +82,8 @@ internal sealed class PngReader
 
     public PngHeader Header { get; }
 
-    /// <summary>The text under <see cref="PngChunk.PartKeyword"/>; null if there is none.</summary>
-    public string? PartText { get; }
+    /// <summary>The file's first text under the keyword; null if there is none.</summary>
+    public string? Text { get; }
 
     public static Picture Read(Stream file, long maxBytes, Action<string> warn)
     {
@@ -95,20 +93,10 @@ internal sealed class PngReader
         return picture;
     }
 
-    /// <summary>Opens a file for reading it line by line.</summary>
-    /// <exception cref="ProblemException">The file cannot be read; the message names it.</exception>
-    public static T OpenFile<T>(string path, Func<PngReader, T> read) =>
-        PictureFile.Open(path, file => read(new(file, 3 * Camera.MaxPixels)));
-
-    /// <exception cref="ProblemException">The picture is interlaced, so that its lines do not follow each other.</exception>
-    public void RequireLines()
-    {
-        if (Header.Interlaced) throw new ProblemException("it is interlaced, so that its lines cannot be read one after another");
-    }
-
-    /// <summary>Reads all lines of a picture that is not interlaced, three bytes for each pixel, and checks the end of the data.</summary>
+    /// <summary>Reads all lines, three bytes for each pixel, and checks the end of the data.</summary>
     public void ReadLines(Action<ReadOnlySpan<byte>> take)
     {
+        if (Header.Interlaced) throw new ProblemException("it is interlaced, so that its lines cannot be read one after another");
         var line = new byte[3 * Header.Width];
         ReadLines(_ => line, _ => take(line));
     }
@@ -119,31 +107,33 @@ internal sealed class PngReader
     {
         chunks.Return(firstData);
         using var data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
-        var (lines, passes) = (new PngLines(data, Header), Header.Passes);
-        foreach (var pass in passes)
+        var lines = new PngLines(data, Header);
+        foreach (var pass in Header.Passes)
         {
             lines.Begin(pass);
             for (var y = pass.Y; y < Header.Height; y += pass.StepY)
             {
-                var isLast = pass == passes[^1] && y + pass.StepY >= Header.Height;
-                ReadLine(lines, pass, y, lineAt(y).Span, isLast ? data : null);
+                Decode(y, () => ReadLine(lines.Next(), pass, lineAt(y).Span));
                 isRead(y);
             }
         }
+        Decode(Header.Height - 1, () => CheckEnd(data));
     }
 
-    /// <summary>Reads a line of a pass. Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>
-    /// <param name="ending">The data, if they must end with this line.</param>
-    private void ReadLine(PngLines lines, PngPass pass, int y, Span<byte> rgb, ZLibStream? ending)
+    private void ReadLine(ReadOnlySpan<byte> samples, PngPass pass, Span<byte> rgb)
+    {
+        if (Header.ColorType == PngHeader.Rgb && pass.StepX == 1) samples.CopyTo(rgb);
+        else
+            for (var at = 3 * pass.X; at < rgb.Length; at += 3 * pass.StepX, samples = samples[Header.Channels..])
+                (rgb[at], rgb[at + 1], rgb[at + 2]) = ColorOf(samples);
+    }
+
+    /// <summary>Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>
+    private void Decode(int y, Action decode)
     {
         try
         {
-            var samples = lines.Next();
-            if (Header.ColorType == PngHeader.Rgb && pass.StepX == 1) samples.CopyTo(rgb);
-            else
-                for (var at = 3 * pass.X; at < rgb.Length; at += 3 * pass.StepX, samples = samples[Header.Channels..])
-                    (rgb[at], rgb[at + 1], rgb[at + 2]) = ColorOf(samples);
-            if (ending is not null) CheckEnd(ending);
+            decode();
         }
         catch (Exception e) when (e is InvalidDataException or IOException)
         {

@@ -23,7 +23,7 @@ internal sealed class PngWriter : PictureWriter
     private readonly ZLibStream compressor;
     private int used; // of the filtered bytes
 
-    public PngWriter(Stream output, int width, int height, string? part = null) : base(output, width, height)
+    public PngWriter(Stream output, int width, int height, (string Keyword, string Value)? text) : base(output, width, height)
     {
         above = new byte[LineBytes];
         filtered = new byte[(1 + LineBytes) * Math.Min(height, 1 + BytesAtOnce / LineBytes)];
@@ -31,7 +31,7 @@ internal sealed class PngWriter : PictureWriter
 
         output.Write(PngChunk.Signature);
         PngChunk.Write(output, "IHDR"u8, new PngHeader(width, height, 8, PngHeader.Rgb, Interlaced: false).ToBytes());
-        if (part is not null) PngChunk.Write(output, "tEXt"u8, Encoding.Latin1.GetBytes($"{PngChunk.PartKeyword}\0{part}"));
+        if (text is var (keyword, value)) PngChunk.Write(output, "tEXt"u8, Encoding.Latin1.GetBytes($"{keyword}\0{value}"));
     }
 
     public override void Dispose()

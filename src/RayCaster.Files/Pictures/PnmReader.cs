@@ -9,20 +9,17 @@ internal sealed class PnmReader
     /// <summary>The first memory for a picture from a pipe. It grows with the data, because the header may promise too much.</summary>
     private const int FirstBytes = 1 << 16;
 
-    /// <summary>So much of a word is shown.</summary>
     private const int LongestWord = 40;
 
     private readonly BufferedStream file;
     private readonly byte[] word = new byte[LongestWord];
     private readonly int kind, width, height, maxval;
-    private readonly bool endsWithCr; // whether CR ends the header
     private readonly long dataAt; // where the header ends
     private int next; // in the header and in a text: the byte that is looked at; −1 at the end
     private long position; // of that byte, from P; later how many bytes were read
     private int line = 1, wordLength;
 
     /// <param name="stream">The file after its first byte, which is P.</param>
-    /// <param name="warn">Gets what is odd about it.</param>
     public static Picture Read(Stream stream, long maxBytes, Action<string> warn)
     {
         long? length = stream.CanSeek ? stream.Length - stream.Position + 1 : null;
@@ -45,7 +42,7 @@ internal sealed class PnmReader
         height = ReadNumber("the height", int.MaxValue);
         maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval", 65535);
         PictureFile.CheckSize(width, height, maxBytes);
-        if (kind >= 4) SkipSeparator(out endsWithCr);
+        if (kind >= 4) SkipSeparator();
         dataAt = position;
     }
 
@@ -65,7 +62,8 @@ internal sealed class PnmReader
     private Picture ReadPixels(bool isWhole)
     {
         var rgb = new byte[isWhole ? 3L * width * height : Math.Min(FirstBytes, 3L * width * height)];
-        for (var (y, at) = (0, 0); y < height; y++)
+        var at = 0;
+        for (var y = 0; y < height; y++)
         {
             if (kind == 6 && maxval == 255)
             {
@@ -150,25 +148,20 @@ internal sealed class PnmReader
         return ends && wordLength > 0 && number <= most && number >= (what is null ? 0 : 1) ? (int)number : throw Wrong(ReadWord(), what, most);
     }
 
-    /// <summary>The rest of the word that was begun.</summary>
     private string ReadWord()
     {
         for (; next >= 0 && !IsBlank(next) && wordLength < LongestWord; Advance()) word[wordLength++] = (byte)next;
         return PictureFile.Printable(word.AsSpan(0, wordLength));
     }
 
-    /// <summary>Skips blanks and comments. The file must go on after them.</summary>
-    private void SkipBlanks(string what)
-    {
-        SkipBlanks();
-        wordLength = 0;
-        if (next < 0) throw new ProblemException($"the file is cut short: it ends where {what} should be");
-    }
-
-    private void SkipBlanks()
+    /// <summary>Skips blanks and comments.</summary>
+    /// <param name="what">What must follow; null for nothing.</param>
+    private void SkipBlanks(string? what = null)
     {
         while (IsBlank(next) || next == '#')
             if (Advance() == '#') SkipComment();
+        wordLength = 0;
+        if (next < 0 && what is not null) throw new ProblemException($"the file is cut short: it ends where {what} should be");
     }
 
     /// <summary>Skips from # to the end of the line; the line end is left.</summary>
@@ -178,11 +171,10 @@ internal sealed class PnmReader
     }
 
     /// <summary>Skips the one blank, or the comment with its line end, before the bytes. No more: the first bytes may look like blanks.</summary>
-    private void SkipSeparator(out bool isCr)
+    private void SkipSeparator()
     {
         if (next == '#') SkipComment();
         if (next < 0) throw new ProblemException("the file is cut short: it ends with its header");
-        isCr = next == '\r';
         position++;
     }
 
@@ -191,10 +183,11 @@ internal sealed class PnmReader
     /// <summary>Says why a file has more or fewer bytes than its header promises. What spoils the pixels is an error.</summary>
     private void CheckSurplus(long surplus, Action<string> warn)
     {
-        var (there, from) = (DataBytes + surplus, file.Position);
-        var all = there <= 32 * DataBytes + FirstBytes && InputBytes.TryReadToEnd(file, Array.MaxLength - 1, out var read) ? read : [];
+        var there = DataBytes + surplus;
+        var from = file.Position;
+        var all = there <= 32 * DataBytes + FirstBytes && InputFile.TryReadToEnd(file, Array.MaxLength - 1, out var read) ? read : [];
         file.Position = from;
-        var cause = new PnmSurplus(kind, width, height, maxval, endsWithCr).Cause(all, DataBytes, out var isHarmless);
+        var cause = new PnmSurplus(kind, width, height, maxval, endsWithCr: next == '\r').Cause(all, DataBytes, out var isHarmless);
         if (surplus < 0) throw new ProblemException(CutShort(there).Message + (cause is null ? "" : $"; {cause}"));
         var more = $"the file has {surplus:N0} byte{(surplus == 1 ? "" : "s")} more than its header promises";
         if (cause is not null && !isHarmless) throw new ProblemException($"{more}: {cause}");
@@ -245,7 +238,8 @@ internal sealed class PnmReader
             _ => what is null ? "limit colours to 0 … 1 before they become bytes" : null,
         };
         var because = cause is null ? "" : $" ({cause})";
-        return new(what is null ? $"'{text}' is no value from 0 to {most}{because}"
-            : $"{what} is '{text}', but must be a whole number from 1 to {most}{because}") { Line = line };
+        var message = what is null ? $"'{text}' is no value from 0 to {most}{because}"
+            : $"{what} is '{text}', but must be a whole number from 1 to {most}{because}";
+        return new(message) { Line = line };
     }
 }

@@ -7,8 +7,6 @@ namespace RayCaster.Files;
 internal readonly struct PnmSurplus(int kind, int width, int height, int maxval, bool endsWithCr)
 {
     /// <summary>The likely cause; null if it is not known.</summary>
-    /// <param name="data">All bytes after the header.</param>
-    /// <param name="due">How many there should be.</param>
     /// <param name="isHarmless">Whether the pixels are right all the same, or wrong only in a way that a diagnosis names.</param>
     public string? Cause(ReadOnlySpan<byte> data, long due, out bool isHarmless)
     {
@@ -44,7 +42,8 @@ internal readonly struct PnmSurplus(int kind, int width, int height, int maxval,
         if (letters < body.Length && (letters == due || letters - splits == due))
             return "each byte above 127 has become two or more: write bytes to a stream, not characters or a redirected text";
         if (maxval > 255) return null;
-        var (pixels, sample) = ((long)width * height, kind == 6 ? 3 : 1);
+        var pixels = (long)width * height;
+        var sample = kind == 6 ? 3 : 1;
         var perPixel = data.Length % pixels == 0 ? data.Length / pixels : 0;
         return (kind, perPixel) switch
         {

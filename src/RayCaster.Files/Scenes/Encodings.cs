@@ -5,7 +5,6 @@ namespace RayCaster.Files;
 /// <summary>Recognises files that are not UTF-8.</summary>
 internal static class Encodings
 {
-    /// <summary>What is wrong with a text's encoding, or null.</summary>
     public static JsonMistake? MistakeIn(ReadOnlySpan<byte> text)
     {
         if (text is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] or [0, not 0, ..] or [not 0, 0, ..] or [0, 0, 0xFE, 0xFF, ..])

@@ -8,15 +8,12 @@ internal readonly record struct JsonMistake(int Start, int End, string Message);
 /// Says why a text is not JSON, after <see cref="Utf8JsonReader"/> has refused it: compares what follows the last good token with what JSON
 /// allows there.
 /// </summary>
-/// <param name="tree">The tokens before the mistake.</param>
-/// <param name="open">The arrays and objects that are open at the mistake.</param>
 /// <param name="lastEnd">The place after the last good token; after a key the place after its colon.</param>
 internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> open, JsonTokenType last, int lastEnd)
 {
     private readonly ReadOnlySpan<byte> utf8 = tree.Text.Utf8;
     private readonly ReadOnlySpan<int> open = open;
     private readonly JsonWords words = new(tree.Text);
-    private readonly WrongToken wrong = new(tree.Text);
 
     /// <param name="refusal">The JSON reader's own message, for a mistake that is not known here.</param>
     public JsonMistake Explain(JsonException refusal)
@@ -38,7 +35,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         var c = (char)utf8[at];
         if (c == '/' && last == JsonTokenType.Number && at == valueEnd && words.IsDigit(at + 1)) return Fraction(at);
         if (c != '/' && open.Length == 0)
-            return wrong.Lookalike(at) ?? new(at, words.LineEnd(at), "the scene has ended before this; a file holds one object");
+            return words.Lookalike(at) ?? new(at, words.LineEnd(at), "the scene has ended before this; a file holds one object");
         if (Misplaced(at) is { } mistake) return mistake;
         switch (c)
         {
@@ -53,10 +50,10 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
             case ':' or '=':
                 return new(at, at + 1, $"'{c}' cannot follow a value; a comma or a bracket can");
         }
-        if (c == '"' && wrong.Text(at, out var keyEnd) is null && KeyInArray(at, keyEnd) is { } inArray) return inArray;
+        if (c == '"' && words.Text(at, out var keyEnd) is null && KeyInArray(at, keyEnd) is { } inArray) return inArray;
         var line = tree.Text.LineOf(valueEnd - 1);
         if (line != tree.Text.LineOf(at)) return new(at, words.End(at), $"a comma is missing after line {line}");
-        var end = c == '"' && wrong.Text(at, out var textEnd) is null ? textEnd : words.End(at);
+        var end = c == '"' && words.Text(at, out var textEnd) is null ? textEnd : words.End(at);
         return new(at, end, $"a comma is missing before {tree.Text.Quote(at, end)}");
     }
 
@@ -66,7 +63,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         switch ((char)utf8[at])
         {
             case '"':
-                if (wrong.Text(at, out var end) is { } unfinished) return unfinished;
+                if (words.Text(at, out var end) is { } unfinished) return unfinished;
                 var colon = words.SkipBlanks(end);
                 if (colon == utf8.Length) return CutOff();
                 if (utf8[colon] == ':' && !utf8[end..colon].Contains((byte)'/')) return null;
@@ -95,13 +92,14 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
 
     private JsonMistake? Value(int at)
     {
-        var (c, end) = ((char)utf8[at], words.End(at));
+        var c = (char)utf8[at];
+        var end = words.End(at);
         if (c is ',' or '}' or ']' && last == JsonTokenType.PropertyName) return new(at, at + 1, "a value is missing after the colon");
         if (Misplaced(at) is { } mistake) return mistake;
         switch (c)
         {
             case '"':
-                return wrong.Text(at, out end) ?? (end == utf8.Length ? CutOff() : null);
+                return words.Text(at, out end) ?? (end == utf8.Length ? CutOff() : null);
             case '{' or '[' when open.Length == JsonTree.MaxDepth:
                 return new(at, at + 1, $"arrays and objects are nested deeper than {JsonTree.MaxDepth}");
             case '\'':
@@ -111,17 +109,16 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
             case ':' or '=':
                 return new(at, at + 1, $"a value is expected here, not '{c}'");
             case '.' or '+' or '-' or (>= '0' and <= '9'):
-                return wrong.Number(at) ?? (end == utf8.Length ? CutOff() : AfterValue(words.SkipBlanks(end), end));
+                return words.Number(at) ?? (end == utf8.Length ? CutOff() : AfterValue(words.SkipBlanks(end), end));
             default:
-                return wrong.Literal(at) ?? (end == utf8.Length ? CutOff() : null);
+                return words.Literal(at) ?? (end == utf8.Length ? CutOff() : null);
         }
     }
 
     private JsonMistake CutOff()
     {
-        var (end, reason) = (utf8.Length, "a value is missing");
-        if (open.Length > 0) reason = $"the {Bracket(out var line)} of line {line} is never closed";
-        return new(end, end, $"the file ends too early: {reason}");
+        var reason = open.Length > 0 ? $"the {Bracket(out var line)} of line {line} is never closed" : "a value is missing";
+        return new(utf8.Length, utf8.Length, $"the file ends too early: {reason}");
     }
 
     private JsonMistake WrongBracket(int at)
@@ -168,7 +165,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         '#' => new(at, at + 1, "a comment starts with //, not with #"),
         '/' when utf8[at..].StartsWith("/*"u8) => new(at, at + 2, "this comment is never closed; */ is missing"),
         '/' => new(at, at + 1, "a comment starts with // or stands between /* and */"),
-        _ => wrong.Lookalike(at),
+        _ => words.Lookalike(at),
     };
 
     private JsonMistake Fraction(int at)

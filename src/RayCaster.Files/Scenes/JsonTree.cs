@@ -14,8 +14,6 @@ internal sealed class JsonTree
     private JsonTree(SourceText text) => Text = text;
 
     /// <summary>A token; an object's keys stand before their values.</summary>
-    /// <param name="Start">The place of its first byte.</param>
-    /// <param name="End">The place after its last byte.</param>
     /// <param name="Next">The node after this one and all nodes in it.</param>
     public readonly record struct Node(JsonTokenType Kind, int Start, int End, int Next);
 
@@ -31,7 +29,6 @@ internal sealed class JsonTree
     /// <summary>The bytes between the quotes of a text or key.</summary>
     public ReadOnlySpan<byte> Written(int node) => Text.Utf8[(nodes[node].Start + 1)..(nodes[node].End - 1)];
 
-    /// <summary>The token that was added last.</summary>
     public Node Last => nodes[^1];
 
     /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>
@@ -40,7 +37,8 @@ internal sealed class JsonTree
     /// <summary>The text with other values in place of some, in ASCII; comments and layout stay.</summary>
     public byte[] With(IEnumerable<(JsonValue Value, string Text)> edits)
     {
-        var (text, done) = (new MemoryStream(), 0);
+        var text = new MemoryStream();
+        var done = 0;
         text.Write(Text.Mark);
         foreach (var (value, by) in edits.OrderBy(edit => edit.Value.Start))
         {
@@ -52,10 +50,10 @@ internal sealed class JsonTree
         return text.ToArray();
     }
 
-    /// <param name="text">Valid UTF-8.</param>
-    /// <param name="mistake">Why it is not JSON, if null is returned.</param>
     public static JsonTree? Parse(SourceText text, out JsonMistake? mistake)
     {
+        mistake = Encodings.MistakeIn(text.Utf8);
+        if (mistake is not null) return null;
         var tree = new JsonTree(text);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
         var depth = 0;
@@ -68,14 +66,15 @@ internal sealed class JsonTree
                 (last, lastEnd) = (reader.TokenType, (int)reader.BytesConsumed); // a key's ends after its colon
                 if (last is JsonTokenType.EndObject or JsonTokenType.EndArray)
                 {
-                    tree.Close(open[--depth], lastEnd);
+                    tree.lastClosed = open[--depth];
+                    tree.nodes[tree.lastClosed] = tree.nodes[tree.lastClosed] with { End = lastEnd, Next = tree.nodes.Count };
                     continue;
                 }
                 if (last is JsonTokenType.StartObject or JsonTokenType.StartArray) open[depth++] = tree.nodes.Count;
                 var start = (int)reader.TokenStartIndex;
-                tree.Add(last, start, last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd);
+                var end = last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd;
+                tree.nodes.Add(new(last, start, end, tree.nodes.Count + 1));
             }
-            mistake = null;
             return tree;
         }
         catch (JsonException e)
@@ -83,13 +82,5 @@ internal sealed class JsonTree
             mistake = new JsonExpectation(tree, open.AsSpan(0, depth), last, lastEnd).Explain(e);
             return null;
         }
-    }
-
-    private void Add(JsonTokenType kind, int start, int end) => nodes.Add(new(kind, start, end, nodes.Count + 1));
-
-    private void Close(int opening, int end)
-    {
-        nodes[opening] = nodes[opening] with { End = end, Next = nodes.Count };
-        lastClosed = opening;
     }
 }

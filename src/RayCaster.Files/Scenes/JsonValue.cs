@@ -25,7 +25,6 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
-    /// <summary>The keys of an object in the order of the text.</summary>
     public IEnumerable<JsonValue> Keys => Content.Where((_, i) => i % 2 == 0);
 
     /// <summary>The value of a key of an object, the first if the key is repeated; null if it is missing.</summary>

@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>A type of model as a scene file names it.</summary>
-/// <param name="Name">The value of the key <c>type</c>.</param>
 /// <param name="Read">Reads the type's own keys; name and colour are the same for all types.</param>
 internal sealed record PrimitiveType(string Name, string Meaning, Func<SceneObject, Model> Read);
 
@@ -69,7 +68,7 @@ internal static class PrimitiveList
     private static Model Mesh(SceneObject o)
     {
         var nothing = new Mesh([], []);
-        var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.", false);
+        var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.");
         var vertices = o.Vectors("vertices", "In place of a file: the corners of the faces.");
         var indices = o.Faces("faces", "Of each face at least three places in vertices, from 0.", vertices);
         var placement = new MeshPlacement(

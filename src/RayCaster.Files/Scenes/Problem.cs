@@ -1,8 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>A mistake in a scene file, and its place.</summary>
-/// <param name="IsError">True if there can be no picture, false for a warning.</param>
-/// <param name="File">The scene file as the user named it.</param>
 /// <param name="Line">The line, from 1; 0 if it concerns the whole file.</param>
 /// <param name="Column">The column, from 1, in UTF-16 units; a byte order mark is not counted, a tab counts as 1.</param>
 /// <param name="Message">What is allowed, what was found and what to do: one line that begins with the value, <c>models[3].radius</c>.</param>

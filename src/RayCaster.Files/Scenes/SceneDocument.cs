@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>A scene file while it is read: its text, the problems found so far, and the mesh files that it names.</summary>
-/// <param name="folder">The folder where paths of mesh files start.</param>
 internal sealed class SceneDocument(SourceText text, string folder)
 {
     private const int LongestMessage = 2000; // a mesh file's path in it may have any length
@@ -16,10 +15,8 @@ internal sealed class SceneDocument(SourceText text, string folder)
 
     public SourceText Text => text;
 
-    /// <summary>The full paths of the mesh files that the scene names.</summary>
     public IReadOnlyCollection<string> MeshFiles => meshes is null ? [] : meshes.Keys;
 
-    /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
     public void Add(bool isError, int start, int end, string message)
     {
         if (isError) ErrorCount++;
@@ -29,18 +26,13 @@ internal sealed class SceneDocument(SourceText text, string folder)
     }
 
     /// <summary>The problems in the order of the text; at one place, in the order in which they were found.</summary>
-    public Problem[] Problems()
-    {
-        if (findings.Count == 0) return [];
-        return
-        [
-            .. from finding in findings
-               orderby finding.Start
-               let place = text.Locate(finding.Start)
-               select new Problem(
-                   finding.IsError, text.Name, place.Line, place.Column, finding.Message, text.Excerpt(finding.Start, finding.End)),
-        ];
-    }
+    public Problem[] Problems() =>
+    [
+        .. from finding in findings
+           orderby finding.Start
+           let place = text.Locate(finding.Start)
+           select new Problem(finding.IsError, text.Name, place.Line, place.Column, finding.Message, text.Excerpt(finding.Start, finding.End)),
+    ];
 
     /// <summary>The content of a mesh file. A file that several models name is read only once.</summary>
     /// <param name="file">The path as the scene writes it; both / and \ separate folders.</param>

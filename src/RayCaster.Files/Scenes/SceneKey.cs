@@ -4,7 +4,6 @@ internal enum KeyKind
 {
     Number,
     Whole,
-    Flag,
     Vector,
     Vectors,
     Faces,
@@ -20,7 +19,6 @@ internal enum KeyKind
 }
 
 /// <summary>A key of an object in a scene file, described by the code that reads it. The editors' schema is made from these.</summary>
-/// <param name="Meaning">What an editor shows for it.</param>
 /// <param name="Default">The value if the key is left out; null for none.</param>
 internal sealed record SceneKey(string Name, KeyKind Kind, string Meaning, bool IsRequired, object? Default = null)
 {

@@ -6,27 +6,38 @@ public static class SceneReader
     /// <summary>The longest scene file, in bytes: some 400,000 models. More triangles belong in a mesh file.</summary>
     public const int MaxBytes = 1 << 26;
 
+    /// <summary>The longest rubric, in bytes.</summary>
+    internal const int MaxShortBytes = 1 << 20;
+
+    private const string TooLong = "; put large meshes into mesh files";
+
     /// <summary>The types of models, as scene files name them.</summary>
     public static IReadOnlyList<string> ModelTypes => PrimitiveList.Names;
-
-    private const string Kind = "scene file", Remedy = "; put large meshes into mesh files";
 
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     public static SceneReading Read(string path)
     {
         if (MeshFile.IsNamedLikeOne(path) && File.Exists(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-        if (InputBytes.ReadFile(path, Kind, MaxBytes, Remedy, out var bytes) is { } problem) return Unreadable(path, problem);
-        return Parse(bytes, path, Path.GetDirectoryName(path) ?? "");
+        return Read(path, Path.GetDirectoryName(path) ?? "", () => InputFile.Read(path, "scene file", MaxBytes, TooLong));
     }
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
     /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static SceneReading Read(Stream stream, string displayName, string folder)
+    public static SceneReading Read(Stream stream, string displayName, string folder) =>
+        Read(displayName, folder, () => InputFile.ReadToEnd(stream, "scene file", MaxBytes, TooLong));
+
+    private static SceneReading Read(string displayName, string folder, Func<ArraySegment<byte>> read)
     {
-        if (!InputBytes.TryReadToEnd(stream, MaxBytes, out var bytes)) return Unreadable(displayName, InputBytes.TooLong(Kind, MaxBytes, Remedy));
-        return Parse(bytes, displayName, folder);
+        try
+        {
+            return Parse(read(), displayName, folder);
+        }
+        catch (ProblemException e)
+        {
+            return Unreadable(displayName, e.Message);
+        }
     }
 
     /// <summary>Reads a text.</summary>
@@ -39,6 +50,25 @@ public static class SceneReader
         return new(scene, document.Problems()) { MeshFiles = document.MeshFiles, Text = utf8 };
     }
 
+    /// <summary>Reads a short file in the form of a scene file. Returns null if there is an error.</summary>
+    /// <inheritdoc cref="Parse{T}"/>
+    internal static T? ReadShort<T>(string path, string name, Func<SceneObject, T?> read, out SceneReading reading) where T : class
+    {
+        ArraySegment<byte> utf8;
+        try
+        {
+            utf8 = InputFile.Read(path, "file", MaxShortBytes);
+        }
+        catch (ProblemException e)
+        {
+            reading = Unreadable(path, e.Message);
+            return null;
+        }
+        var result = Parse(utf8, path, "", name, read, out var document);
+        reading = new(null, document.Problems());
+        return result;
+    }
+
     /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>
     /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
     /// <param name="name">The name of the outermost object in messages.</param>
@@ -47,18 +77,11 @@ public static class SceneReader
         where T : class
     {
         document = new SceneDocument(new SourceText(displayName, utf8), folder);
-        var root = ReadRoot(document, name);
+        var tree = JsonTree.Parse(document.Text, out var mistake);
+        if (mistake is { } wrong) document.Add(true, wrong.Start, wrong.End, wrong.Message);
+        var root = tree is null ? null : SceneObject.AsObject(document, tree.Root, "", name);
         var result = root is null ? null : read(root);
         return document.ErrorCount == 0 ? result : null;
-    }
-
-    private static SceneObject? ReadRoot(SceneDocument document, string name)
-    {
-        var mistake = Encodings.MistakeIn(document.Text.Utf8);
-        if (mistake is null && JsonTree.Parse(document.Text, out mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name);
-        var (start, end, message) = mistake!.Value;
-        document.Add(true, start, end, message);
-        return null;
     }
 
     /// <summary>Reads the outermost object of a scene; null if there is an error in it.</summary>
@@ -96,10 +119,11 @@ public static class SceneReader
                 "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner);
         o.Close();
 
-        var (position, view) = (o.PathOf("position"), camera.Target - camera.Position);
+        var view = camera.Target - camera.Position;
+        var position = o.PathOf("position");
         var (width, height, zNear, zFar, fovY) = (camera.Width, camera.Height, camera.ZNear, camera.ZFar, camera.FovY);
-        var (ofUp, ofZNear) = (o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]",
-            o.Has("zNear") ? "" : " where it is not given");
+        var ofUp = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
+        var ofZNear = o.Has("zNear") ? "" : " where it is not given";
         if (view.Length == 0) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
         else if (Camera.IsParallel(camera.Up, view))
             o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {position}, but is {camera.Up}{ofUp}");

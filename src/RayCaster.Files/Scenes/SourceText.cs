@@ -3,7 +3,6 @@ using System.Runtime.InteropServices;
 namespace RayCaster.Files;
 
 /// <summary>The text of a file, and the lines and columns of its bytes.</summary>
-/// <param name="name">The file as the user named it.</param>
 internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 {
     private const int LongestExcerpt = 120;
@@ -38,7 +37,6 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         return (line, column);
     }
 
-    /// <summary>The line of a byte, from 1.</summary>
     public int LineOf(int offset)
     {
         var found = Array.BinarySearch(LineStarts, offset);

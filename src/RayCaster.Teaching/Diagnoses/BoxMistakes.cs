@@ -63,8 +63,8 @@ internal static class BoxMistakes
         Func<double, double, double, double>? lastIn = null, int[]? axesOfD = null) => lab => lab.Box.Is((box, d) =>
     {
         var (x, y, z) = (SlabOf(0), SlabOf(1), SlabOf(2));
-        var (tMin, tMax) = (lastIn?.Invoke(x.In, y.In, z.In) ?? Math.Max(Math.Max(x.In, y.In), z.In), Least(x.Out, y.Out, z.Out));
-        return tMin <= tMax ? new(tMin, tMax) : None;
+        var (t_min, t_max) = (lastIn?.Invoke(x.In, y.In, z.In) ?? Math.Max(Math.Max(x.In, y.In), z.In), Least(x.Out, y.Out, z.Out));
+        return t_min <= t_max ? new(t_min, t_max) : None;
 
         (double In, double Out) SlabOf(int axis)
         {

@@ -70,7 +70,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
             // A search for edits takes as long as all the rest. It is not needed if all shapes show and two known mistakes explain everything.
             if (!Unfinished.ByColors(pictures, done).Any(way => way.Kinds.Any()))
                 early = Ranking.BestPairs(pairs.WithNearest(usual, PairSearch.Partners));
-            if (!Ranking.IsCertain(early)) singles = Ranking.Sorted([.. usual, .. Edits(Unfinished.Nothing)]);
+            if (!Ranking.IsCertain(early)) (singles, early) = (Ranking.Sorted([.. usual, .. Edits(Unfinished.Nothing)]), []);
         }
         singles = WithoutIdle(singles);
         if (pictures is [var only] && singles.Exists(single => single.Misfit.Unexplained < only.LeastPixels && Ranking.IsCertain([single])))
@@ -83,7 +83,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
                where way.Kinds.Any() && single.Variants.All(variant => MayShow(variant, way))
                select single with { Base = way },
         ]);
-        List<WrongProgram> all = [.. plain, .. singles, .. early, .. beside];
+        List<WrongProgram> all = [.. plain, .. singles, .. beside];
         if (Ranking.IsCertain([.. all.Where(candidate => !candidate.Base.Kinds.Any())]) || Ranking.IsDone(all, Nearly)) return Ranking.Sorted(all);
 
         var isDone = Ranking.IsDone(all);
@@ -93,7 +93,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         // Few wrong pixels beside what is missing may be all that shows of a mistake.
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
         var onTop = Ranking.Best([.. NearestWays(samples).SelectMany(way => Singles(way, samples))]);
-        all.AddRange(onTop);
+        all.AddRange([.. onTop, .. early]);
         if (!isDone && Ranking.IsDone(all) && !Ranking.IsDone(all, Nearly)) all.AddRange(NearestPairs());
         if (Ranking.IsDone(all)) return Ranking.Sorted(all);
 

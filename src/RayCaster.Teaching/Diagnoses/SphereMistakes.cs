@@ -12,7 +12,7 @@ internal static class SphereMistakes
             SphereRadius(R => Math.Sqrt(R)),
             "Spheres have a wrong size, or a wrong depth; one of radius 1 is right.",
             "Are both sides of your equation squares?",
-            "thc = √(R² − D²)."),
+            "t_hc = √(R² − D²)."),
         new Mistake("disc-nan", Affects.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
             NoNumberHits((t, best) => !(t >= best)), // the same for numbers
             "Nearly all is black where a sphere is in the scene; only what is listed after it survives.",
@@ -20,22 +20,22 @@ internal static class SphereMistakes
             "Return no hit where R² − D² < 0, before the root.")
             .Or("sphere: NaN passes for the first hit, and no t is less than that",
                 NoNumberHits((t, best) => double.IsPositiveInfinity(best) || t < best)),
-        new("far-root", Affects.Spheres, Slides.Sphere, "sphere: the far root t = tca + thc is taken",
+        new("far-root", Affects.Spheres, Slides.Sphere, "sphere: the far root t = t_ca + t_hc is taken",
             lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Far)),
             "Spheres look hollow: you see the inside of their far half.",
-            "Which of tca − thc and tca + thc comes first?",
-            "t = tca − thc, and tca + thc only if that does not count."),
-        new Mistake("near-root-only", Affects.Spheres, Slides.Sphere, "sphere: the near root t = tca − thc or none",
+            "Which of t_ca − t_hc and t_ca + t_hc comes first?",
+            "t = t_ca − t_hc, and t_ca + t_hc only if that does not count."),
+        new Mistake("near-root-only", Affects.Spheres, Slides.Sphere, "sphere: the near root t = t_ca − t_hc or none",
             lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Near)),
             "A sphere that the camera is in, or that is cut open, is not there.",
-            "From inside, what is the sign of tca − thc?",
-            "Where tca − thc does not count, try tca + thc.")
-            .Or("sphere: no hit where tca − thc < 0", lab => lab.Sphere.Becomes(cross => (s, d) => UnlessBehind(cross(s, d)))),
+            "From inside, what is the sign of t_ca − t_hc?",
+            "Where t_ca − t_hc does not count, try t_ca + t_hc.")
+            .Or("sphere: no hit where t_ca − t_hc < 0", lab => lab.Sphere.Becomes(cross => (s, d) => UnlessBehind(cross(s, d)))),
         new("oc-sign", Affects.Spheres, Slides.Sphere, "sphere: P − C where C − P is meant, which mirrors the sphere at the camera",
             lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = 2 * lab.P - s.Center }, d)),
             "Spheres are missing; those behind the camera show.",
             "From where to where does L point?",
-            "L = C − P, tca = L·d. (In the quadratic: b = 2 d·(P − C).)"),
+            "L = C − P, t_ca = L·d. (In the quadratic: b = 2 d·(P − C).)"),
         new("disc-2", Affects.Spheres, Slides.SphereAnalytical, "sphere: discriminant b² − a c, while b = 2 d·(P − C) has its 2",
             lab => lab.Sphere.Is((s, d) =>
             {
@@ -46,26 +46,26 @@ internal static class SphereMistakes
             "Spheres bleed over the picture, or have a wrong size or depth.",
             "Is the discriminant b² − 4ac or (b/2)² − ac? Which one fits your b?",
             "With b = 2 d·(P − C): b² − 4ac and t = (−b ∓ √…) / 2a."),
-        new("tca-positive", Affects.Spheres, Slides.Sphere, "sphere: no hit where tca < 0, the slide's sentence taken literally",
+        new("tca-positive", Affects.Spheres, Slides.Sphere, "sphere: no hit where t_ca < 0, the slide's sentence taken literally",
             lab => lab.Sphere.Becomes(cross => (s, d) => (s.Center - lab.P) * d < 0 ? None : cross(s, d)),
             "From inside a sphere a part of it is missing: there the background shows.",
-            "You are inside a sphere, its centre is behind you. What is the sign of tca, and is there a wall before you?",
-            "tca < 0 says only that the centre lies behind; ask t = tca + thc."),
-        new("d-nosq", Affects.Spheres, Slides.Sphere, "sphere: thc = √(R² − D), with the distance D where D² is meant",
-            Roots((R, tca, thc) => Both(tca, Math.Sqrt(R * R - Math.Sqrt(Math.Max(0, R * R - thc * thc))))),
+            "You are inside a sphere, its centre is behind you. What is the sign of t_ca, and is there a wall before you?",
+            "t_ca < 0 says only that the centre lies behind; ask t = t_ca + t_hc."),
+        new("d-nosq", Affects.Spheres, Slides.Sphere, "sphere: t_hc = √(R² − D), with the distance D where D² is meant",
+            Roots((R, t_ca, t_hc) => Both(t_ca, Math.Sqrt(R * R - Math.Sqrt(Math.Max(0, R * R - t_hc * t_hc))))),
             "Spheres have a wrong size, or are dented: too flat or too deep.",
             "D is a length. What is it taken from?",
-            "thc = √(R² − D²), D² = L² − tca²."),
-        new("thc-nosqrt", Affects.Spheres, Slides.Sphere, "sphere: thc = R² − D² without the root",
-            Roots((_, tca, thc) => Both(tca, thc * thc)),
+            "t_hc = √(R² − D²), D² = L² − t_ca²."),
+        new("thc-nosqrt", Affects.Spheres, Slides.Sphere, "sphere: t_hc = R² − D² without the root",
+            Roots((_, t_ca, t_hc) => Both(t_ca, t_hc * t_hc)),
             "Spheres have the right outline, but bulge or are too flat: their light is wrong, and so is what covers them.",
             "In which unit is R² − D²: metres, or square metres?",
-            "thc = √(R² − D²)."),
-        new("tca-only", Affects.Spheres, Slides.Sphere, "sphere: t = tca, where the ray is nearest to the centre",
-            Roots((_, tca, _) => new(tca)),
+            "t_hc = √(R² − D²)."),
+        new("tca-only", Affects.Spheres, Slides.Sphere, "sphere: t = t_ca, where the ray is nearest to the centre",
+            Roots((_, t_ca, _) => new(t_ca)),
             "Spheres look like flat discs, and stand too deep in what they touch.",
-            "What is at t = tca: the ray's way in, or its middle?",
-            "t = tca − thc, and tca + thc if that does not count."),
+            "What is at t = t_ca: the ray's way in, or its middle?",
+            "t = t_ca − t_hc, and t_ca + t_hc if that does not count."),
         new Mistake("r-diameter", Affects.Spheres | Affects.Circles, Slides.Sphere, "sphere: the radius taken for a diameter, R / 2",
             SphereRadius(R => R / 2),
             "Round things are half as large as they should be, or twice.",
@@ -78,14 +78,14 @@ internal static class SphereMistakes
     private static Action<Lab> SphereRadius(Func<double, double> R) =>
         lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = R((double)s.Radius) }, d));
 
-    /// <summary>Other crossings of spheres, from R, tca and thc.</summary>
+    /// <summary>Other crossings of spheres, from R, t_ca and t_hc.</summary>
     private static Action<Lab> Roots(Func<double, double, double, Crossed> other) => lab => lab.Sphere.Becomes(cross => (s, d) =>
     {
         var crossed = cross(s, d);
         return other((double)s.Radius, (double)(crossed.Near + crossed.Far) / 2, (double)(crossed.Far - crossed.Near) / 2);
     });
 
-    private static Crossed Both(double tca, double thc) => new(tca - thc, tca + thc);
+    private static Crossed Both(double t_ca, double t_hc) => new(t_ca - t_hc, t_ca + t_hc);
 
     /// <summary>A ray that passes by a sphere hits it at NaN.</summary>
     private static Action<Lab> NoNumberHits(Func<double, double, bool> better) => lab =>

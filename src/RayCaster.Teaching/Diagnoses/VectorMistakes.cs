@@ -38,12 +38,12 @@ internal static class VectorMistakes
             "t is a distance only if d has a certain length. Which?",
             "d = (uc U + ur V − W) normalised."),
         new Mistake("dir-unnorm-a1", Affects.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
-            LeaveDirection + Geometric((_, L, tca, _) => L * L - tca * tca),
+            LeaveDirection + Geometric((_, L, t_ca, _) => L * L - t_ca * t_ca),
             "Spheres bleed into wedges towards the borders, which are too bright.",
             "The sphere's formula left out a = d·d. When is that allowed?",
             "d = (uc U + ur V − W) normalised.")
-            .Or("d not normalised, while the sphere takes d·d = 1 and D = L − tca d",
-                LeaveDirection + Geometric((_, L, tca, d) => (L - tca * d) * (L - tca * d))),
+            .Or("d not normalised, while the sphere takes d·d = 1 and D = L − t_ca d",
+                LeaveDirection + Geometric((_, L, t_ca, d) => (L - t_ca * d) * (L - t_ca * d))),
         OfCross("cross-x", "the cross product's x has the wrong sign", (_, _, n) => n with { X = -n.X },
             "The picture is mirrored, turned or skewed, and triangles are torn.",
             "What is (0, 1, 0) × (0, 0, 1)?"),
@@ -68,8 +68,8 @@ internal static class VectorMistakes
         {
             (string Says, Action<Lab> Sphere)[] spheres =
             [
-                ("", AllowAnyLength), (", while the sphere takes d·d = 1", Geometric((_, L, tca, _) => L * L - tca * tca)),
-                (", while the sphere takes D = |L − tca d|", Geometric((lab, L, tca, d) => lab.Length.Do(L - tca * d) is var D ? D * D : 0)),
+                ("", AllowAnyLength), (", while the sphere takes d·d = 1", Geometric((_, L, t_ca, _) => L * L - t_ca * t_ca)),
+                (", while the sphere takes D = |L − t_ca d|", Geometric((lab, L, t_ca, d) => lab.Length.Do(L - t_ca * d) is var D ? D * D : 0)),
             ];
             (string Says, Action<Lab> Light)[] lights =
             [
@@ -114,12 +114,12 @@ internal static class VectorMistakes
     });
 
     /// <summary>The slide's sphere, for d·d = 1.</summary>
-    /// <param name="DSquare">(lab, L, tca, d) → D².</param>
+    /// <param name="DSquare">(lab, L, t_ca, d) → D².</param>
     private static Action<Lab> Geometric(Func<Lab, Vector3, double, Vector3, double> DSquare) => lab => lab.Sphere.Is((s, d) =>
     {
         var L = s.Center - lab.P;
-        var tca = L * d;
-        var thc = Math.Sqrt((double)s.Radius * s.Radius - DSquare(lab, L, tca, d)); // no number where the ray passes by
-        return new(tca - thc, tca + thc);
+        var t_ca = L * d;
+        var t_hc = Math.Sqrt((double)s.Radius * s.Radius - DSquare(lab, L, t_ca, d)); // no number where the ray passes by
+        return new(t_ca - t_hc, t_ca + t_hc);
     });
 }

@@ -29,7 +29,8 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
         {
             var end = i + 1;
             if (char.IsLetterOrDigit(text[i]) && text[i] != '²')
-                while (end < text.Length && (char.IsLetterOrDigit(text[end]) || (text[end] == '.' && char.IsDigit(text[i])))) end++;
+                while (end < text.Length
+                    && (char.IsLetterOrDigit(text[end]) || text[end] == '_' || (text[end] == '.' && char.IsDigit(text[i])))) end++;
             if (text[i] != ' ') tokens.Add(text[i..end] is "−" ? "-" : text[i..end]);
             i = end;
         }

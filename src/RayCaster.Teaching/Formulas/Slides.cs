@@ -38,7 +38,7 @@ public static class Slides
         new("zNear, zFar, bias", "Take a hit that should show: which is false of t > bias, zNear ≤ z and z ≤ zFar?", ClipPlanes, Bias),
         new("box", "Take a ray to a face that is wrong: what are t0 and t1 of each slab, t_min and t_max? What if d is negative?",
             BoxParameters, BoxTest, Box),
-        new("sphere", "Take a ray through the centre: what are tca, D and thc? What if the camera is inside?", Sphere, SphereAnalytical),
+        new("sphere", "Take a ray through the centre: what are t_ca, D and t_hc? What if the camera is inside?", Sphere, SphereAnalytical),
         new("circle", "Take a ray through C: what is t, and how long is X − C?", Circle),
         new("triangle", "Take a ray through the middle of a triangle: what are t, u and v?", Triangle),
     ];

@@ -10,7 +10,8 @@ public static class ComparisonText
 
     /// <summary>A sentence for a picture of which every channel is as many levels too bright, or too dark.</summary>
     internal static string Shifted(int levels) =>
-        $"Every channel is {Digits.Count(Math.Abs(levels), "level")} {(levels > 0 ? "brighter" : "darker")}: is a number added on its way to a byte?";
+        $"Every channel is {Digits.Count(Math.Abs(levels), "level")} {(levels > 0 ? "brighter" : "darker")}: " +
+        "is a number added on its way to a byte?";
 
     /// <summary>The comparison in whole lines.</summary>
     /// <param name="mine">The name of the picture in question.</param>
@@ -23,7 +24,8 @@ public static class ComparisonText
             var isSwapped = (a.Width, a.Height) == (b.Height, b.Width);
             return $"{mine} is wrong: it has {a.Width} x {a.Height} pixels, {reference} has {b.Width} x {b.Height}" +
                 $"{(isSwapped ? ": width and height are swapped" : "")}.\n" +
-                (comparison.Crop is { } crop ? $"It is the right picture without {crop.Missing}. {Cropped}\n" : "") + OneColor(comparison, mine) + Recognized(comparison);
+                (comparison.Crop is { } crop ? $"It is the right picture without {crop.Missing}. {Cropped}\n" : "")
+                + OneColor(comparison, mine) + Recognized(comparison);
         }
         return comparison.Likeness switch
         {

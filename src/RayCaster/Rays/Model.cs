@@ -26,6 +26,10 @@ public abstract class Model
     /// <summary>Where rays over any kind of number cross the shape; null for models without such a formula: meshes and scalar shapes.</summary>
     public virtual Crossings<N>? Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
 
+    /// <summary>Calls the visitor with the shape, and returns what that returns; false for models without a formula: meshes and scalar
+    /// shapes.</summary>
+    public virtual bool Accept(IShapeVisitor visitor) => false;
+
     /// <summary>Makes a model of a primitive.</summary>
     public static Model<P> Of<P>(P primitive) where P : struct, IPrimitive => new(primitive);
 }
@@ -56,4 +60,7 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 
     /// <inheritdoc/>
     public override Crossings<N>? Intersect<N>(in Ray<N> ray) => Primitive.Intersect(ray);
+
+    /// <inheritdoc/>
+    public override bool Accept(IShapeVisitor visitor) => visitor.Visit(Primitive);
 }

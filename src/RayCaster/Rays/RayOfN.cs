@@ -1,9 +1,6 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>The rays X(t) = P + t d that a formula computes with: one ray, a packet of rays, or all rays of a region.</summary>
-[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 public readonly struct Ray<N>(Vector3<N> origin, Vector3<N> direction) where N : struct, IReal<N>
 {
     /// <summary>P, where the ray starts.</summary>
@@ -13,6 +10,5 @@ public readonly struct Ray<N>(Vector3<N> origin, Vector3<N> direction) where N :
     public readonly Vector3<N> Direction = direction;
 
     /// <summary>The point X(t) = P + t d (slide "Ray").</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> At(N t) => Origin + t * Direction;
 }

@@ -42,8 +42,8 @@ public sealed record Camera
         W = -(Target - Position).Normalized;
         U = (Up % W).Normalized;
         V = W % U;
-        PlaneHeight = 2 * Math.Tan(FovY * Math.PI / 180 / 2);
-        PlaneWidth = PlaneHeight * Width / Height;
+        PlaneHeight = 2 * Math.Tan(FovY / 2 * Math.PI / 180); // FovY is in degrees, Math.Tan takes radians
+        PlaneWidth = PlaneHeight * Width / Height; // not PlaneHeight * (Width / Height): of two integers that is a whole number
         FadeDistance = (2 * (Target - Position)).Length;
         ClipRange = new(Bias, ZNear, ZFar);
     }

@@ -13,15 +13,15 @@ public static class ScalarRenderer
         return picture;
     }
 
-    /// <summary>Draws a window of the picture of a scene, its lines on several threads.</summary>
-    /// <param name="window">Receives the pixels. It may be smaller than the picture.</param>
-    /// <param name="left">The picture's column at the window's left edge.</param>
-    /// <param name="top">The picture's line, counted from the top, at the window's upper edge.</param>
+    /// <summary>Draws a part of the picture of a scene, its lines on several threads.</summary>
+    /// <param name="part">Receives the pixels. It may be smaller than the picture.</param>
+    /// <param name="left">The picture's column at the part's left edge.</param>
+    /// <param name="top">The picture's line, counted from the top, at the part's upper edge.</param>
     /// <param name="threads">The most threads; −1 for one per core.</param>
-    public static void Render(Scene scene, Picture window, int left = 0, int top = 0, int threads = -1) =>
-        Parallel.For(0, window.Height, new() { MaxDegreeOfParallelism = threads }, y =>
+    public static void Render(Scene scene, Picture part, int left = 0, int top = 0, int threads = -1) =>
+        Parallel.For(0, part.Height, new() { MaxDegreeOfParallelism = threads }, y =>
         {
-            for (var x = 0; x < window.Width; x++) window[x, y] = Pixel(scene, left + x, top + y);
+            for (var x = 0; x < part.Width; x++) part[x, y] = Pixel(scene, left + x, top + y);
         });
 
     /// <summary>The bytes of a pixel.</summary>
@@ -39,7 +39,8 @@ public static class ScalarRenderer
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static Ray Cast(Scene scene, int column, int row)
     {
-        var (ray, models) = (scene.Camera.RayThrough(column, row), scene.Models);
+        var ray = scene.Camera.RayThrough(column, row);
+        var models = scene.Models;
         for (var i = 0; i < models.Count; i++) ray.Intersect(models[i]); // twice as fast as foreach over an interface
         return ray;
     }

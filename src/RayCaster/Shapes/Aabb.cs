@@ -18,10 +18,10 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
         var x = Slab<N>(Min.X, Max.X, ray.Origin.X, ray.Direction.X);
         var y = Slab<N>(Min.Y, Max.Y, ray.Origin.Y, ray.Direction.Y);
         var z = Slab<N>(Min.Z, Max.Z, ray.Origin.Z, ray.Direction.Z);
-        var tMin = N.Max(N.Max(x.Near, y.Near), z.Near).As("t_min");
-        var tMax = N.Min(N.Min(x.Far, y.Far), z.Far).As("t_max");
-        var hit = tMin <= tMax;
-        return new(N.If(hit, tMin), N.If(hit, tMax));
+        var t_min = N.Max(x.Near, N.Max(y.Near, z.Near)).As("t_min");
+        var t_max = N.Min(x.Far, N.Min(y.Far, z.Far)).As("t_max");
+        var hit = t_min <= t_max;
+        return new(N.If(hit, t_min), N.If(hit, t_max));
     }
 
     /// <summary>Where the ray enters and leaves the slab B0 ≤ coordinate ≤ B1, along one axis.</summary>

@@ -5,27 +5,25 @@ namespace RayCaster;
 /// <summary>A sphere, visible from outside and from inside.</summary>
 /// <param name="Center">C.</param>
 /// <param name="Radius">R &gt; 0.</param>
-public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IBounded
+public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IRound
 {
-    /// <inheritdoc/>
-    public Bounds Bounds => new(Center - new Vector3(Radius, Radius, Radius), Center + new Vector3(Radius, Radius, Radius));
-
     /// <summary>
-    /// Slide "Sphere – Geometric Solution": t = tca ∓ thc. tca is the parameter of the ray's point nearest to C, thc half of the chord.
+    /// Slide "Sphere – Geometric Solution": t = t_ca ∓ t_hc. t_ca is the parameter of the ray's point nearest to C, t_hc half of the chord.
     /// </summary>
-    /// <remarks>
-    /// The slide computes the distance of C from the ray by Pythagoras: D² = L² − tca². For a far sphere both terms are large and nearly
-    /// equal, and their difference loses digits, which moves the outline. The vector from the ray to C has the same length and keeps these
-    /// digits (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", 2019).
-    /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>
     {
         var L = (Center - ray.Origin).As("L");
-        var tca = (L * ray.Direction).As("tca");
-        var D = (L - tca * ray.Direction).As("D");      // from the ray's nearest point to C
-        var thc = N.Sqrt(Radius * Radius - D * D).As("thc");       // NaN where the ray passes by
-        return new(tca - thc, tca + thc);
+        var t_ca = (L * ray.Direction).As("t_ca");
+        // The slide's "t_ca should be greater than zero" is right only for a camera outside the sphere: from inside, one sees the sphere even if
+        // its centre lies behind.
+
+        // The slide's Pythagoras, D² = L² − t_ca², subtracts two large, nearly equal numbers for a far sphere, and its outline moves.
+        // The vector from the ray's nearest point to C has the same length, and all its digits (Haines, Günther, Akenine-Möller, "Precision
+        // Improvements for Ray/Sphere Intersection", 2019).
+        var D = (L - t_ca * ray.Direction).As("D");
+        var t_hc = N.Sqrt(Radius * Radius - D * D).As("t_hc"); // NaN where the ray passes by; the slide's t_hc² on the left is an error of the slide
+        return new(t_ca - t_hc, t_ca + t_hc);
     }
 
     /// <summary>
@@ -36,9 +34,10 @@ public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive
     {
         var CP = ray.Origin - Center;
         var a = ray.Direction * ray.Direction; // 1 but for rounding
-        var b = 2 * (CP * ray.Direction);
+        var b = 2 * (ray.Direction * CP);
         var c = CP * CP - Radius * Radius;
-        var root = N.Sqrt(b * b - 4 * a * c); // NaN where the ray passes by
+        var discriminant = b * b - 4 * a * c;
+        var root = N.Sqrt(discriminant); // NaN where the ray passes by
         return new((-b - root) / (2 * a), (-b + root) / (2 * a));
     }
 }

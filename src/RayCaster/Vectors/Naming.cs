@@ -8,13 +8,11 @@ public static class Naming
     /// <summary>Names a number.</summary>
     /// <param name="name">Its letter on the slide.</param>
     /// <param name="formula">The source text of the value; the compiler fills it in.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N As<N>(this N value, string name, [CallerArgumentExpression(nameof(value))] string formula = "")
         where N : struct, IReal<N> => N.Named(value, name, formula);
 
     /// <summary>Names a vector.</summary>
     /// <inheritdoc cref="As{N}(N, string, string)"/>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<N> As<N>(this Vector3<N> value, string name, [CallerArgumentExpression(nameof(value))] string formula = "")
         where N : struct, IReal<N> => N.Named(value, name, formula);
 }

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>A point or a direction in space (slide "IDE &amp; Vectors").</summary>
@@ -51,7 +49,6 @@ public readonly record struct Vector3(double X, double Y, double Z)
     public static double operator *(Vector3 a, Vector3 b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 
     /// <summary>Cross product: perpendicular to a and b, right-handed, of length |a| |b| sin φ (slide "IDE &amp; Vectors").</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the only operator here that the runtime would not inline by itself
     public static Vector3 operator %(Vector3 a, Vector3 b) =>
         new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
 

@@ -66,11 +66,11 @@ struct SphereShape {
     V c; float r;
     float cross(float ox, float oy, float oz, float dx, float dy, float dz, float tNear, float) const {
         float lx = c.x - ox, ly = c.y - oy, lz = c.z - oz;
-        float tca = lx * dx + ly * dy + lz * dz;
-        float px = lx - tca * dx, py = ly - tca * dy, pz = lz - tca * dz;
+        float t_ca = lx * dx + ly * dy + lz * dz;
+        float px = lx - t_ca * dx, py = ly - t_ca * dy, pz = lz - t_ca * dz;
         float square = r * r - (px * px + py * py + pz * pz);
-        float thc = sqrtf(max(square, 0.0f));
-        float t = tca - thc >= tNear ? tca - thc : tca + thc;
+        float t_hc = sqrtf(max(square, 0.0f));
+        float t = t_ca - t_hc >= tNear ? t_ca - t_hc : t_ca + t_hc;
         return square >= 0 ? t : -1.0f;
     }
 };

@@ -86,7 +86,8 @@ def main():
         for name, holds in verdict.items():
             counts[name].append(holds)
         if not all(verdict.values()):
-            print(f"{row['picture']} of {row['scene']}, not {', not '.join(n for n, holds in verdict.items() if not holds)}: {words(answer)}", flush=True)
+            wrong = ", not ".join(name for name, holds in verdict.items() if not holds)
+            print(f"{row['picture']} of {row['scene']}, not {wrong}: {words(answer)}", flush=True)
     print(f"\n{'':18}  right   of      %  least")
     for name, holds in counts.items():
         percent, least = 100 * sum(holds) / len(holds), LEAST.get(name, 0)

@@ -61,7 +61,7 @@ public class BrowserTests(Chromium chromium)
         Assert.Contains("Column 20, line 14", await page.TextOfAsync("#pixel-head"));
         Assert.Contains($", bytes {(await PixelAsync(page, 20, 14)).Replace(',', ' ')}\n", await page.TextOfAsync("#pixel-head") + "\n");
         Assert.EndsWith("#pixel=20,14", page.Url);
-        Assert.Contains("tca = L · d", await page.TextOfAsync("#pixel-explained"));
+        Assert.Contains("t_ca = L · d", await page.TextOfAsync("#pixel-explained"));
         Assert.Contains("bias = 1e-6", await page.TextOfAsync("#pixel-explained")); // as "explain" writes it
         Assert.NotNull(await page.QuerySelectorAsync(".section path.shape"));
 

@@ -12,6 +12,12 @@ public class MarkerCampaign
     public void AnotherSlipInAShapesOwnFormulaCostsThatShape(string file, string old, string @new, string lost) =>
         new MarkerTests().ASlipInAShapesOwnFormulaCostsThatShape(file, old, @new, lost);
 
+    [Theory]
+    [InlineData("Vector3", "a.Z + b.Z);", "a.Z - b.Z);", "1 Vectors", "vectors: a.z − b.z stood where a.z + b.z is meant")]
+    [InlineData("Scene", "? Background :", "? new Color(0, 0, 0) :", "5 Shading", "only the background is wrong")]
+    public void WhatAnotherStepsFormulasExplainLeavesOnlyItsItemUndecided(string file, string old, string @new, string item, string says) =>
+        new MarkerTests().WhatOneStepsFormulasExplainLeavesOnlyItsItemUndecided(file, old, @new, item, says);
+
     /// <remarks>Beside a box's mistake, one of the vectors explained a hundredth of the pixels of one scene, and was charged.</remarks>
     [Theory]
     [InlineData("Slab(B0.X, B1.X, P.X, d.X)")]

@@ -36,6 +36,15 @@ public class PromisesTests
             @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
 
     [Fact]
+    public void ThePageOfLimitsNamesEveryFileWithUncheckedAccess()
+    {
+        var page = Read("docs/limits.md");
+        var unsafeFiles = SourceFiles().Where(path => Regex.IsMatch(File.ReadAllText(path),
+            @"\bUnsafe\.|LoadUnsafe|StoreUnsafe|\bunsafe\b|GetArrayDataReference|GetReference\(|\bRawSpan\b"));
+        Assert.All(unsafeFiles, path => Assert.Contains($"/{Path.GetFileName(path)}`", page));
+    }
+
+    [Fact]
     public void OnlyNamedVariablesAreRead()
     {
         NowhereBut([], @"EnvironmentVariables|EnvironmentVariable\((?!"")");

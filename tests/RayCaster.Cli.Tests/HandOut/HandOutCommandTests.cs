@@ -15,7 +15,7 @@ public sealed class HandOutCommandTests : CommandTests
         foreach (var file in (string[])[
             "README.md", "Lab.sln", "src/Lab/Lab.csproj", "tests/Lab.Tests/Step07Box.cs", "scenes/room.json", "scenes/meshes/knot.ply",
             "scenes/step07/room.png", "scenes/step10/mistakes/generic.png", ".github/workflows/classroom.yml", ".gitlab-ci.yml", ".gitignore",
-            ".ci/restore.sh", ".devcontainer/devcontainer.json", ".vscode/tasks.json"])
+            ".ci/restore.sh", ".ci/pictures.sh", ".devcontainer/devcontainer.json", ".vscode/tasks.json"])
             Assert.True(File.Exists(Path.Combine(raycaster.PathOf("lab1"), file)), file);
         Assert.Empty(Directory.EnumerateFiles(raycaster.PathOf("lab1"), "*OnlyHere*", SearchOption.AllDirectories));
         // The tool comes along, but for what is the teacher's: marks, and the solution, of which this is a line.
@@ -29,7 +29,9 @@ public sealed class HandOutCommandTests : CommandTests
         foreach (var library in lib)
             Assert.False(File.ReadAllBytes(library).AsSpan().IndexOf(Encoding.UTF8.GetBytes(secret)) >= 0, $"{library} has the solution in it");
         File.WriteAllBytes(raycaster.PathOf("lab1/room.png"), File.ReadAllBytes(raycaster.PathOf("lab1/scenes/step10/room.png")));
-        Assert.Equal(0, RunCarried("compare", "room.png", "scenes/step10/room.png"));
+        Assert.Equal(0, RunCarried(["compare", "room.png", "scenes/step10/room.png"]).ExitCode);
+        Assert.Equal((ExitCode.CouldNot, "raycaster: RayCaster.Marks.dll is not beside this program, which may be a hand-out's own: that one does " +
+            "not mark\n  Mark with a clone of the project, or with the installed tool.\n"), RunCarried(["mark", "rubric.json"]));
         // After the last step the picture is the scene's own.
         raycaster.Run(ProjectFolder.PathOf("scenes/circle.json"), "-q", "-o", "circle.png");
         var difference = new PictureDifference(
@@ -41,17 +43,17 @@ public sealed class HandOutCommandTests : CommandTests
         Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
     }
 
-    private int RunCarried(params string[] arguments)
+    private (int ExitCode, string Error) RunCarried(string[] arguments)
     {
         var start = new ProcessStartInfo("dotnet", ["lib/raycaster.dll", .. arguments])
         {
             WorkingDirectory = raycaster.PathOf("lab1"),
-            RedirectStandardOutput = true,
+            RedirectStandardError = true,
         };
         using var program = Process.Start(start)!;
-        program.StandardOutput.ReadToEnd();
+        var error = program.StandardError.ReadToEnd();
         program.WaitForExit();
-        return program.ExitCode;
+        return (program.ExitCode, error);
     }
 
     [Fact]
@@ -84,7 +86,8 @@ public sealed class HandOutCommandTests : CommandTests
     {
         raycaster.Run("handout", "lab1", "--open", steps);
         Assert.StartsWith(
-            $"raycaster: option '--open' takes one step of 1 to 10, or the first and the last as in 1..4, but '{steps}' is given\n", raycaster.Error);
+            $"raycaster: option '--open' takes one step of 1 to 10, or the first and the last as in 1..4, but '{steps}' is given\n",
+            raycaster.Error);
         Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
         Assert.Empty(raycaster.Files);
     }

@@ -24,8 +24,8 @@ public class FloatColorsTests
             for (var i = 0; i < lanes.Length; i++)
             {
                 var color = light.AsSpan(3 * lanes[i], 3);
-                var off = Math.Max(Math.Abs(r[i] * rough.Step - color[0]),
-                    Math.Max(Math.Abs(g[i] * rough.Step - color[1]), Math.Abs(b[i] * rough.Step - color[2])));
+                var off = Math.Max(Math.Abs(r.Lanes[i] * rough.Step - color[0]),
+                    Math.Max(Math.Abs(g.Lanes[i] * rough.Step - color[1]), Math.Abs(b.Lanes[i] * rough.Step - color[2])));
                 Assert.InRange(off, 0, 0.500001 * rough.Step);
             }
         }

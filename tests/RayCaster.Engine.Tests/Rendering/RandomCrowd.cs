@@ -57,7 +57,10 @@ internal static class RandomCrowd
         };
         return new Scene(
             new Camera(position, aim, up: Math.Abs((aim - position).Normalized.Z) > 0.99 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1),
-                fovY: isOutline ? Math.Pow(10, 1 - 6 * random.NextDouble()) : random.Next(5) == 0 ? 1 + 175 * random.NextDouble() : 45, width: width, height: height, zNear: zNear, zFar: random.Next(4) == 0 ? length * (1 + random.NextDouble()) : unit * 1e6, bias: unit * random.Next(2) * 1e-6, clip: (ClipMode)random.Next(2), sample: isAligned ? PixelSample.Corner : (PixelSample)random.Next(2)),
+                fovY: isOutline ? Math.Pow(10, 1 - 6 * random.NextDouble()) : random.Next(5) == 0 ? 1 + 175 * random.NextDouble() : 45,
+                width: width, height: height,
+                zNear: zNear, zFar: random.Next(4) == 0 ? length * (1 + random.NextDouble()) : unit * 1e6, bias: unit * random.Next(2) * 1e-6,
+                clip: (ClipMode)random.Next(2), sample: isAligned ? PixelSample.Corner : (PixelSample)random.Next(2)),
             models, new Color(0.1, 0.2, 0.3));
 
         double Number(double range) => range * (2 * random.NextDouble() - 1);

@@ -50,7 +50,7 @@ public class RendererTests
 
     /// <summary>A sample; .ci/run and longer campaigns set RAYCASTER_SCENES.</summary>
     private static int ScenesOfASeed =>
-        int.TryParse(Environment.GetEnvironmentVariable("RAYCASTER_SCENES"), out var scenes) ? scenes / 4 : 10;
+        int.TryParse(Environment.GetEnvironmentVariable("RAYCASTER_SCENES"), out var scenes) ? scenes / 4 : 6;
 
     [Fact]
     public void ThePictureDoesNotDependOnTheNumberOfThreads()

@@ -42,9 +42,7 @@ public class TileTests
     private static Tile InACrowd(Aabb box, Camera camera)
     {
         var bounds = new ScreenBounds(camera);
-        (bounds.X[0], bounds.Y[0], bounds.Z[0]) = (box.Min.X, box.Min.Y, box.Min.Z);
-        (bounds.MaxX[0], bounds.MaxY[0], bounds.MaxZ[0]) = (box.Max.X, box.Max.Y, box.Max.Z);
-        bounds.OfBoxes<Packet>();
+        bounds.Project<Packet>([box.Bounds]);
         return bounds.Read(0, out _, out _)!.Value;
     }
 }

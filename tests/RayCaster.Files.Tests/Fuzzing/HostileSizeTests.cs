@@ -43,17 +43,16 @@ public sealed class HostileSizeTests : IDisposable
         using (var zlib = new ZLibStream(bomb, CompressionLevel.SmallestSize, leaveOpen: true))
             for (var i = 0; i < 256; i++) zlib.Write(new byte[1 << 20]);
         var file = Png(Header(1, 1, 8, 2), Chunk("IDAT", bomb.ToArray()), Chunk("IEND"));
-        Assert.Equal("it holds more data than its pixels need", RefusedPicture(file));
+        Assert.Equal("it holds more data than its pixels need",
+            Frugally(() => Assert.Throws<ProblemException>(() => PictureFile.Read(new MemoryStream(file))).Message));
     }
 
     [Fact]
     public void AGigabyteOfJsonIsRefusedByItsLength()
     {
         var path = Sparse("a.json", 1 << 30);
-        var before = GC.GetAllocatedBytesForCurrentThread();
         Assert.Equal($"{path}: error: the scene file has more than 67,108,864 bytes, which is the limit; put large meshes into mesh files",
-            SceneReader.Read(path).Problems[0].ToString());
-        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 1 << 20);
+            Frugally(() => SceneReader.Read(path).Problems[0].ToString()));
     }
 
     [Fact]
@@ -112,9 +111,6 @@ public sealed class HostileSizeTests : IDisposable
 
     private static string RefusedMesh(string name, byte[] file) =>
         Frugally(() => Assert.Throws<ProblemException>(() => MeshBytes.Read(name, file)).Message);
-
-    private static string RefusedPicture(byte[] file) =>
-        Frugally(() => Assert.Throws<ProblemException>(() => PictureFile.Read(new MemoryStream(file))).Message);
 
     private static string Frugally(Func<string> message)
     {

@@ -7,35 +7,26 @@ public class FormatsTests
 {
     private static readonly MeshData knot = MeshGenerator.TorusKnot(2, 3, 1.9, 0.75, 0.4, rings: 20, sides: 5);
 
-    [Fact]
-    public void ObjGivesTheMeshBack() => AssertSame(knot, MeshBytes.Read("knot.obj", MeshWriter.Obj(knot)));
+    private static readonly Dictionary<string, (string Path, byte[] Bytes, MeshData Expected)> written = new()
+    {
+        ["OBJ"] = ("knot.obj", MeshWriter.Obj(knot), knot),
+        ["OBJ, its extension in capitals"] = ("knot.OBJ", MeshWriter.Obj(knot), knot),
+        ["OBJ in a folder with an extension"] = ("a.folder.stl/mesh.obj", MeshWriter.Obj(knot), knot),
+        ["ascii PLY"] = ("knot.ply", MeshWriter.PlyAscii(knot), knot),
+        ["little-endian PLY"] = ("knot.ply", MeshWriter.PlyBinary(knot, bigEndian: false), knot),
+        ["big-endian PLY"] = ("knot.ply", MeshWriter.PlyBinary(knot, bigEndian: true), knot),
+        ["PLY of floats"] = ("knot.ply", MeshWriter.PlyFloat(knot), InFloats(knot)),
+        ["ascii STL"] = ("knot.stl", MeshWriter.StlAscii(knot), Apart(knot)),
+        ["binary STL"] = ("knot.stl", MeshWriter.StlBinary(knot, ""), Apart(InFloats(knot))),
+        ["binary STL that begins like a text"] = ("knot.stl", MeshWriter.StlBinary(knot, "solid knot"), Apart(InFloats(knot))),
+    };
 
-    [Fact]
-    public void AsciiPlyGivesTheMeshBack() => AssertSame(knot, MeshBytes.Read("knot.ply", MeshWriter.PlyAscii(knot)));
-
-    [Theory]
-    [InlineData(false)]
-    [InlineData(true)]
-    public void BinaryPlyGivesTheMeshBack(bool bigEndian) =>
-        AssertSame(knot, MeshBytes.Read("knot.ply", MeshWriter.PlyBinary(knot, bigEndian)));
-
-    [Fact]
-    public void FloatPlyGivesTheMeshBackInFloats() => AssertSame(InFloats(knot), MeshBytes.Read("knot.ply", MeshWriter.PlyFloat(knot)));
-
-    [Fact]
-    public void AsciiStlGivesTheTrianglesBack() => AssertSame(Apart(knot), MeshBytes.Read("knot.stl", MeshWriter.StlAscii(knot)));
+    public static TheoryData<string> Formats => [.. written.Keys];
 
     [Theory]
-    [InlineData("")]
-    [InlineData("solid knot")] // many programs write this in front of binary data
-    public void BinaryStlGivesTheTrianglesBackInFloats(string header) =>
-        AssertSame(Apart(InFloats(knot)), MeshBytes.Read("knot.stl", MeshWriter.StlBinary(knot, header)));
-
-    [Theory]
-    [InlineData("mesh.OBJ")]
-    [InlineData("mesh.Obj")]
-    [InlineData("a.folder.stl/mesh.obj")]
-    public void ExtensionMayBeInAnyCase(string path) => AssertSame(knot, MeshBytes.Read(path, MeshWriter.Obj(knot)));
+    [MemberData(nameof(Formats))]
+    public void AMeshIsReadBackUnchanged(string format) =>
+        AssertSame(written[format].Expected, MeshBytes.Read(written[format].Path, written[format].Bytes));
 
     [Theory]
     [InlineData("mesh.obj")]

@@ -115,7 +115,8 @@ public class ObjFileTests
             [0x64, 0x86, 5, 0, 0, 0, 0, 0x5F, .. new byte[60]],
             "it is a compiled object file (COFF), as Visual Studio makes them, and not an OBJ mesh as its name says"
         },
-        { [0x4C, 0x01, 3, 0, .. new byte[60]], "it is a compiled object file (COFF), as Visual Studio makes them, and not an OBJ mesh as its name says" },
+        { [0x4C, 0x01, 3, 0, .. new byte[60]],
+            "it is a compiled object file (COFF), as Visual Studio makes them, and not an OBJ mesh as its name says" },
         { [0x80, 9, 0, 7, .. "hello.c"u8, 0], "it is no text, and so no OBJ mesh; compiled files have the same extension" },
         { [.. "PK"u8, 3, 4, 20, 0], "it is a zip archive; unpack it first, and not an OBJ mesh as its name says" },
         { [.. "ply\nformat ascii 1.0\n"u8], "it is a PLY mesh, and not an OBJ mesh as its name says" },
@@ -148,7 +149,8 @@ public class ObjFileTests
     }
 
     [Fact]
-    public void OfManySuchFacesTheFirstIsNamed() => Assert.EndsWith("the face in line 6 is not convex: split as a fan from its first corner it becomes "
+    public void OfManySuchFacesTheFirstIsNamed() => Assert.EndsWith(
+        "the face in line 6 is not convex: split as a fan from its first corner it becomes "
         + "another shape; begin it at another corner, or split it into triangles, as 2 other faces",
         Read(notch + "f 1 2 3 4 5\nf 1 2 3\nf 1 2 3 4 5\nf 1 2 3 4 5\nusemtl a\n").Warning);
 

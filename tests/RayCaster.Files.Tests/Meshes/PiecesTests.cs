@@ -6,7 +6,7 @@ namespace RayCaster.Files.Tests.Meshes;
 /// too.</summary>
 public sealed class PiecesTests : IDisposable
 {
-    private readonly string folder = Directory.CreateTempSubdirectory("raycaster-").FullName;
+    private readonly TemporaryFolder folder = new();
 
     [Fact]
     public void BinaryFileIsReadAlikeWhereverItIsCut()
@@ -66,9 +66,7 @@ public sealed class PiecesTests : IDisposable
             _ => MeshWriter.StlBinary(knot),
         };
         Assert.InRange(bytes.Length, (1 << 20) + 1, int.MaxValue);
-        var path = Path.Combine(folder, name);
-        File.WriteAllBytes(path, bytes);
-        FormatsTests.AssertSame(MeshBytes.Read(name, bytes, bytes.Length), MeshFile.Read(path));
+        FormatsTests.AssertSame(MeshBytes.Read(name, bytes, bytes.Length), MeshFile.Read(folder.Write(name, bytes)));
     }
 
     [Fact]
@@ -81,7 +79,7 @@ public sealed class PiecesTests : IDisposable
         Assert.Equal("a.obj: the file became shorter while it was read", Assert.Throws<ProblemException>(() => ObjFile.Read(source)).Message);
     }
 
-    public void Dispose() => Directory.Delete(folder, recursive: true);
+    public void Dispose() => folder.Dispose();
 
     /// <summary>Reads a file in pieces of every size, which must give what the whole gives at once: the mesh, or the refusal.</summary>
     internal static MeshData ReadInPieces(string path, byte[] bytes)

@@ -171,7 +171,8 @@ public class PlyFileTests
 
     [Fact]
     public void NoFaceAtAllIsAMistake() =>
-        AssertRefused(start + vertex + face.Replace("1", "0") + "end_header\n" + corners, ": the file has no face, only 4 vertices; a mesh needs at least one");
+        AssertRefused(start + vertex + face.Replace("1", "0") + "end_header\n" + corners,
+            ": the file has no face, only 4 vertices; a mesh needs at least one");
 
     // Eight vertices of three doubles, then, from byte 192 of the data on, twelve faces: a byte and three ints.
     [Theory]

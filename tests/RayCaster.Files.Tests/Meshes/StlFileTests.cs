@@ -124,10 +124,10 @@ public class StlFileTests
     [Fact]
     public void NormalsAreNotRead()
     {
-        var cube = MeshGenerator.Cube(1);
-        var bytes = MeshWriter.StlBinary(cube);
+        var bytes = MeshWriter.StlBinary(MeshGenerator.Cube(1));
+        var mesh = MeshBytes.Read("cube.stl", bytes);
         BinaryPrimitives.WriteSingleLittleEndian(bytes.AsSpan(84), float.NaN);
-        Assert.Equal(cube.Vertices[cube.Indices[0]], MeshBytes.Read("cube.stl", bytes).Vertices[0]);
+        FormatsTests.AssertSame(mesh, MeshBytes.Read("cube.stl", bytes));
     }
 
     private static MeshData Read(string text) => PiecesTests.ReadInPieces("box.stl", Encoding.ASCII.GetBytes(text));

@@ -9,18 +9,12 @@ public sealed class PartFileTests : IDisposable
     public void Dispose() => folder.Dispose();
 
     [Fact]
-    public void APartIsAnOrdinaryPng()
+    public void APartIsAnOrdinaryPngThatSaysWhatItIsPartOf()
     {
         var path = Write(Facts);
         var picture = PictureFile.Read(path);
         Assert.Equal((7, 5), (picture.Width, picture.Height));
         Assert.Equal(Pixels(5), picture.Rgb);
-    }
-
-    [Fact]
-    public void ItSaysWhatItIsPartOf()
-    {
-        var path = Write(Facts);
         Assert.Equal(Facts, PartFile.FactsOf(path));
         Assert.Contains("tEXtraycaster:part\0picture 7x90\nlines 10..14\nscene 0123456789abcdef\nraycaster 1.0.0\n",
             System.Text.Encoding.Latin1.GetString(File.ReadAllBytes(path)));
@@ -30,28 +24,15 @@ public sealed class PartFileTests : IDisposable
     public void APictureIsNoPart() => Assert.Null(PartFile.FactsOf(ProjectFolder.PathOf("docs/room.png")));
 
     [Fact]
-    public void WhatItSaysMustBeTrue()
+    public void WhatItSaysMustBeTrueAndKnown()
     {
-        var path = Write(Facts, lines: 4);
-        Assert.Equal(
-            $"cannot read {path}: it says that it holds the lines 10..14, each of 7 pixels, but has 4 lines of 7: it was changed by another program",
-            Assert.Throws<ProblemException>(() => PartFile.FactsOf(path)).Message);
-    }
+        Refused(Write(Facts, lines: 4),
+            "it says that it holds the lines 10..14, each of 7 pixels, but has 4 lines of 7: it was changed by another program");
+        Refused(Write(Facts with { Digest = "a\nb" }), "its text about its part of the picture is unknown; perhaps a newer raycaster drew it");
+        Refused(folder.Write("a.png", "P6 1 1 255 abc"), "it is not a PNG");
 
-    [Fact]
-    public void WhatALaterVersionSaysIsNotUnderstood()
-    {
-        var path = Write(Facts with { Digest = "a\nb" });
-        Assert.EndsWith("its text about its part of the picture is unknown; perhaps a newer raycaster drew it",
-            Assert.Throws<ProblemException>(() => PartFile.FactsOf(path)).Message);
-    }
-
-    [Fact]
-    public void AnythingElseIsNoPng()
-    {
-        var path = folder.Write("a.png", "P6 1 1 255 abc");
-        Assert.Equal($"cannot read {path}: it is not a PNG",
-            Assert.Throws<ProblemException>(() => PartFile.FactsOf(path)).Message);
+        static void Refused(string path, string message) =>
+            Assert.Equal($"cannot read {path}: {message}", Assert.Throws<ProblemException>(() => PartFile.FactsOf(path)).Message);
     }
 
     [Fact]
@@ -108,7 +89,7 @@ public sealed class PartFileTests : IDisposable
     private string Write(PartFacts facts, int? lines = null, int width = 7)
     {
         using var output = new MemoryStream();
-        using var writer = PictureWriter.Create(PictureFormat.Png, output, width, lines ?? facts.Lines.Count, facts.ToString());
+        using var writer = PictureWriter.Create(PictureFormat.Png, output, width, lines ?? facts.Lines.Count, facts.PngText);
         writer.WriteRows(Pixels(lines ?? facts.Lines.Count, width));
         writer.Finish();
         return folder.Write("part.png", output.ToArray());

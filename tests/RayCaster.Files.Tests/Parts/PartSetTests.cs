@@ -61,7 +61,8 @@ public sealed class PartSetTests : IDisposable
     {
         var picture = ProjectFolder.PathOf("docs/room.png");
         Assert.Equal(
-            [$"{picture} is a picture, but does not say which part of which; the command part draws parts"], new PartSet([Part("a", 0, 9), picture]).Problems);
+            [$"{picture} is a picture, but does not say which part of which; the command part draws parts"],
+            new PartSet([Part("a", 0, 9), picture]).Problems);
         Assert.Empty(new PartSet([Part("a", 0, 9), picture], path => path != picture).Problems);
     }
 
@@ -82,7 +83,7 @@ public sealed class PartSetTests : IDisposable
     {
         var facts = new PartFacts(3, 10, new(first, last), "0123456789abcdef", "1.0.0");
         using var output = new MemoryStream();
-        using var writer = PictureWriter.Create(PictureFormat.Png, output, 3, last - first + 1, (change is null ? facts : change(facts)).ToString());
+        using var writer = PictureWriter.Create(PictureFormat.Png, output, 3, last - first + 1, (change?.Invoke(facts) ?? facts).PngText);
         for (var line = first; line <= last; line++) writer.WriteRows([.. Enumerable.Repeat((byte)line, 9)]);
         writer.Finish();
         return folder.Write(name, output.ToArray());

@@ -70,7 +70,7 @@ public class PictureWriterTests
     }
 
     [Fact]
-    public void AWriterThatIsGivenUpLeavesNoWholePng()
+    public void AnUnfinishedWriterLeavesNoWholePng()
     {
         var output = new MemoryStream();
         using (var writer = PictureWriter.Create(PictureFormat.Png, output, 1, 1)) writer.WriteRows(new byte[3]);

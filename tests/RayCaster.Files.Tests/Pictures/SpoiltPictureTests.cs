@@ -118,7 +118,8 @@ public sealed class SpoiltPictureTests : IDisposable
         Assert.Equal($"cannot read {folder["mine.ppm"]}{message}", Refused("P3 "u8, Encoding.ASCII.GetBytes(text)));
 
     [Theory]
-    [InlineData("P3 1 2 255 1 2 3 4 1 2 3 4", "2 values more than its header promises: it has four values a pixel; a pixel of P3 has red, green and blue, no alpha")]
+    [InlineData("P3 1 2 255 1 2 3 4 1 2 3 4",
+        "2 values more than its header promises: it has four values a pixel; a pixel of P3 has red, green and blue, no alpha")]
     [InlineData("P2 1 2 255 1 2 3 1 2 3", "4 values more than its header promises: P2 is grey, one value a pixel; the header for colours is P3")]
     public void ValuesThatAreTooManyAreExplained(string text, string message) =>
         Assert.Equal($"cannot read {folder["mine.ppm"]}: the file has {message}", Refused(Encoding.ASCII.GetBytes(text), []));
@@ -178,7 +179,8 @@ public sealed class SpoiltPictureTests : IDisposable
     [InlineData("\nP3\n1 1 255 1 2 3")]
     [InlineData("p3\n1 1 255 1 2 3")]
     public void WhatStandsBeforeTheHeaderIsNamed(string text) =>
-        Assert.Equal($"cannot read {folder["mine.ppm"]}: nothing may stand before P3, which is a capital letter", Refused(Encoding.ASCII.GetBytes(text), []));
+        Assert.Equal($"cannot read {folder["mine.ppm"]}: nothing may stand before P3, which is a capital letter",
+            Refused(Encoding.ASCII.GetBytes(text), []));
 
     private static byte[] InTextMode(byte[] bytes) => [.. bytes.SelectMany(value => value == 10 ? (byte[])[13, 10] : [value])];
 

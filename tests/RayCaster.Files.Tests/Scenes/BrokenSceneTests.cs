@@ -4,15 +4,11 @@ namespace RayCaster.Files.Tests.Scenes;
 
 public class BrokenSceneTests
 {
-    public static TheoryData<string> Broken => SceneFolders.Scenes("Broken/Encoding", "Broken/Syntax", "Broken/Shape", "Broken/Sense");
-
-    /// <summary>All but those whose bytes are not characters.</summary>
-    public static TheoryData<string> BrokenText => SceneFolders.Scenes("Broken/Syntax", "Broken/Shape", "Broken/Sense");
-
-    public static TheoryData<string> Good => SceneFolders.Scenes("Good");
-
     [Theory]
-    [MemberData(nameof(Broken))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Encoding", MemberType = typeof(SceneFolders))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Syntax", MemberType = typeof(SceneFolders))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Shape", MemberType = typeof(SceneFolders))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Sense", MemberType = typeof(SceneFolders))]
     public void ABrokenSceneIsRefusedWithTheseErrors(string scene)
     {
         var reading = SceneReader.Read(SceneFolders.InTests(scene));
@@ -27,7 +23,7 @@ public class BrokenSceneTests
     }
 
     [Theory]
-    [MemberData(nameof(Good))]
+    [MemberData(nameof(SceneFolders.Scenes), "Good", MemberType = typeof(SceneFolders))]
     public void AGoodSceneIsReadWithAtMostTheseWarnings(string scene)
     {
         var reading = SceneReader.Read(SceneFolders.InTests(scene));
@@ -37,7 +33,9 @@ public class BrokenSceneTests
     }
 
     [Theory]
-    [MemberData(nameof(BrokenText))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Syntax", MemberType = typeof(SceneFolders))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Shape", MemberType = typeof(SceneFolders))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Sense", MemberType = typeof(SceneFolders))]
     public void TheCaretStandsUnderTheCharacterAtLineAndColumn(string scene)
     {
         var file = SceneFolders.InTests(scene);

@@ -26,7 +26,8 @@ public class InlineMeshTests
     [Fact]
     public void AFaceOfAnotherShapeThanItsFanIsWarnedOf()
     {
-        var reading = Read("\"vertices\": [[0,0,0], [2,0,0], [2,2,0], [1,0.5,0], [0,2,0]], \"faces\": [[0, 1, 2], [3, 4, 0, 1, 2], [0, 1, 2, 3, 4]]");
+        var reading = Read("\"vertices\": [[0,0,0], [2,0,0], [2,2,0], [1,0.5,0], [0,2,0]], " +
+            "\"faces\": [[0, 1, 2], [3, 4, 0, 1, 2], [0, 1, 2, 3, 4]]");
         Assert.StartsWith("models[0].faces[2] is not convex: split as a fan", Assert.Single(reading.Problems).Message);
         Assert.NotNull(reading.Scene);
     }

@@ -6,14 +6,8 @@ internal static class SceneFolders
     public static readonly string Root = ProjectFolder.Root;
 
     /// <summary>The scenes in a folder of the tests, as paths from that of the tests.</summary>
-    public static TheoryData<string> Scenes(params string[] folders)
-    {
-        var scenes = new TheoryData<string>();
-        foreach (var folder in folders)
-            foreach (var file in Directory.GetFiles(InTests(folder), "*.json").Order(StringComparer.Ordinal))
-                scenes.Add($"{folder}/{Path.GetFileName(file)}");
-        return scenes;
-    }
+    public static TheoryData<string> Scenes(string folder) =>
+        [.. Directory.GetFiles(InTests(folder), "*.json").Order(StringComparer.Ordinal).Select(file => $"{folder}/{Path.GetFileName(file)}")];
 
     public static string InTests(string path) => ProjectFolder.PathOf("tests/RayCaster.Files.Tests/" + path);
 }

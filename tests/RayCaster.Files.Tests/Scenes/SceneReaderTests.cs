@@ -88,19 +88,21 @@ public class SceneReaderTests
             SceneReader.Read(path).Report());
     }
 
-    [Fact]
-    public void ASceneNamedWithoutItsExtensionIsFound() =>
-        Assert.EndsWith("; did you mean \"everything.json\"?",
-            SceneReader.Read(SceneFolders.InTests("Good/everything")).Problems[0].Message);
+    [Theory]
+    [InlineData("Good/everything", "; did you mean \"everything.json\"?")]
+    [InlineData("../../scenes/meshes/knot.ply", "knot.ply: error: this is a mesh; name it in a scene, and draw the scene")]
+    [InlineData("Good", "Good: error: it is a folder, not a scene file")]
+    public void WhatIsNoSceneIsNamed(string path, string message) =>
+        Assert.EndsWith(message, Assert.Single(SceneReader.Read(SceneFolders.InTests(path)).Problems).ToString());
 
     [Fact]
-    public void AMeshIsNoScene() =>
-        Assert.StartsWith("this is a mesh; name it in a scene",
-            SceneReader.Read(ProjectFolder.PathOf("scenes/meshes/knot.ply")).Problems[0].Message);
-
-    [Fact]
-    public void AFolderIsNoScene() =>
-        Assert.Equal($"{SceneFolders.Root}: error: this is a folder, not a scene file", SceneReader.Read(SceneFolders.Root).Problems[0].ToString());
+    public void AShortFileIsReadUpToTheLimit()
+    {
+        using var folder = new TemporaryFolder();
+        var path = folder.Write("rubric.json", new string(' ', SceneReader.MaxShortBytes + 1));
+        Assert.Null(SceneReader.ReadShort(path, "the rubric", _ => "read", out var reading));
+        Assert.Equal($"{path}: error: the file has more than 1,048,576 bytes, which is the limit\n", reading.Report());
+    }
 
     [Fact]
     public void NestingOf64IsJsonAndNoMore()

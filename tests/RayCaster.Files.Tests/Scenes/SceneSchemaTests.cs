@@ -7,29 +7,13 @@ public class SceneSchemaTests
 {
     private static readonly SchemaValidator Schema = new(SceneSchema.Write());
 
-    public static TheoryData<string> Good => SceneFolders.Scenes("Good");
-
     /// <summary>The scenes that come with the program.</summary>
-    public static TheoryData<string> Shipped
-    {
-        get
-        {
-            var scenes = new TheoryData<string>();
-            foreach (var file in Directory.GetFiles(Path.Combine(SceneFolders.Root, "scenes"), "*.json", SearchOption.AllDirectories))
-                if (file != SceneSchema.File && !ProjectFolder.IsOwnScene(file))
-                    scenes.Add(Path.GetRelativePath(SceneFolders.Root, file));
-            return scenes;
-        }
-    }
-
-    /// <summary>Scenes with wrong keys, types, numbers of elements, limits: what a schema can say.</summary>
-    public static TheoryData<string> Shape => SceneFolders.Scenes("Broken/Shape");
-
-    /// <summary>Scenes with repeated keys, infinite numbers, values that do not go together, wrong mesh files: what a schema cannot say.</summary>
-    public static TheoryData<string> Sense => SceneFolders.Scenes("Broken/Sense");
-
-    /// <summary>Files that are not JSON.</summary>
-    public static TheoryData<string> Syntax => SceneFolders.Scenes("Broken/Syntax");
+    public static TheoryData<string> Shipped =>
+    [
+        .. Directory.GetFiles(Path.Combine(SceneFolders.Root, "scenes"), "*.json", SearchOption.AllDirectories)
+            .Where(file => file != SceneSchema.File && !ProjectFolder.IsOwnScene(file))
+            .Select(file => Path.GetRelativePath(SceneFolders.Root, file)),
+    ];
 
     [Fact]
     public void TheSchemaOfTheScenesSaysWhatTheReaderReads()
@@ -40,7 +24,7 @@ public class SceneSchemaTests
     }
 
     [Theory]
-    [MemberData(nameof(Good))]
+    [MemberData(nameof(SceneFolders.Scenes), "Good", MemberType = typeof(SceneFolders))]
     public void TheSchemaAcceptsWhatTheReaderAccepts(string scene) => Assert.True(Schema.Accepts(Text(scene)));
 
     [Theory]
@@ -56,16 +40,18 @@ public class SceneSchemaTests
         Assert.Equal(Path.GetFullPath(SceneSchema.File), Path.GetFullPath(Path.Combine(Path.GetDirectoryName(file)!, named)));
     }
 
+    /// <summary>Wrong keys, types, numbers of elements, limits: what a schema can say.</summary>
     [Theory]
-    [MemberData(nameof(Shape))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Shape", MemberType = typeof(SceneFolders))]
     public void TheSchemaRefusesASceneOfTheWrongShape(string scene) => Assert.False(Schema.Accepts(Text(scene)));
 
+    /// <summary>Repeated keys, infinite numbers, values that do not go together, wrong mesh files: what a schema cannot say.</summary>
     [Theory]
-    [MemberData(nameof(Sense))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Sense", MemberType = typeof(SceneFolders))]
     public void TheSchemaCannotSeeASceneThatMakesNoSense(string scene) => Assert.True(Schema.Accepts(Text(scene)));
 
     [Theory]
-    [MemberData(nameof(Syntax))]
+    [MemberData(nameof(SceneFolders.Scenes), "Broken/Syntax", MemberType = typeof(SceneFolders))]
     public void AFileThatIsNotJsonHasNothingForTheSchema(string scene) => Assert.ThrowsAny<JsonException>(() => Schema.Accepts(Text(scene)));
 
     private static string Text(string scene) => File.ReadAllText(SceneFolders.InTests(scene));

@@ -66,7 +66,8 @@ public class PixelNumbersTests
         Assert.Equal("  ur (from your d): yours 0.23196, not right: here it parts", Of("symptom"));
 
         static string Of(string hint) =>
-            Numbers("Camera", "h * r / Height - h / 2", "h * r / Height", hint).Single(line => line.StartsWith("  ur (from your d): ", StringComparison.Ordinal));
+            Numbers("Camera", "h * r / Height - h / 2", "h * r / Height", hint)
+                .Single(line => line.StartsWith("  ur (from your d): ", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -116,7 +117,7 @@ public class PixelNumbersTests
     [Fact]
     public void ABodyThatDoesNotEndIsTold()
     {
-        var lines = Numbers("Camera", "var ur = ", "while (c > 0) { } var ur = ");
+        var lines = Numbers("Camera", "var ur = ", "while (c > 0) Thread.Sleep(20); var ur = ");
         Assert.Equal("  w: 0.828427", lines[^3]);
         Assert.StartsWith("  uc (from your d): yours no end: probably your code has an endless loop, right 0.124264: here it parts", lines[^2]);
     }

@@ -60,7 +60,7 @@ public class StepHintTests
         var black = Picture.Of(scene.Camera.Width, scene.Camera.Height, (_, _) => (0, 0, 0));
         Assert.Equal("""
               Not to be seen where it should be: sphere.
-              Ask yourself: Take a ray through the centre: what are tca, D and thc? What if the camera is inside?
+              Ask yourself: Take a ray through the centre: what are t_ca, D and t_hc? What if the camera is inside?
             """, StepHint.Of(scene, black, 8, HintLevel.Question));
     }
 
@@ -102,8 +102,6 @@ public class StepHintTests
     }
 
     [Theory]
-    [InlineData("plane")]
-    [InlineData("room")]
     [InlineData("mistakes/generic")]
     public void MultipliedByDnIsAVariantOfThePlanes(string file)
     {

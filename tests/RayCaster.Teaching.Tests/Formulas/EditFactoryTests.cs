@@ -4,21 +4,21 @@ namespace RayCaster.Teaching.Tests.Formulas;
 public class EditFactoryTests
 {
     [Theory]
-    [InlineData("thc = √(R − D2)")] // an operand left out
-    [InlineData("thc = √(R² + D2)")] // a sign
-    [InlineData("thc = √(D2 − R²)")] // swapped
-    [InlineData("thc = R² − D2")] // no root
-    [InlineData("thc = √(R² − D2) / 2")]
+    [InlineData("t_hc = √(R − D2)")] // an operand left out
+    [InlineData("t_hc = √(R² + D2)")] // a sign
+    [InlineData("t_hc = √(D2 − R²)")] // swapped
+    [InlineData("t_hc = R² − D2")] // no root
+    [InlineData("t_hc = √(R² − D2) / 2")]
     [InlineData("L = C − T")] // another name of the same unit
     [InlineData("L = P − C")]
-    [InlineData("D2 = L·L − tca")]
-    [InlineData("t = tca + thc")]
+    [InlineData("D2 = L·L − t_ca")]
+    [InlineData("t = t_ca + t_hc")]
     public void ASphereHasThisEdit(string formula) => Assert.Contains(formula, FormulasOf(SectionKind.Sphere));
 
     [Theory]
-    [InlineData("thc = √(R² − zNear)")]
+    [InlineData("t_hc = √(R² − zNear)")]
     [InlineData("L = C − up")]
-    [InlineData("tca = L·d + π")]
+    [InlineData("t_ca = L·d + π")]
     public void ASphereDoesNotHaveThisEdit(string formula) => Assert.DoesNotContain(formula, FormulasOf(SectionKind.Sphere));
 
     [Theory]

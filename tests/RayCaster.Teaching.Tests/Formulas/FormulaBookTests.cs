@@ -10,7 +10,7 @@ public class FormulaBookTests
     [MemberData(nameof(Scenes))]
     public void EachSectionDrawsTheDefinitionsPicture(string name)
     {
-        var scene = SceneFolder.Small(name, 4);
+        var scene = SceneFolder.Small(name, 8);
         var definition = Renderer.Render(scene);
         var slides = FormulaProgram.For(scene.Camera);
         var evaluator = new FormulaEvaluator(
@@ -30,7 +30,7 @@ public class FormulaBookTests
 
     [Theory]
     [InlineData("L: displacement = C - P", "L = C − P")]
-    [InlineData("thc: length = √(R² - |C - P|²)", "thc = √(R² − |C − P|²)")]
+    [InlineData("t_hc: length = √(R² - |C - P|²)", "t_hc = √(R² − |C − P|²)")]
     [InlineData("t: length = n·(Q - P) / (n·d)", "t = n·(Q − P) / (n·d)")]
     [InlineData("t: length² = -(n × d)·n / 2", "t = −(n × d)·n / 2")]
     [InlineData("in: truth = R ≥ 0 and (C.x - P.x ≤ R or not (R > 1))", "in = R ≥ 0 and (C.x − P.x ≤ R or not (R > 1))")]

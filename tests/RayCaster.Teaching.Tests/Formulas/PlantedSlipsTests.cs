@@ -4,9 +4,7 @@ namespace RayCaster.Teaching.Tests.Formulas;
 public class PlantedSlipsTests
 {
     [Theory]
-    [InlineData("thc = √(2 R² − D²)", "sphere", "thc", "thc = √(R² − D2)")]
-    [InlineData("C − B for C − A", "triangle", "e2", "e2 = C − A")]
-    [InlineData("uc = w c / width − w / 4", "pixel", "uc", "uc = w·c / width − w / 2")]
+    [InlineData("t_hc = √(2 R² − D²)", "sphere", "t_hc", "t_hc = √(R² − D2)")]
     public void ASlipIsFoundInItsFormula(string what, string section, string step, string formula)
     {
         var diagnosis = Diagnose("mistakes/generic", Array.FindIndex(PlantedSlips.All, slip => slip.What == what));
@@ -21,7 +19,7 @@ public class PlantedSlipsTests
 
     private static Diagnosis Diagnose(string name, int slip)
     {
-        var scene = SceneFolder.Small(name);
+        var scene = SceneFolder.Small(name, 4);
         return Diagnosis.Of(scene, new PlantedSlips(scene, slip).Draw());
     }
 }

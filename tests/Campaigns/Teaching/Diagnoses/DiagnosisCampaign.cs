@@ -28,6 +28,15 @@ public class DiagnosisCampaign
     [InlineData("center")]
     public void NamesOtherPlantedMistakesFirst(string id) => new DiagnosisTests().NamesThePlantedMistakeFirst(id);
 
+    [Fact]
+    public void ARightPictureOfAnotherProgramMayHaveSingleOutlinePixelsOff() => ASingleOutlinePixelIsNoMistake(scene);
+
+    [Fact]
+    public void AMissingModelIsNamed()
+    {
+        for (var i = 0; i < scene.Models.Count; i += 4) AModelThatIsMissingIsNamed(scene, i);
+    }
+
     [Theory]
     [InlineData("tri-uv")]
     [InlineData("cross-x")]
@@ -54,6 +63,20 @@ public class DiagnosisCampaign
         var suspect = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [MistakeCatalog.Named(one)!, MistakeCatalog.Named(other)!])).Suspects[0];
         Assert.Equal([one, other], suspect.Mistakes.Select(mistake => mistake.Id).Order());
     }
+
+    [Fact]
+    public void NamesBothOfTwo()
+    {
+        var picture = Planted("rows");
+        for (var i = 0; i < picture.Rgb.Length; i += 3) (picture.Rgb[i], picture.Rgb[i + 2]) = (picture.Rgb[i + 2], picture.Rgb[i]);
+        var suspect = Diagnosis.Of(scene, picture).Suspects[0];
+        Assert.Equal(["bgr", "rows"], suspect.Mistakes.Select(mistake => mistake.Id).Order());
+    }
+
+    [Theory]
+    [InlineData("bgr")]
+    public void ALengthWithoutItsRootIsNamedBesideOthers(string other) =>
+        new DiagnosisTests().ALengthWithoutItsRootIsNamedBesideAnotherMistake(other);
 
     [Fact]
     public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()

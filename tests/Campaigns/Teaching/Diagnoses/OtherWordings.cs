@@ -51,10 +51,10 @@ internal sealed class OtherWordings(Scene scene, string? made)
         ("r-diameter", "circle", "circle: R / 2"),
         ("r-nosq", "sphere", "sphere: √(R − D²), and D² > R asked"),
         ("d-nosq", "sphere", "sphere: √(R² − D)"),
-        ("d-nosq", "sphere", "sphere: D² = L² + tca²"),
-        ("thc-nosqrt", "sphere", "sphere: thc = R² − D²"),
-        ("thc-nosqrt", "sphere", "sphere: thc = R"),
-        ("far-root", "sphere", "sphere: tca + thc"),
+        ("d-nosq", "sphere", "sphere: D² = L² + t_ca²"),
+        ("thc-nosqrt", "sphere", "sphere: t_hc = R² − D²"),
+        ("thc-nosqrt", "sphere", "sphere: t_hc = R"),
+        ("far-root", "sphere", "sphere: t_ca + t_hc"),
         ("oc-sign", "sphere", "sphere: L = P − C"),
         ("disc-2", "sphere", "sphere: b² − ac, b = 2 d·O"),
         ("disc-2", "sphere", "sphere: / a for / 2a"),
@@ -183,12 +183,12 @@ internal sealed class OtherWordings(Scene scene, string? made)
             return D < 0 ? [] : [(-b - Math.Sqrt(D)) / under, (-b + Math.Sqrt(D)) / under];
         }
         var L = Is("sphere: L = P − C") ? P - C : Is("sphere: L = C") ? C : C - P;
-        var tca = Dot(L, d);
-        var D2 = Dot(L, L) + (Is("sphere: D² = L² + tca²") ? 1 : -1) * tca * tca;
+        var t_ca = Dot(L, d);
+        var D2 = Dot(L, L) + (Is("sphere: D² = L² + t_ca²") ? 1 : -1) * t_ca * t_ca;
         if (D2 > (Is("sphere: √(R − D²), and D² > R asked") ? R : R * R)) return [];
-        var thc = Is("sphere: √(R − D²), and D² > R asked") ? Math.Sqrt(R - D2) : Is("sphere: √(R² − D)") ? Math.Sqrt(R * R - Math.Sqrt(D2))
-            : Is("sphere: thc = R² − D²") ? R * R - D2 : Is("sphere: thc = R") ? R : Math.Sqrt(R * R - D2);
-        return Is("sphere: tca + thc") ? [tca + thc] : [tca - thc, tca + thc];
+        var t_hc = Is("sphere: √(R − D²), and D² > R asked") ? Math.Sqrt(R - D2) : Is("sphere: √(R² − D)") ? Math.Sqrt(R * R - Math.Sqrt(D2))
+            : Is("sphere: t_hc = R² − D²") ? R * R - D2 : Is("sphere: t_hc = R") ? R : Math.Sqrt(R * R - D2);
+        return Is("sphere: t_ca + t_hc") ? [t_ca + t_hc] : [t_ca - t_hc, t_ca + t_hc];
     }
 
     private double[] OnBox(double[] B0, double[] B1, double[] from, double[] d)

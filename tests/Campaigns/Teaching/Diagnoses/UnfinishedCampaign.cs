@@ -16,7 +16,15 @@ public class UnfinishedCampaign
     [Theory]
     [InlineData("aabb", "nohalf")]
     [InlineData("sphere,triangle", "bgr")]
+    [InlineData("aabb,circle,triangle", "far-root")]
     public void OtherMistakesOnTopAreNamed(string kinds, string id) => new UnfinishedTests().AMistakeOnTopOfWhatIsThereIsNamed(kinds, id);
+
+    [Fact]
+    public void AttenuationAloneIsAMistakeOfTheCatalogueToo()
+    {
+        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.Named("att-none")));
+        Assert.Equal((Finding.Mistake, "att-none"), (diagnosis.Finding, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
+    }
 
     [Fact]
     public void WhereShapesAreMissingTheTextNamesTheOptionForThoseThatAreWritten()

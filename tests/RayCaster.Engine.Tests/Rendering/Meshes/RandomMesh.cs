@@ -41,7 +41,9 @@ internal static class RandomMesh
         };
         var zNear = random.Next(3) == 0 ? 4 * random.NextDouble() : random.Next(2) * 0.01;
         var camera = new Camera(unit * position, unit * target, up: up, fovY: fovY, width: width, height: height, zNear: unit * zNear,
-            zFar: unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)), bias: random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() }, clip: (ClipMode)random.Next(2), sample: (PixelSample)random.Next(2));
+            zFar: unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)),
+            bias: random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
+            clip: (ClipMode)random.Next(2), sample: (PixelSample)random.Next(2));
         return (camera, new(Array.ConvertAll(mesh.Vertices, p => unit * p), mesh.Indices));
     }
 

@@ -1,0 +1,140 @@
+namespace RayCaster.Files;
+
+/// <summary>The value of a key, or an element of one. A wrong value is reported, and NaN or null returned.</summary>
+internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, int? element = null)
+{
+    public const string VectorForm = "an array of three numbers [x, y, z]";
+
+    public static readonly Vector3 NoVector = new(double.NaN, double.NaN, double.NaN);
+
+    public JsonValue Json => json;
+
+    public JsonTokenType Kind => json.Kind;
+
+    public string Text => json.Text;
+
+    public IEnumerable<SceneValue> Elements
+    {
+        get
+        {
+            var owner = o; // a lambda of a struct cannot use "this"
+            var name = Name;
+            return json.Content.Select((value, i) => new SceneValue(owner, value, name, i));
+        }
+    }
+
+    private string Name => element is null ? key : $"{key}[{element}]";
+
+    public double Number(Limits limits)
+    {
+        var number = json.Kind == JsonTokenType.Number ? json.Number : double.NaN;
+        if (double.IsFinite(number) && limits.Allow(number)) return number;
+        var isQuoted = json.Kind == JsonTokenType.String && double.TryParse(json.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
+        Report(true,
+            json.Kind != JsonTokenType.Number ? $" must be a number, but is {json.InWords}{(isQuoted ? "; remove the quotes" : "")}"
+            : double.IsFinite(number) ? $" must be {limits.Words}, but is {json.AsWritten}"
+            : $" must be finite, but {json.AsWritten} is beyond the largest number, 1.8e308");
+        return double.NaN;
+    }
+
+    public double Whole(Limits limits)
+    {
+        if (json.Kind != JsonTokenType.Number || !double.IsFinite(json.Number) || double.IsInteger(json.Number)) return Number(limits);
+        Report(true, " must be a whole number, but is " + json.AsWritten);
+        return double.NaN;
+    }
+
+    public Vector3 Vector(Limits limits, string form = VectorForm)
+    {
+        if (json.Kind == JsonTokenType.StartArray && Elements.Take(4).ToArray() is [var x, var y, var z])
+            return new(x.Number(limits), y.Number(limits), z.Number(limits));
+        var found = json.Kind == JsonTokenType.StartArray ? $"has {MeshBuilder.Counted(json.Content.Count(), "element")}{DecimalComma()}"
+            : $"is {json.InWords}";
+        Report(true, $" must be {form}, but {found}");
+        return NoVector;
+    }
+
+    /// <summary>Three numbers of at least 0, or a text like <c>"#ff8800"</c>: each pair of digits / 255.</summary>
+    public Color? Color()
+    {
+        const string form = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
+        if (json.Kind == JsonTokenType.String)
+        {
+            if (json.Text is ['#', ..] and { Length: 7 } text && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
+                return new((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
+            Report(true, $" must be {form}, but is {json.InWords}; # and six hexadecimal digits make a colour");
+            return null;
+        }
+        var c = Vector(Limits.NotNegative, form);
+        if (Math.Max(c.X, Math.Max(c.Y, c.Z)) is > 9 and <= 255 && double.IsInteger(c.X) && double.IsInteger(c.Y) && double.IsInteger(c.Z))
+            Report(false, $" is {c}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
+        return new(c.X, c.Y, c.Z);
+    }
+
+    /// <summary>Adds the triangles of a face, an array of at least three indices.</summary>
+    public void AddTriangles(Limits limits, List<int> triangles)
+    {
+        if (!IsArray("indices")) return;
+        var (first, previous, count) = (0, 0, 0);
+        foreach (var index in Elements)
+        {
+            var corner = (int)index.Whole(limits);
+            if (count >= 2) triangles.AddRange([first, previous, corner]);
+            (first, previous) = (count == 0 ? corner : first, corner);
+            count++;
+        }
+        if (count < 3) Report(true, $" must have at least three indices, but has {count}");
+    }
+
+    public string? OneOf(string[] words)
+    {
+        if (!IsText()) return null;
+        foreach (var word in words)
+            if (json.Is(word)) return word;
+        Report(true, $" must be {Quoted(words)}, but is {json.AsWritten}{Spelling.DidYouMean(json.Text, words)}");
+        return Spelling.Nearest(json.Text, words);
+    }
+
+    public bool IsText() => Is(JsonTokenType.String, "a text in double quotes");
+
+    public bool IsFileName()
+    {
+        if (!IsText()) return false;
+        if (!json.Text.Contains('\0')) return true;
+        Report(true, " must not hold the character U+0000, which no file name has");
+        return false;
+    }
+
+    public bool IsArray(string elements) => Is(JsonTokenType.StartArray, $"an array of {elements} in brackets [ ]");
+
+    /// <param name="message">Follows the value's path.</param>
+    public void Report(bool isError, string message) => o.Report(isError, json, key, message, element);
+
+    /// <summary><c>"corner" or "center"</c>.</summary>
+    public static string Quoted(string[] words)
+    {
+        var quoted = Array.ConvertAll(words, word => $"\"{word}\"");
+        return quoted.Length == 1 ? quoted[0] : $"{string.Join(", ", quoted[..^1])} or {quoted[^1]}";
+    }
+
+    private bool Is(JsonTokenType kind, string form)
+    {
+        if (json.Kind != kind) Report(true, $" must be {form}, but is {json.InWords}");
+        return json.Kind == kind;
+    }
+
+    /// <summary>[2,5, 0, 0] probably means [2.5, 0, 0]: a whole number follows a comma without a space.</summary>
+    private string DecimalComma()
+    {
+        var elements = json.Content.ToArray();
+        for (var i = 1; i < elements.Length && elements.Length > 3; i++)
+        {
+            var (whole, fraction) = (elements[i - 1], elements[i]);
+            if (fraction.Start == whole.End + 1 && IsWhole(whole) && IsWhole(fraction) && fraction.Number >= 0)
+                return $"; a decimal comma? Write {whole.AsWritten}.{fraction.AsWritten}";
+        }
+        return "";
+
+        static bool IsWhole(JsonValue value) => value.Kind == JsonTokenType.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
+    }
+}
