@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Windows and ARM64 on a Linux machine, by wine and qemu: the tests' own programs, each scene's picture, and paths as Windows writes them. Windows'
-# side is built in a copy of the project whose lines end with CR LF; that copy must also build, draw and hand out on Linux.
-# Needs Debian for x64, and installs its packages if it may.
+# Windows and ARM64 on a Linux machine, by wine and qemu: the tests' own programs, each scene's picture, paths as Windows writes them. A copy of
+# the project whose lines end with CR LF must build, draw and hand out. Needs Debian for x64, and installs its packages if it may.
 #
 #     tests/Campaigns/platforms.sh [windows|arm]
 #
@@ -19,6 +18,11 @@ trap 'wineserver -k 2>/dev/null; rm -rf "$work"' EXIT
 # wine 8 stops at the second exception out of a method that reflection calls (a program of ten lines does so, too): a failed test and Assert.Skip
 # both stop the whole program. So a test that needs another system says so in its attribute, and a program that stops names the test.
 left_out='
+windows Lab.Tests *RayAssertTests* it throws and catches by the dozen, where wine stops; nothing in it depends on the system
+windows Cli.Tests *DocsTests.AllPagesAreRead there is no git in wine
+windows Cli.Tests *DocsTests.EveryLinkLeadsToAFile there is no git in wine
+arm Cli.Tests *FaultTests.ALimitOfFileSizes* qemu does not let a program ignore SIGXFSZ: the signal ends it (153) before the write fails
+arm Cli.Tests *HandOutCommandTests.WritesAFolder* it starts the tool by the dotnet of the machine, which is for x64
 '
 
 skip() { echo "skipped: $*"; exit 0; }
@@ -34,11 +38,12 @@ of_arm() { apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o
 (cd "$work/ssl" && of_arm update && of_arm download libssl3) >/dev/null 2>&1 || skip "libssl3 for ARM64 cannot be fetched"
 dpkg -x "$work"/ssl/libssl3_*.deb "$work/ssl"
 
-for system in windows arm; do
-    mkdir "$work/$system"
-    git ls-files -z | tar -c --null -T - | tar -x -C "$work/$system"
+for folder in windows arm crlf; do
+    mkdir "$work/$folder"
+    git ls-files -z | tar -c --null -T - | tar -x -C "$work/$folder"
+    (cd "$work/$folder" && git init -q && git add -A) # tests ask git for the pages
 done
-git ls-files --eol | sed -n 's/^i\/lf[^\t]*eol=lf *\t//p' | (cd "$work/windows" && tr '\n' '\0' | xargs -0 sed -i 's/$/\r/')
+git ls-files --eol | sed -n 's/^i\/lf[^\t]*eol=lf *\t//p' | (cd "$work/crlf" && tr '\n' '\0' | xargs -0 sed -i 's/$/\r/')
 
 failed=0
 fail() { echo "failed: $*"; failed=1; }
@@ -140,9 +145,9 @@ paths_of_windows() {
 }
 
 line_ends() { # the copy with CR LF, on Linux
-    local program=$work/windows/src/RayCaster.Cli/bin/Release/net10.0/raycaster
-    dotnet build "$work/windows/src/RayCaster.Cli" -v quiet >"$work/crlf.txt" 2>&1 || { cat "$work/crlf.txt"; fail "the build with CR LF"; return; }
-    "$program" "$work/windows/scenes/room.json" -q -o "$work/crlf.ppm"
+    local program=$work/crlf/src/RayCaster.Cli/bin/Release/net10.0/raycaster
+    dotnet build "$work/crlf/src/RayCaster.Cli" -v quiet >"$work/crlf.txt" 2>&1 || { cat "$work/crlf.txt"; fail "the build with CR LF"; return; }
+    "$program" "$work/crlf/scenes/room.json" -q -o "$work/crlf.ppm"
     "$here" scenes/room.json -q -o "$work/lf.ppm"
     cmp "$work/crlf.ppm" "$work/lf.ppm" || fail "the room with CR LF"
     "$program" handout -q "$work/lab-crlf"
@@ -155,7 +160,7 @@ windows() {
     build windows Tests Files.Tests Lab.Tests Cli.Tests Engine.Tests Live.Tests
     wineboot -i >/dev/null 2>&1 || true
     for project in Tests Files.Tests Lab.Tests Cli.Tests Live.Tests; do tests windows "$project"; done
-    RAYCASTER_SCENES=4 RAYCASTER_ROUNDS=2 tests windows Engine.Tests
+    RAYCASTER_SCENES=20 RAYCASTER_ROUNDS=5 tests windows Engine.Tests
     scenes windows
     paths_of_windows
     line_ends
@@ -167,7 +172,7 @@ arm() {
     chmod +x "$work/raycaster"
     for project in Tests Files.Tests Lab.Tests; do tests arm "$project"; done
     RAYCASTER_APP=$work/raycaster tests arm Cli.Tests
-    RAYCASTER_SCENES=2 RAYCASTER_ROUNDS=1 tests arm Engine.Tests
+    RAYCASTER_SCENES=20 RAYCASTER_ROUNDS=1 tests arm Engine.Tests
     scenes arm
     exit "$failed"
 }
