@@ -92,6 +92,7 @@ public static class WrittenFiles
         if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
             throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
         var target = FilePlace.Of(path);
+        if (OperatingSystem.IsWindows() && Path.GetFileName(target).Length > 255) throw Failure(path, "the name is too long"); // it has no error for it
         var folder = Path.GetDirectoryName(target);
         if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(path))
             throw Failure(path, "it is a folder; name a file in it");
@@ -169,13 +170,18 @@ public static class WrittenFiles
 
     private static void Replace(string path, string target, string temporary)
     {
-        try
+        for (var attempt = 1; ; attempt++)
         {
-            File.Move(temporary, target, overwrite: true);
-        }
-        catch (UnauthorizedAccessException e) when (OperatingSystem.IsWindows()) // the folder is writable: the temporary file is in it
-        {
-            throw Failure(path, ProblemException.OpenElsewhere, e);
+            try
+            {
+                File.Move(temporary, target, overwrite: true);
+                return;
+            }
+            catch (UnauthorizedAccessException e) when (OperatingSystem.IsWindows()) // the folder is writable: the temporary file is in it
+            {
+                if (attempt == 10) throw Failure(path, ProblemException.OpenElsewhere, e);
+                Thread.Sleep(50); // a virus scanner or another writer has the target open for a moment
+            }
         }
     }
 

@@ -16,8 +16,12 @@ internal static class HandOutFiles
             throw new ProblemException("the folder handout is not beside this program, which may be a hand-out's own\n" +
                 "  Make a hand-out with a clone of the project, or with the installed tool.");
         foreach (var file in Directory.GetFiles(folder, "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
-            yield return (Path.GetRelativePath(folder, file).Replace('\\', '/'), File.ReadAllBytes(file));
+            yield return (Path.GetRelativePath(folder, file).Replace('\\', '/'), WithLineFeeds(File.ReadAllBytes(file)));
     }
+
+    /// <summary>A text with LF where a clone has CR LF. What holds a zero byte is no text, as for git.</summary>
+    internal static byte[] WithLineFeeds(byte[] content) =>
+        content.Contains((byte)0) ? content : Encoding.Latin1.GetBytes(Encoding.Latin1.GetString(content).Replace("\r\n", "\n"));
 
     /// <summary>All files, with stubs in place of the open bodies of the lab, and with texts that fit. If no step is open, the markers of the
     /// bodies stay.</summary>

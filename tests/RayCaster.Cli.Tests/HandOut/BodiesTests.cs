@@ -116,4 +116,12 @@ public class BodiesTests
 
     private static IEnumerable<string> SlidesOf(string text) =>
         Regex.Matches(text, "// BEGIN SOLUTION \"(.+)\"").Select(begin => begin.Groups[1].Value);
+
+    [Theory]
+    [InlineData("a\r\nb\r\n", "a\nb\n")]
+    [InlineData("ä\r\n", "ä\n")]
+    [InlineData("a\rb\n", "a\rb\n")]
+    [InlineData("\0\r\n", "\0\r\n")]
+    public void ATextOfAHandOutEndsItsLinesWithLineFeeds(string content, string handedOut) =>
+        Assert.Equal(handedOut, Encoding.UTF8.GetString(HandOutFiles.WithLineFeeds(Encoding.UTF8.GetBytes(content))));
 }

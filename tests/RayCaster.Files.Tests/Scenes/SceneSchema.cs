@@ -8,7 +8,7 @@ namespace RayCaster.Files.Tests.Scenes;
 /// </summary>
 internal static class SceneSchema
 {
-    public static readonly string File = Path.Combine(SceneFolders.Root, "scenes/scene.schema.json");
+    public static readonly string File = ProjectFolder.PathOf("scenes/scene.schema.json");
 
     public static string Write()
     {
