@@ -12,7 +12,7 @@ internal static class Failure
         {
             StandardStreams.WriteError($"raycaster: {message}");
             if (e is ProblemException { IsUsage: true }) StandardStreams.WriteError(hint);
-            return ExitCode.CouldNot;
+            return ExitCode.Failed;
         }
         StandardStreams.WriteError($"""
             {Fault.InWords("raycaster", e)}

@@ -21,7 +21,7 @@ internal static class Program
         if (arguments.Length == 0)
         {
             StandardStreams.WriteError(HelpPage.FirstSteps);
-            return ExitCode.CouldNot;
+            return ExitCode.Failed;
         }
         var command = commands.Of(arguments, out var words);
         try

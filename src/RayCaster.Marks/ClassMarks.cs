@@ -53,7 +53,7 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
             notice?.Invoke($"a submission is a folder, so {PrintableText.Of(Path.Combine(folder, loose))}" +
                 (more.Length == 0 ? " is not marked" : $" and {more.Length} more are not marked"));
         if (decided.Count > 0)
-            notice?.Invoke($"{Path.Combine(output, Table)}: taken from you are the points or comments of {string.Join(", ", decided)}");
+            notice?.Invoke($"{Path.Combine(output, Table)}: using your points or comments for {string.Join(", ", decided)}");
     }
 
     /// <summary>Marks a submission and writes its page. Whatever goes wrong with it, the others are marked, too.</summary>

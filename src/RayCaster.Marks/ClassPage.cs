@@ -62,7 +62,7 @@ internal static class ClassPage
         var style = student.Undecided > 0 ? "undecided" : student.Points < rubric.Points ? "lost" : "";
         var items = string.Concat(student.Items.Select(item => $"<td class=\"n\">{MarksTable.Item(item)}</td>"));
         var found = string.Join(", ", student.NotDrawn.Select(part => "no " + part).Concat(student.Mistakes))
-            + (student.Losing.Count > 0 ? $" (or {string.Join(" or ", student.Losing)})" : "");
+            + (student.HidingMistakes.Count > 0 ? $" (or {string.Join(" or ", student.HidingMistakes)})" : "");
         return $"<tr class=\"{style}\"><td>{Link(student)}</td><td class=\"n\">{MarksTable.Number(student.Points)}" +
             $"{(student.Undecided > 0 ? $" + {MarksTable.Number(student.Undecided)}?" : "")}</td>{items}<td>{Page.Escaped(found)}</td></tr>";
     }

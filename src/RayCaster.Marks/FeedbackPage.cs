@@ -24,7 +24,7 @@ internal static class FeedbackPage
     /// <summary>The first thing to think about; empty if all is right, or if the rubric has no hints.</summary>
     private static string NextStep(Rubric rubric, StudentMarks marks) =>
         rubric.Hint == HintLevel.Question && marks.Items.Where(item => item is { Undecided: 0 }).SelectMany(item => item.Because)
-            .Select(because => MarkWords.Question(because, marks.Losing)).FirstOrDefault(question => question != "") is { } question
+            .Select(because => MarkWords.Question(because, marks.HidingMistakes)).FirstOrDefault(question => question != "") is { } question
             ? $"A next step: {question}" : "";
 
     private static string Row(Rubric rubric, ItemMarks item, string? remark, StudentMarks marks)
@@ -47,7 +47,7 @@ internal static class FeedbackPage
     {
         null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.NotDrawn(because)) : "",
         HintLevel.Symptom => Page.Escaped(MarkWords.Symptom(because, marks.Typical)),
-        _ => Page.Escaped($"{MarkWords.Symptom(because, marks.Typical)} {MarkWords.Question(because, marks.Losing)}".Trim()),
+        _ => Page.Escaped($"{MarkWords.Symptom(because, marks.Typical)} {MarkWords.Question(because, marks.HidingMistakes)}".Trim()),
     };
 
     private static string Sentence(string problem) => char.ToUpperInvariant(problem[0]) + problem[1..].TrimEnd('.') + ".";

@@ -30,7 +30,7 @@ internal sealed record JointDiagnosis
     public IReadOnlyList<WrongProgram> Alternatives { get; private init; } = [];
 
     /// <summary>The mistakes that draw the same pictures, if the verdict is that shapes are missing: the shapes may be written, and lost.</summary>
-    public IReadOnlyList<Mistake> Losing { get; private init; } = [];
+    public IReadOnlyList<Mistake> HidingMistakes { get; private init; } = [];
 
     /// <summary>The scenes whose pictures are wrong, and which the verdict does not explain.</summary>
     public IReadOnlyList<MarkedScene> Unexplained { get; private init; } = [];
@@ -105,7 +105,7 @@ internal sealed record JointDiagnosis
         return new()
         {
             Verdict = verdict,
-            Losing = !verdict.Base.Kinds.Any() ? []
+            HidingMistakes = !verdict.Base.Kinds.Any() ? []
                 : [.. alike.Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 })
                     .Select(other => other.Variants[0]).DistinctBy(mistake => mistake.Id)],
             Alternatives =

@@ -47,7 +47,7 @@ internal sealed class Marker(Rubric rubric)
             [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)],
             [.. verdict.Mistakes.Where(mistake => mistake.Place is null).Select(mistake => mistake.Id)],
             [.. verdict.Variants.Where(mistake => diagnosis.IsCertain && mistake == MistakeCatalog.Named(mistake.Id)).Select(mistake => mistake.Id)],
-            [.. diagnosis.Losing.Select(mistake => mistake.Id)],
+            [.. diagnosis.HidingMistakes.Select(mistake => mistake.Id)],
             [.. LookYourself(submitted, diagnosis)]);
     }
 

@@ -153,7 +153,7 @@ public sealed class ClassMarksTests : IDisposable
             var rows = Mark();
             Assert.StartsWith("anna,4.5,0,5,4.5,„Schön“: 3 €,3,2,", rows[0]);
             Assert.StartsWith("boris,0,5,5,,look again,0?,0?,", rows[1]);
-            Assert.EndsWith("marks.csv: taken from you are the points or comments of anna, boris", Assert.Single(notices));
+            Assert.EndsWith("marks.csv: using your points or comments for anna, boris", Assert.Single(notices));
         }
         var page = File.ReadAllText(folder["marks/anna/feedback.html"]);
         Assert.Contains("<p>Your teacher has decided: 4.5 of 5 points.</p>\n<p>„Schön“: 3 €</p>", page);

@@ -138,8 +138,8 @@ public class MarkerTests
     {
         var marks = Mark(two, scene => EditedLab.Render(scene, Planted.Named("slab-noswap")));
         Assert.Equal(["aabb"], marks.NotDrawn);
-        Assert.Contains("slab-noswap", marks.Losing);
-        Assert.StartsWith("If they are written: ", MarkWords.Question("aabb", marks.Losing));
+        Assert.Contains("slab-noswap", marks.HidingMistakes);
+        Assert.StartsWith("If they are written: ", MarkWords.Question("aabb", marks.HidingMistakes));
     }
 
     [Fact]
@@ -160,7 +160,7 @@ public class MarkerTests
     }
 
     [Theory] // no known mistake explains these, but a small edit of one step's formulas does
-    [InlineData("Camera", "(Up % W)", "(new Vector3(0, 0, 1) % W)", "4 Camera", "camera: normalize((0, 0, 1) × W) stood where")]
+    [InlineData("Camera", "(Up % W)", "(new Vector3(0, 0, 1) % W)", "4 Camera", "camera: normalize((0, 0, 1) × W) was written instead of")]
     public void WhatOneStepsFormulasExplainLeavesOnlyItsItemUndecided(string file, string old, string @new, string item, string says)
     {
         var slip = new Planted($"{file}: {@new}", "", new Edit(file, old, @new));

@@ -8,7 +8,7 @@ internal static class ExitCode
 {
     public const int Done = 0;
     public const int No = 1;
-    public const int CouldNot = 2;
+    public const int Failed = 2;
     public const int InternalError = 70;
     public const int HungUp = 129;
     public const int Interrupted = 130;

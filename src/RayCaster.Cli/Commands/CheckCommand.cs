@@ -36,7 +36,7 @@ internal sealed class CheckCommand() : Command("check", "<scene>...", "Finds err
             var reading = SceneInput.Read(path, line, judges: true);
             StandardStreams.WriteOutput(reading.Report());
             if (reading.Scene is { } scene) scenes.Add(scene);
-            else exitCode = Math.Max(exitCode, reading.IsUnread ? ExitCode.CouldNot : ExitCode.No);
+            else exitCode = Math.Max(exitCode, reading.IsUnread ? ExitCode.Failed : ExitCode.No);
         }
         if (exitCode != ExitCode.Done || (quiet && required.Length == 0)) return exitCode;
 

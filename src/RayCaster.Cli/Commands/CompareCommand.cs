@@ -32,7 +32,7 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         Action<string> warn = StandardStreams.WriteError;
         var (mine, reference) = (PictureFile.Read(mineFile, warn), PictureFile.Read(referenceFile, warn));
         var scene = line.Get(sceneFile) is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
-        if (scene is null && line.Get(sceneFile) is not null) return ExitCode.CouldNot;
+        if (scene is null && line.Get(sceneFile) is not null) return ExitCode.Failed;
 
         var comparison = new PictureComparison(mine, reference, scene, line.Get(Option.Threads));
         if (file is not null) PictureOutput.Write(file, SideBySide.Draw(comparison), format, cancellation);

@@ -47,7 +47,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         if (SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true) is not { } scene)
         {
             if (json) StandardStreams.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
-            return ExitCode.CouldNot;
+            return ExitCode.Failed;
         }
 
         var picture = PictureFile.Read(picturePath, StandardStreams.WriteError);

@@ -24,7 +24,7 @@ internal sealed class DrawCommand() : Command("draw", "<scene>", "Draws a scene.
         var path = OneScene(line.Operands);
         var file = line.Get(output) ?? SceneInput.NameOf(path) + ".png";
         var format = PictureOutput.FormatOf(file, line.Get(Option.Format));
-        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.Failed;
 
         var start = Stopwatch.GetTimestamp();
         scene = SpatialOrder.Of(scene);

@@ -27,7 +27,7 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
     {
         var operands = line.Exactly("<scene>", "<column>", "<line>");
         if (SceneInput.Read(operands[0], line, cancellation) is not { } scene)
-            return ExitCode.CouldNot;
+            return ExitCode.Failed;
 
         var camera = scene.Camera;
         var explanation = new PixelExplanation(scene,

@@ -26,7 +26,7 @@ internal sealed class MapCommand() : Command("map", "<scene> <kind>", "Writes nu
         // A name of its own, so "-o room.pfm" does not replace the picture room.png.
         var ending = $".{kind.Name()}";
         var picture = numbers[..^4] + (numbers[..^4].EndsWith(ending, StringComparison.Ordinal) ? "" : ending) + ".png";
-        if (SceneInput.Read(operands[0], line, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(operands[0], line, cancellation) is not { } scene) return ExitCode.Failed;
 
         var map = MapMaker.Make(scene, kind, line.Get(Option.Threads));
         PictureOutput.Write(numbers, cancellation, file => PfmFile.Write(file, map));

@@ -48,7 +48,7 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
         if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <pictures>");
         var rubric = RubricReader.Read(line.Operands[0], out var report);
         StandardStreams.WriteError(report);
-        if (rubric is null) return File.Exists(line.Operands[0]) ? ExitCode.No : ExitCode.CouldNot;
+        if (rubric is null) return File.Exists(line.Operands[0]) ? ExitCode.No : ExitCode.Failed;
         if (line.Operands.Count == 1)
         {
             StandardStreams.WriteOutput(RubricReport.Text(rubric));

@@ -26,7 +26,7 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
         var wanted = LineRange.Whole(count);
         if (line.Get(only) is { } portion)
             wanted = portion.Of(count) ?? throw new ProblemException($"there are no frames {portion} of {count}, 0..{count - 1}");
-        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.Failed;
 
         scene = SpatialOrder.Of(scene);
         var folder = line.Get(output) ?? "";

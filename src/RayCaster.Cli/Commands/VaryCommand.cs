@@ -26,7 +26,7 @@ internal sealed class VaryCommand() : Command("vary", "<scene>", "Makes a simila
         if (line.Get(output) is not { } file) throw ProblemException.Usage("vary needs a name for the scene, as in -o mine.json");
         var reading = SceneInput.Read(path, line, judges: true);
         StandardStreams.WriteError(reading.Report());
-        if (reading.Scene is not { } scene) return reading.IsUnread ? ExitCode.CouldNot : ExitCode.No;
+        if (reading.Scene is not { } scene) return reading.IsUnread ? ExitCode.Failed : ExitCode.No;
 
         var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
         var newFolder = Path.GetDirectoryName(Path.GetFullPath(file))!;

@@ -70,7 +70,7 @@ public sealed class PixelNumbers
         }
         var row = height - 1 - line;
         output.WriteLine($"Column {column}, line {line} from the top: c = {column}, r = {row}");
-        var (isParted, last) = (false, "");
+        var (foundWrong, last) = (false, "");
         foreach (var (name, slide, mine, rightly) in new PixelNumbers(scene, column, row, bodies(column, row), notes).Lines())
         {
             if (mine == null && slide == last) continue;
@@ -79,13 +79,13 @@ public sealed class PixelNumbers
                 : rightly == null ? mine
                 : level == "answer" ? $"yours {mine}, right {rightly}"
                 : $"yours {mine}, not right";
-            if (rightly != null && !isParted) text += ": here it parts" + (level == "symptom" ? "" : $". Slide \"{slide}\"");
+            if (rightly != null && !foundWrong) text += ": the first wrong value" + (level == "symptom" ? "" : $". Slide \"{slide}\"");
             output.WriteLine($"  {name}: {text}");
-            isParted |= rightly != null;
+            foundWrong |= rightly != null;
             if (mine == Endless) break;
         }
-        output.WriteLine(isParted ? "Numbers after the first wrong one may be wrong because of it." : "None of these numbers is wrong.");
-        return isParted ? 1 : 0;
+        output.WriteLine(foundWrong ? "Numbers after the first wrong one may be wrong because of it." : "None of these numbers is wrong.");
+        return foundWrong ? 1 : 0;
     }
 
     private static object Result(Func<object> compute)
@@ -106,7 +106,7 @@ public sealed class PixelNumbers
     private bool IsWritten(Model model) => Slides.OfShape(model.Kind) is not { } slide
         || !Slides.Steps[Slides.StepOf(slide) - 1].Slides.Any(unwritten.Contains);
 
-    /// <summary>What is told of each number.</summary>
+    /// <summary>The text for each number.</summary>
     /// <param name="Yours">Null if it is not written yet.</param>
     /// <param name="Right">Null if yours is right.</param>
     private sealed record Line(string Name, string Slide, string? Yours, string? Right);

@@ -14,7 +14,7 @@ internal static class BoxMistakes
             "Boxes show from one side and vanish from another.",
             "Where d is negative, which face of a slab comes first?",
             "If t0 > t1, swap them, for each of x, y and z."),
-        new("slab-minmin", Affects.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
+        new("slab-minmin", Affects.Boxes, Slides.BoxTest, "box: t_min is the smallest entry parameter, not the largest",
             Slabs(lastIn: Least),
             "Boxes smear over the picture.",
             "The ray is in the box when it is in all three slabs. Has it entered at the first way in, or at the last?",

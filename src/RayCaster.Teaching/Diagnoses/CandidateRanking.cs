@@ -23,13 +23,13 @@ internal sealed class CandidateRanking(IReadOnlyList<Evidence> pictures, int? th
     /// <summary>Of several mistakes, each must explain this share of all that is wrong, or it is not named.</summary>
     public const double Idle = 0.002;
 
-    /// <summary>The share of the evidence for a first look at hundreds of candidates or more: some thirty pixels.</summary>
-    public const double Glance = 0.005;
+    /// <summary>The share of the evidence for a screening of hundreds of candidates or more: some thirty pixels.</summary>
+    public const double Screening = 0.005;
 
     /// <summary>The share of the evidence that each round compares, and how many candidates it has at least.</summary>
     private static readonly (double Share, int Candidates)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
 
-    /// <summary>With more candidates than this, most are dropped after a first look.</summary>
+    /// <summary>With more candidates than this, most are dropped after a screening.</summary>
     private const int Many = 2000;
 
     /// <summary>The factor by which an unlikely mistake costs more. It decides between mistakes that explain a picture almost equally well; two
@@ -55,9 +55,9 @@ internal sealed class CandidateRanking(IReadOnlyList<Evidence> pictures, int? th
 
     /// <summary>The best first. Of equals the first is that with the usual variants, and of these the first in the catalogue.</summary>
     public List<WrongProgram> Sorted(List<WrongProgram> candidates) =>
-        [.. candidates.OrderBy(candidate => candidate.Cost(Wrong, rounding) * Surprise(candidate)).ThenBy(candidate => candidate.Unusual)];
+        [.. candidates.OrderBy(candidate => candidate.Cost(Wrong, rounding) * PriorPenalty(candidate)).ThenBy(candidate => candidate.Unusual)];
 
-    private double Surprise(WrongProgram candidate) =>
+    private double PriorPenalty(WrongProgram candidate) =>
         likely is null ? 1 : Math.Pow(Unlikely, candidate.Mistakes.Count(mistake => !likely(mistake)));
 
     /// <summary>The same with more pixels in the first round, because a second mistake may explain only a few.</summary>
@@ -66,7 +66,7 @@ internal sealed class CandidateRanking(IReadOnlyList<Evidence> pictures, int? th
     /// <summary>Compares all candidates, then the best ones more closely, and sorts these.</summary>
     public List<WrongProgram> Best(List<WrongProgram> candidates, (double Share, int Candidates)[]? otherRounds = null)
     {
-        if (candidates.Count > Many) candidates = Measured(candidates, Glance)[..(candidates.Count / 4)];
+        if (candidates.Count > Many) candidates = Measured(candidates, Screening)[..(candidates.Count / 4)];
         foreach (var (share, most) in otherRounds ?? rounds)
         {
             var kept = Math.Min(candidates.Count, most == int.MaxValue ? most : Math.Max(most, share < 1 ? candidates.Count / 8 : most));

@@ -99,7 +99,7 @@ internal static class ColorMistakes
     {
         lab.Dark.Is(attenuation => attenuation);
         lab.Clamp.Is(clamp);
-        lab.Byte.Is(channel => unchecked((byte)(int)(255 * channel + 0.5))); // 0 for no number
+        lab.Byte.Is(channel => unchecked((byte)(int)(255 * channel + 0.5))); // 0 for NaN
     };
 
     /// <summary>What sRGB (IEC 61966-2-1) stores for a linear channel.</summary>

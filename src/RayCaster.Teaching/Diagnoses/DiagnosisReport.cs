@@ -94,9 +94,9 @@ public static class DiagnosisReport
     private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
     {
         if (diagnosis.Finding == Finding.Unfinished && diagnosis.Suspects.Count > 0)
-            text.Wrap("", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
+            text.Wrap("", $"If that is written already, these mistakes also hide it: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
         else if (diagnosis.NotYet.FirstOrDefault(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping)) is { } shape)
-            text.Wrap("", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes lose it.");
+            text.Wrap("", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes hide it.");
     }
 
     private static void AppendSuspects(StringBuilder text, Diagnosis diagnosis, HintLevel level)
@@ -106,7 +106,7 @@ public static class DiagnosisReport
         if (suspects.Count > 1)
         {
             text.AppendLine();
-            text.AppendLine("If not that, then, ever less likely:");
+            text.AppendLine("Less likely:");
             foreach (var suspect in suspects.Skip(1))
             {
                 var rest = suspect.SamePicture ? "draws the same picture" : $"would leave {Rest(diagnosis, suspect)}";
@@ -183,7 +183,7 @@ public static class DiagnosisReport
         }
         text.AppendLine($"  It would leave {Rest(diagnosis, suspect)}.");
         if (suspect.OtherSample)
-            text.Wrap("  Besides:  ", "the rays pass through another place of each pixel than the scene says (\"sample\": corner or center).");
+            text.Wrap("  Besides:  ", "the rays pass through another sample point of each pixel than the scene says (\"sample\": corner or center).");
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
                 $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} " +

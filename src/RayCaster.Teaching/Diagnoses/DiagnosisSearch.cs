@@ -18,7 +18,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
     /// <summary>The search ends at this share if shapes are missing, whose pixels a second mistake may explain.</summary>
     private const double Nearly = 0.001;
 
-    /// <summary>How many of the nearest mistakes are also tried with rays through the other place of each pixel.</summary>
+    /// <summary>How many of the nearest mistakes are also tried with rays through the other sample point of each pixel.</summary>
     private const int OtherSamples = 6;
 
     /// <summary>How many of the nearest mistakes are tried beside each way to be unfinished.</summary>
@@ -123,18 +123,18 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         List<WrongProgram> NearestPairs() => Ranking.BestPairs(pairs.WithNearest([.. Ranking.Sorted(all).SelectMany(Written)], 2));
     }
 
-    /// <summary>The nearest single mistakes of a finished program, and all of them after a first look.</summary>
+    /// <summary>The nearest single mistakes of a finished program, and all of them after a screening.</summary>
     private (List<WrongProgram> Nearest, List<WrongProgram> All) NearestSingles()
     {
         var mayBeOtherSample = MayBeOtherSample();
         Scene[] meshes = [.. pictures.Select(picture => picture.Scene).Where(scene => scene.Models.Any(model => model is Mesh))];
         var isSlow = Singles(Unfinished.Nothing, mayBeOtherSample ? [false, true] : [false])
             .ToLookup(candidate => meshes.Any(scene => candidate.Draw(scene).TrianglesTried > 0));
-        var all = Ranking.Measured([.. isSlow[false]], CandidateRanking.Glance);
+        var all = Ranking.Measured([.. isSlow[false]], CandidateRanking.Screening);
         var nearest = Ranking.Best(all[..(all.Count / 3)]);
         if (isSlow[true].Any() && !Ranking.IsCertain(nearest)) // tried only where no quick one explains the picture
         {
-            all = Ranking.Sorted([.. all, .. Ranking.Measured([.. isSlow[true]], CandidateRanking.Glance)]);
+            all = Ranking.Sorted([.. all, .. Ranking.Measured([.. isSlow[true]], CandidateRanking.Screening)]);
             nearest = Ranking.Best(all[..(all.Count / 3)]);
         }
         if (!mayBeOtherSample)
@@ -175,14 +175,14 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         Unfinished[] ways = [.. Unfinished.ByColors(pictures, done)];
         if (ways.Length <= Ways) return ways;
         var candidates = from way in ways from mistake in known where MayShow(mistake, way) select new WrongProgram(way, [mistake], samples[0]);
-        return Ranking.Measured([.. candidates], CandidateRanking.Glance).Select(candidate => candidate.Base).Distinct().Take(Ways);
+        return Ranking.Measured([.. candidates], CandidateRanking.Screening).Select(candidate => candidate.Base).Distinct().Take(Ways);
     }
 
     /// <summary>The ranked candidates with some more, also with one of their mistakes in another variant; the best first.</summary>
     public List<WrongProgram> With(List<WrongProgram> candidates, List<WrongProgram> ranked) =>
         Ranking.Sorted([.. ranked, .. Ranking.Measured(candidates, 1), .. Ranking.Best(InOtherVariants(candidates, candidates.Count))]);
 
-    /// <summary>Whether rays through the other place of each pixel explain so much alone that they are tried with every mistake.</summary>
+    /// <summary>Whether rays through the other sample point of each pixel explain so much alone that they are tried with every mistake.</summary>
     private bool MayBeOtherSample() =>
         Ranking.Measure(new(Unfinished.Nothing, [WrongProgram.Center], false), 0.05).Unexplained < 0.9 * Ranking.Wrong;
 
@@ -203,7 +203,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
     private bool MayShow(Mistake mistake, Unfinished way) =>
         !way.AsMistakes.Contains(mistake) && mistake.Touches(kinds.Where(kind => !way.NotYet.Contains(kind)));
 
-    /// <summary>Drops candidates with rays through the other place of each pixel that explain no more than these rays alone.</summary>
+    /// <summary>Drops candidates with rays through the other sample point of each pixel that explain no more than these rays alone.</summary>
     private static List<WrongProgram> WithoutIdle(List<WrongProgram> singles)
     {
         if (singles.Find(candidate => candidate.Id == WrongProgram.Center.Id) is not { } alone) return singles;

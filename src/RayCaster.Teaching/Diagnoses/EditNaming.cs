@@ -51,9 +51,9 @@ internal static class EditNaming
         var where = edit.Formula is { } formula ? $"in {formula}" : "in the whole formula";
         return edit.Operator switch
         {
-            EditOperator.ConditionLeftOut => $"{edit.Meant} were not asked {where}",
-            EditOperator.ConditionPutIn => $"{edit.Written} were asked {where}",
-            _ => $"{edit.Written} stood where {edit.Meant} is meant {where}",
+            EditOperator.MissingCondition => $"{edit.Meant} was not tested {where}",
+            EditOperator.ExtraCondition => $"{edit.Written} was tested {where}",
+            _ => $"{edit.Written} was written instead of {edit.Meant} {where}",
         };
     }
 

@@ -10,7 +10,7 @@ internal sealed record EditGroup(double Unexplained, ImmutableArray<FormulaEdit>
 /// <summary>Finds the small edits of the slides' formulas that draw a wrong picture.</summary>
 /// <remarks>All edits are tried on a few pixels, the nearest on more, and the nearest of these on all of the evidence.</remarks>
 /// <param name="way">What the program does not do yet.</param>
-/// <param name="otherSample">Whether rays pass through the other place of each pixel.</param>
+/// <param name="otherSample">Whether rays pass through the other sample point of each pixel.</param>
 /// <exception cref="TimeoutException">The budget is spent.</exception>
 internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSample, SearchBudget? budget)
 {

@@ -6,7 +6,7 @@ namespace RayCaster.Teaching;
 /// </summary>
 internal sealed class Evidence
 {
-    /// <summary>About how many triangles are tried in the first look and in the last, if each ray must try every triangle of a mesh.</summary>
+    /// <summary>About how many triangles are tried in the screening and in the last round, if each ray must try every triangle of a mesh.</summary>
     private const int LeastTests = 50_000, MaxTests = 1_000_000;
 
     /// <summary>How many pixels rule out most pairs of mistakes.</summary>
@@ -187,11 +187,11 @@ internal sealed class Evidence
             var difference = PictureDifference.Levels(lab[x, y], Picture[x, y]);
             if (lab.Scatters)
             {
-                lab.IsSpared = true;
-                var spared = PictureDifference.Levels(lab[x, y], Picture[x, y]);
-                lab.IsSpared = false;
-                if (spared > PictureJudge.Tolerance && difference <= PictureJudge.Tolerance) unexplained += Chance;
-                difference = Math.Min(difference, spared);
+                lab.IsUnaffected = true;
+                var unaffected = PictureDifference.Levels(lab[x, y], Picture[x, y]);
+                lab.IsUnaffected = false;
+                if (unaffected > PictureJudge.Tolerance && difference <= PictureJudge.Tolerance) unexplained += Chance;
+                difference = Math.Min(difference, unaffected);
             }
             if (difference > PictureJudge.Tolerance) unexplained++;
             error += difference / 255.0;

@@ -81,7 +81,7 @@ internal static class HitMistakes
             "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar.")
             .Or(OfSome("zNear and zFar compared with the other of t and depth",
                 (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(depth, t) && lab.Far.Do(depth, t))),
-        new Mistake("clip-after", Affects.Hit, Slides.ClipPlanes, "zNear and zFar asked only after the nearest hit was chosen",
+        new Mistake("clip-after", Affects.Hit, Slides.ClipPlanes, "zNear and zFar tested only after the nearest hit was chosen",
             lab => lab.Clipped.Becomes(clipped =>
             {
                 lab.Kept.Is(clipped);
@@ -90,7 +90,7 @@ internal static class HitMistakes
             "A near thing that is cut away leaves a hole where what is behind it should show.",
             "A hit before zNear: may it hide another one?",
             "Ask each crossing whether it counts before it may become the nearest.")
-            .Or("zNear asked only after the nearest hit was chosen", lab => lab.Near.Becomes(near =>
+            .Or("zNear tested only after the nearest hit was chosen", lab => lab.Near.Becomes(near =>
             {
                 lab.Kept.Is(near);
                 return (_, _) => true;
@@ -108,7 +108,7 @@ internal static class HitMistakes
             "A crossing counts only up to zFar.")
             .Or(OfSome("zFar ignored", (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(t, depth)))
             .Or(OfSome("zNear and zFar ignored", (lab, t, _) => lab.Ahead.Do(t)))
-            .Or("zNear and zFar asked for planes alone", Counted(~Affects.Planes, (lab, t, _) => lab.Ahead.Do(t))),
+            .Or("zNear and zFar tested for planes alone", Counted(~Affects.Planes, (lab, t, _) => lab.Ahead.Do(t))),
         new Mistake("bias-big", Affects.Hit, Slides.Bias, "a bias of 1 in place of zNear",
             Bias(1),
             "What is close to the camera is cut at a wrong place.",
@@ -116,7 +116,7 @@ internal static class HitMistakes
             "t > bias with the scene's tiny bias, and zNear as a test of its own.")
             .Or(OfSome("a bias of 1 in place of zNear", (lab, t, depth) => t > 1 && lab.Far.Do(t, depth))),
         new("clip-root", Affects.Hit, Slides.ClipPlanes,
-            "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",
+            "the near crossing of a body chosen before zNear is tested, so that its far side never shows where it is cut",
             lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),
             "A sphere or a box that the near plane cuts has a hole through it.",
             "If the first crossing is cut away, what of the second?",

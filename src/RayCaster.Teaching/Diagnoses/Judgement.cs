@@ -141,7 +141,7 @@ internal sealed class Judgement(
             named = named.Where(candidate =>
                 candidate.Base.NotYet.Count == 0 && candidate.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * wrong);
         else if (missing.Length > 0) named = named.Take(1);
-        if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(suspects.Losing(best));
+        if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(suspects.HidingMistakes(best));
         WrongProgram[] first = [.. named.DistinctBy(candidate => IdsOf(candidate.Named)).Take(MaxNamed)];
         var likeliest = first is [var top, ..] ? top.Draw(prepared.Scene) : null;
         return new(best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished)

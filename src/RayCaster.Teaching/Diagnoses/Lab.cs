@@ -3,7 +3,7 @@ using Crossed = RayCaster.Crossings<RayCaster.Scalar>;
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// The definition of a picture with its steps laid open, in the order of the way of the data. Each step is the definition's own until a
+/// The definition of a picture as replaceable steps, in pipeline order. Each step is the definition's own until a
 /// <see cref="Mistake"/> changes it; without a mistake every byte is that of <see cref="ScalarRenderer"/>. After its construction a lab
 /// no longer changes, so several threads may ask it for pixels.
 /// </summary>
@@ -54,7 +54,7 @@ internal sealed partial class Lab
     private readonly ClipRange clip;
     private readonly double half;
     private double h, w, reach;
-    private readonly int made; // mistakes; that rays pass through the other place of each pixel is a formula style, too
+    private readonly int made; // mistakes; that rays pass through the other sample point of each pixel is a formula style, too
 
     /// <summary>What is drawn.</summary>
     public Scene Scene { get; }
@@ -92,11 +92,11 @@ internal sealed partial class Lab
     /// <summary>Whether triangles are hit outside of themselves, so that nothing can be said about a mesh by its bounds.</summary>
     public bool TrianglesReachOut { get; set; }
 
-    /// <summary>Whether the last bits decide for each pixel if the mistake shows there. Some pixels look as without it: they are spared.</summary>
+    /// <summary>Whether the last bits decide for each pixel if the mistake shows there. Some pixels are unaffected.</summary>
     public bool Scatters { get; set; }
 
     /// <summary>Whether the pixel that is drawn now is one where a mistake that scatters does not show.</summary>
-    public bool IsSpared { get; set; }
+    public bool IsUnaffected { get; set; }
 
     /// <summary>Whether both crossings of a sphere or a box are offered one after the other, as Ray.Hit of the hand-out has it, not only
     /// the first that counts.</summary>

@@ -2,7 +2,7 @@ using Crossed = RayCaster.Crossings<RayCaster.Scalar>;
 
 namespace RayCaster.Teaching;
 
-/// <summary>The steps that mistakes change, in the order of the way of the data. Each is made when it is needed first; if two threads make one
+/// <summary>The steps that mistakes change, in pipeline order. Each is made when it is needed first; if two threads make one
 /// at a time, both are the definition's.</summary>
 internal sealed partial class Lab
 {

@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>All mistakes that are known by name, in the order of the way of the data.</summary>
+/// <summary>All mistakes that are known by name, in pipeline order.</summary>
 public static class MistakeCatalog
 {
     /// <summary>All of them; a pair's picture does not depend on it.</summary>

@@ -74,8 +74,8 @@ internal sealed class PairSearch(
             where other.Id != first.Variants[0].Id && !(first.OtherSample && other == WrongProgram.Center)
             from variant in other.Variants
             select (first with { Variants = [first.Variants[0], variant] }).Canonical);
-        var glanced = ranking.Measured(seconds, CandidateRanking.Glance, left);
-        var nearest = ranking.Measured(glanced[..Math.Min(60, glanced.Count)], 0.03, left);
+        var screened = ranking.Measured(seconds, CandidateRanking.Screening, left);
+        var nearest = ranking.Measured(screened[..Math.Min(60, screened.Count)], 0.03, left);
         return [.. nearest.Where((pair, i) => i < Seconds || pair.Misfit.Unexplained == nearest[0].Misfit.Unexplained)];
     }
 
@@ -102,8 +102,8 @@ internal sealed class PairSearch(
     private List<WrongProgram> NearestByColors()
     {
         var byColors = pictures.Select(picture => picture.ByColors()).ToArray();
-        var glanced = ranking.Measured(everySingle, CandidateRanking.Glance, byColors);
-        return ranking.Measured(glanced[..(everySingle.Count / 8)], 0.05, byColors);
+        var screened = ranking.Measured(everySingle, CandidateRanking.Screening, byColors);
+        return ranking.Measured(screened[..(everySingle.Count / 8)], 0.05, byColors);
     }
 
     /// <summary>All pairs of some single mistakes, because neither of the two may be near alone.</summary>
@@ -114,7 +114,7 @@ internal sealed class PairSearch(
             from k in Enumerable.Range(0, i)
             where singles[i].Id != singles[k].Id
             select (singles[i] with { Variants = [singles[k].Variants[0], singles[i].Variants[0]] }).Canonical);
-        return [.. ranking.Measured(pairs, CandidateRanking.Glance).Take(Closer)];
+        return [.. ranking.Measured(pairs, CandidateRanking.Screening).Take(Closer)];
     }
 
     /// <summary>A candidate, and the same with rays through the scene's place of each pixel: a second mistake may move outlines otherwise.</summary>

@@ -5,7 +5,7 @@ namespace RayCaster.Teaching;
 /// <param name="cancellation">If cancelled, the search ends in the same way.</param>
 public sealed class SearchBudget(TimeSpan processorTime, CancellationToken cancellation = default)
 {
-    /// <summary>What a user waits for without being asked.</summary>
+    /// <summary>What a user waits for without a question.</summary>
     public static readonly TimeSpan Usual = TimeSpan.FromSeconds(10);
 
     private readonly TimeSpan end = Environment.CpuUsage.TotalTime + processorTime;
@@ -13,7 +13,7 @@ public sealed class SearchBudget(TimeSpan processorTime, CancellationToken cance
     /// <summary>Whether something was left out.</summary>
     public bool LeavesOut { get; private set; }
 
-    /// <summary>Whether the time is over; asked before each piece of work that is then left out.</summary>
+    /// <summary>Whether the time is over; read before each piece of work that is then left out.</summary>
     internal bool IsSpent()
     {
         // Once spent, always spent: several threads ask, and the system's clock of processor time may go back a little.

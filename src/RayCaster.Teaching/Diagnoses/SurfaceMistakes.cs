@@ -33,7 +33,7 @@ internal static class SurfaceMistakes
             "Circles have a wrong size; one of radius 1 is right.",
             "Are both sides of your comparison lengths, or both squares?",
             "|X − C| ≤ R, or |X − C|² ≤ R²."),
-        new("circ-inf", Affects.Circles, Slides.Circle, "circle: the radius is not asked",
+        new("circ-inf", Affects.Circles, Slides.Circle, "circle: the radius is not tested",
             CircleRadius(_ => double.PositiveInfinity),
             "A circle covers the picture like an infinite plane.",
             "What is there of a circle that a plane has not?",
@@ -72,7 +72,7 @@ internal static class SurfaceMistakes
             "u ≥ 0, v ≥ 0, u + v ≤ 1: no sums that must be equal to the last bit.")
             .Or("triangle: the sum of the three areas compared with ==, in other numbers or another order, which loses other pixels", lab =>
             {
-                lab.Triangle.Becomes(cross => (triangle, d) => lab.IsSpared ? cross(triangle, d) : None);
+                lab.Triangle.Becomes(cross => (triangle, d) => lab.IsUnaffected ? cross(triangle, d) : None);
                 lab.Scatters = true;
             }),
     ];

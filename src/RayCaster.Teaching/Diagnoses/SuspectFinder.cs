@@ -25,7 +25,7 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
     }
 
     /// <summary>The mistakes that would also make a program lose the missing shapes.</summary>
-    public IEnumerable<WrongProgram> Losing(WrongProgram best)
+    public IEnumerable<WrongProgram> HidingMistakes(WrongProgram best)
     {
         var without = evidence.Draw(best.Draw(prepared.Scene));
         var rest = new Unfinished([.. best.Base.NotYet.Except(best.Base.Kinds)]);

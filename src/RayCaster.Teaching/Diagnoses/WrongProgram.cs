@@ -2,7 +2,7 @@ namespace RayCaster.Teaching;
 
 /// <summary>A program with mistakes, and how near its picture is to a given one.</summary>
 /// <param name="Base">What the program does not do yet.</param>
-/// <param name="OtherSample">Whether rays pass through the other place of each pixel.</param>
+/// <param name="OtherSample">Whether rays pass through the other sample point of each pixel.</param>
 internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Variants, bool OtherSample, Misfit Misfit = default)
 {
     /// <summary>The factor by which each mistake makes a program costlier.</summary>
@@ -11,13 +11,13 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     /// <summary>The factor for an edit of a formula that is not in the catalogue.</summary>
     private const double Unknown = 1.5;
 
-    /// <summary>Rays through the other place of each pixel, as a mistake.</summary>
+    /// <summary>Rays through the other sample point of each pixel, as a mistake.</summary>
     public static readonly Mistake Center = MistakeCatalog.Named("center")!;
 
     /// <summary>Equal for candidates that differ only in variants and samples.</summary>
     public string Id => string.Join(' ', Base.NotYet.Concat(Variants.Select(variant => variant.Id)).Order(StringComparer.Ordinal));
 
-    /// <summary>Its mistakes; rays through the other place of each pixel are one.</summary>
+    /// <summary>Its mistakes; rays through the other sample point of each pixel are one.</summary>
     public IEnumerable<Mistake> Mistakes => Variants.Concat(OtherSample ? [Center] : []);
 
     public IEnumerable<string> MistakeIds => Mistakes.Select(mistake => mistake.Id);
@@ -32,7 +32,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
         .. Variants.Select((_, i) => this with { Variants = [.. Variants.Where((_, k) => k != i)] }),
     ];
 
-    /// <summary>The same with rays through the other place of each pixel as a mistake only if nothing else is wrong.</summary>
+    /// <summary>The same with rays through the other sample point of each pixel as a mistake only if nothing else is wrong.</summary>
     public WrongProgram Canonical => this switch
     {
         { OtherSample: true, Variants: [], Base.NotYet: [] } => this with { Variants = [Center], OtherSample = false },

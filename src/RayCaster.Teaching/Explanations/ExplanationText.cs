@@ -79,9 +79,9 @@ public sealed class ExplanationText
 
     private void Model(ModelExplanation model)
     {
-        Line(2, $"{model.Name} ({model.Fate.Model.Kind}): {model.Reason}");
+        Line(2, $"{model.Name} ({model.Result.Model.Kind}): {model.Reason}");
         if (model.Beside is { } beside) Line(6, $"It shows in the next pixel: {beside}.");
-        if (model.Fate is { Triangles: { } triangles, Triangle: var triangle })
+        if (model.Result is { Triangles: { } triangles, Triangle: var triangle })
         {
             var which = triangles[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest";
             Line(6, $"{Digits.Count(triangles.Total, "triangle")} tried: " +

@@ -6,9 +6,9 @@ internal sealed class ModelExplanation
     private readonly PixelExplanation pixel;
 
     /// <param name="pixel">Its ray, its winner and its neighbours are known.</param>
-    public ModelExplanation(PixelExplanation pixel, RayFate fate)
+    public ModelExplanation(PixelExplanation pixel, RayResult result)
     {
-        (this.pixel, Fate, Shape) = (pixel, fate, fate.Shape);
+        (this.pixel, Result, Shape) = (pixel, result, result.Shape);
         var ray = new Ray<Derivation>(
             ((Vector3<Derivation>)pixel.Ray.Origin).As("P", ""), ((Vector3<Derivation>)pixel.Ray.Direction).As("d", ""));
         if (Shape?.Intersect(ray) is { } derived)
@@ -22,15 +22,15 @@ internal sealed class ModelExplanation
         }
         else if (Shape is not null) Crossings = [OfPlainDoubles()];
 
-        Reason = fate.Outcome.Counts() ? ReasonOfHit(fate.T)
+        Reason = result.Outcome.Counts() ? ReasonOfHit(result.T)
             : Shape is null ? "the ray misses all its triangles"
             : string.Join("; ", Crossings.Select(crossing => crossing.Reason).Distinct());
     }
 
-    public RayFate Fate { get; }
+    public RayResult Result { get; }
 
     /// <summary>Its name, or its path in the scene file.</summary>
-    public string Name => pixel.NameOf(Fate.Index);
+    public string Name => pixel.NameOf(Result.Index);
 
     public string Reason { get; }
 
@@ -47,17 +47,17 @@ internal sealed class ModelExplanation
     public IReadOnlyList<double>? Weights => Shape is Model<Triangle> ? Reasons.Weights(Steps) : null;
 
     /// <summary>Which neighbouring pixels show the model, which this pixel does not show, in words; null if none does.</summary>
-    public string? Beside => Fate.Index != pixel.Winner
-        && string.Join(", ", pixel.Neighbours.Where(beside => beside.Model == Fate.Index).Select(beside => beside.Where)) is { Length: > 0 } where
+    public string? Beside => Result.Index != pixel.Winner
+        && string.Join(", ", pixel.Neighbours.Where(beside => beside.Model == Result.Index).Select(beside => beside.Where)) is { Length: > 0 } where
             ? where : null;
 
     /// <summary>What is explained: of a mesh one triangle; null where the ray crosses none.</summary>
     private Model? Shape { get; }
 
-    /// <summary>What becomes of a crossing that counts.</summary>
+    /// <summary>The result of a crossing that counts.</summary>
     private string ReasonOfHit(double t)
     {
-        if (Fate.Outcome == Outcome.Shows) return "the nearest that counts: the pixel shows it";
+        if (Result.Outcome == Outcome.Shows) return "the nearest that counts: the pixel shows it";
         var (shown, nearest) = (pixel.NameOf(pixel.Winner), pixel.Ray.HitParameter);
         if (t == nearest) return $"a tie: {shown} has the same t and stands earlier in the scene";
         var (a, b) = Digits.Apart(nearest, t);
@@ -75,7 +75,7 @@ internal sealed class ModelExplanation
             {
                 Outcome.Shows when crossings is [{ Outcome: Outcome.Shows or Outcome.Hidden }] =>
                     (Outcome.NotNeeded, "the crossing before it counts already"),
-                Outcome.Shows => (Fate.Outcome, ReasonOfHit(t)),
+                Outcome.Shows => (Result.Outcome, ReasonOfHit(t)),
                 Outcome.Misses => (Outcome.Misses, Reasons.NoCrossing(Shape!, Steps, Slabs, term)),
                 var refused => (refused, Reasons.Of(refused, t, pixel)),
             };
@@ -89,12 +89,12 @@ internal sealed class ModelExplanation
     /// <summary>The crossing of a scalar shape.</summary>
     private CrossingExplanation OfPlainDoubles()
     {
-        var t = Fate.T;
-        var reason = Fate.Outcome.Counts() ? ReasonOfHit(t)
-            : Fate.Outcome != Outcome.Misses ? Reasons.Of(Fate.Outcome, t, pixel)
+        var t = Result.T;
+        var reason = Result.Outcome.Counts() ? ReasonOfHit(t)
+            : Result.Outcome != Outcome.Misses ? Reasons.Of(Result.Outcome, t, pixel)
             : double.IsFinite(t) ? "its Intersect gives no hit, though this t counts"
             : "its Intersect finds no crossing";
-        return new(t, t * pixel.Ray.DepthPerT, Fate.Outcome, reason);
+        return new(t, t * pixel.Ray.DepthPerT, Result.Outcome, reason);
     }
 
     /// <summary>A triangle's corners as seen along the ray, in which its formula computes w, u and v.</summary>

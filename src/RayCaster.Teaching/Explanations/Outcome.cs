@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What becomes of a model, or of one of its crossings, on a ray.</summary>
+/// <summary>The result of a ray for a model, or for one of its crossings.</summary>
 public enum Outcome
 {
     /// <summary>It counts, and the pixel shows it.</summary>

@@ -26,10 +26,10 @@ public sealed class PixelExplanation
         Ray = ScalarRenderer.Cast(scene, column, Row);
         Winner = IndexOf(Ray.HitModel);
         Neighbours = [.. FindNeighbours()];
-        Fates = [.. scene.Models.Select((model, i) => RayFate.Of(model, i, Ray))];
-        var explained = Fates.Count <= ManyModels ? Fates : NearMisses();
-        Models = [.. explained.Select(fate => new ModelExplanation(this, fate))];
-        foreach (var fate in Fates.Except(explained)) Others[fate.Outcome]++;
+        Results = [.. scene.Models.Select((model, i) => RayResult.Of(model, i, Ray))];
+        var explained = Results.Count <= ManyModels ? Results : NearMisses();
+        Models = [.. explained.Select(result => new ModelExplanation(this, result))];
+        foreach (var result in Results.Except(explained)) Others[result.Outcome]++;
         (ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
     }
 
@@ -58,7 +58,7 @@ public sealed class PixelExplanation
     internal IReadOnlyList<Neighbour> Neighbours { get; }
 
     /// <summary>Of all models, in the scene's order.</summary>
-    internal IReadOnlyList<RayFate> Fates { get; }
+    internal IReadOnlyList<RayResult> Results { get; }
 
     /// <summary>The models in the scene's order; of more than <see cref="ManyModels"/> those that matter for the pixel.</summary>
     internal IReadOnlyList<ModelExplanation> Models { get; }
@@ -96,16 +96,16 @@ public sealed class PixelExplanation
 
     /// <summary>The model that shows, those that neighbouring pixels show, and the others whose crossings are nearest to the camera. In the scene's
     /// order.</summary>
-    private IReadOnlyList<RayFate> NearMisses()
+    private IReadOnlyList<RayResult> NearMisses()
     {
         HashSet<int?> chosen =
         [
             Winner,
             .. Neighbours.Select(neighbour => neighbour.Model),
-            .. Fates.Where(fate => fate.Outcome is not (Outcome.Shows or Outcome.Misses)).OrderBy(fate => Math.Abs(fate.T)).Take(NearestCount)
-                .Select(fate => (int?)fate.Index),
+            .. Results.Where(result => result.Outcome is not (Outcome.Shows or Outcome.Misses)).OrderBy(result => Math.Abs(result.T)).Take(NearestCount)
+                .Select(result => (int?)result.Index),
         ];
-        return [.. Fates.Where(fate => chosen.Contains(fate.Index))];
+        return [.. Results.Where(result => chosen.Contains(result.Index))];
     }
 }
 

@@ -28,13 +28,13 @@ internal static class PixelNotes
     private static IEnumerable<string> Ties(PixelExplanation pixel)
     {
         var t = pixel.Ray.HitParameter;
-        foreach (var fate in pixel.Fates)
+        foreach (var result in pixel.Results)
         {
-            if (fate.Outcome != Outcome.Hidden) continue;
-            if (fate.T == t)
-                yield return $"a tie: {pixel.NameOf(pixel.Winner)} and {pixel.NameOf(fate.Index)} have the same t; the first in the scene shows";
-            else if (fate.T - t <= AlmostEqual * t)
-                yield return $"almost a tie: t of {pixel.NameOf(pixel.Winner)} and of {pixel.NameOf(fate.Index)} " +
+            if (result.Outcome != Outcome.Hidden) continue;
+            if (result.T == t)
+                yield return $"a tie: {pixel.NameOf(pixel.Winner)} and {pixel.NameOf(result.Index)} have the same t; the first in the scene shows";
+            else if (result.T - t <= AlmostEqual * t)
+                yield return $"almost a tie: t of {pixel.NameOf(pixel.Winner)} and of {pixel.NameOf(result.Index)} " +
                     "differ in the last digits only; another program may show either";
         }
     }

@@ -41,8 +41,8 @@ public static class RaySection
             Models = pixel.Models.Select(model => new
             {
                 model.Name,
-                Color = Hex(model.Fate.Model.Color.ToBytes()),
-                Lines = fan.Cut(model.Fate.Model),
+                Color = Hex(model.Result.Model.Color.ToBytes()),
+                Lines = fan.Cut(model.Result.Model),
             }),
             Crossings = pixel.Models.SelectMany(model => model.Crossings.Where(crossing => double.IsFinite(crossing.T)).Select(crossing => new
             {

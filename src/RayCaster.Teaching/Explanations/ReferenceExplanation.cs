@@ -28,16 +28,16 @@ public sealed record ReferenceExplanation(
         var scene = pixel.Scene;
         if (pixel.Winner is not null && IsNear(scene.Background.ToBytes(), other)) yield return "the background's: there the ray hits nothing";
 
-        foreach (var fate in pixel.Fates)
+        foreach (var result in pixel.Results)
         {
-            var model = new ModelExplanation(pixel, fate);
+            var model = new ModelExplanation(pixel, result);
             foreach (var crossing in model.Crossings)
             {
                 var t = crossing.Untested ?? crossing.T;
-                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !IsNear(scene.Shade(t, fate.Model).ToBytes(), other)) continue;
+                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !IsNear(scene.Shade(t, result.Model).ToBytes(), other)) continue;
                 yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {FateOf(crossing)}";
             }
-            if (IsNear(fate.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
+            if (IsNear(result.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
         }
         foreach (var neighbour in pixel.Neighbours)
             if (neighbour.Model != pixel.Winner && neighbour.Model is { } shown

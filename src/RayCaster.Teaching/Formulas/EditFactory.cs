@@ -124,8 +124,8 @@ internal sealed class EditFactory
     {
         var right = section.Formulas[place].Right;
         foreach (var test in SignsOf(scope.Where(IsOwn)))
-            Add(section.With(place, Expression.Of(Operator.And, right, test)!), place, $"{right}", $"{right} and {test}", ConditionPutIn,
-                EditOperators.CostOf(ConditionPutIn));
+            Add(section.With(place, Expression.Of(Operator.And, right, test)!), place, $"{right}", $"{right} and {test}", ExtraCondition,
+                EditOperators.CostOf(ExtraCondition));
     }
 
     /// <summary>That a number is positive, and that it is negative, for each of some names.</summary>
@@ -141,12 +141,12 @@ internal sealed class EditFactory
         var formulas = section.Formulas;
         var (near, far, when) = (section.Find(Formula.Near.Text), section.Find(Formula.Far.Text), section.Find(Formula.When.Text));
         if (when >= 0)
-            Add(section.With(section.Formulas.RemoveAt(when)), when, $"{formulas[when].Right}", "no condition", ConditionLeftOut, 1);
+            Add(section.With(section.Formulas.RemoveAt(when)), when, $"{formulas[when].Right}", "no condition", MissingCondition, 1);
         else if (near >= 0)
         {
             foreach (var test in SignsOf(scope.Values.Where(name => section.Has(name.Symbol!))))
-                Add(section.With(section.Formulas.Add(new(Formula.When, test, []))), near, "no condition", $"{test}", ConditionPutIn,
-                    EditOperators.CostOf(ConditionPutIn));
+                Add(section.With(section.Formulas.Add(new(Formula.When, test, []))), near, "no condition", $"{test}", ExtraCondition,
+                    EditOperators.CostOf(ExtraCondition));
         }
         if (far < 0) return;
         var (t0, t1) = (formulas[near].Right, formulas[far].Right);
@@ -260,7 +260,7 @@ internal sealed class EditFactory
                 };
                 yield return (Turned, Expression.Of(turned, parts), "", 0);
                 yield return (Strictness, Expression.Of(strict, parts), "", 0);
-                yield return (ConditionLeftOut, Always, "", 0);
+                yield return (MissingCondition, Always, "", 0);
                 break;
             case Operator.And:
                 yield return (AndOr, Expression.Of(Operator.Or, parts), "", 0);

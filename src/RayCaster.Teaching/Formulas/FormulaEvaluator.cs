@@ -7,7 +7,7 @@ namespace RayCaster.Teaching;
 /// <remarks>Not for several threads.</remarks>
 internal sealed class FormulaEvaluator
 {
-    /// <summary>A mesh with more triangles is asked through its tree, and its triangles are crossed as the definition says.</summary>
+    /// <summary>A mesh with more triangles is searched through its tree, and its triangles are crossed as the definition says.</summary>
     public const int MaxTriangles = 100;
 
     private readonly Scene scene;

@@ -10,7 +10,7 @@ internal sealed class FormulaProgram
     public FormulaSection this[SectionKind kind] => sections[(int)kind];
 
     /// <summary>The slides' formulas, as a camera measures depth and samples pixels.</summary>
-    /// <param name="otherSample">Whether rays pass through the other place of each pixel.</param>
+    /// <param name="otherSample">Whether rays pass through the other sample point of each pixel.</param>
     public static FormulaProgram For(Camera camera, bool otherSample = false)
     {
         var book = FormulaBook.Slides;

@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What a section's formulas are for, in the order of the way of the data.</summary>
+/// <summary>What a section's formulas are for, in pipeline order.</summary>
 internal enum SectionKind
 {
     Vectors,

@@ -72,7 +72,7 @@ public sealed class HitLedger
         var (nearest, shown) = (double.PositiveInfinity, -1);
         for (var i = 0; i < Models.Count; i++)
         {
-            var outcome = RayFate.Judge(Scene.Models[i], ray, out var t);
+            var outcome = RayResult.Judge(Scene.Models[i], ray, out var t);
             if (outcome == Outcome.Shows && t < nearest)
             {
                 if (shown >= 0) Models[shown][Outcome.Hidden]++;

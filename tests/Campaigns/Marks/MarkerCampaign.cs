@@ -13,7 +13,7 @@ public class MarkerCampaign
         new MarkerTests().ASlipInAShapesOwnFormulaCostsThatShape(file, old, @new, lost);
 
     [Theory]
-    [InlineData("Vector3", "a.Z + b.Z);", "a.Z - b.Z);", "1 Vectors", "vectors: a.z − b.z stood where a.z + b.z is meant")]
+    [InlineData("Vector3", "a.Z + b.Z);", "a.Z - b.Z);", "1 Vectors", "vectors: a.z − b.z was written instead of a.z + b.z")]
     [InlineData("Scene", "? Background :", "? new Color(0, 0, 0) :", "5 Shading", "only the background is wrong")]
     public void WhatAnotherStepsFormulasExplainLeavesOnlyItsItemUndecided(string file, string old, string @new, string item, string says) =>
         new MarkerTests().WhatOneStepsFormulasExplainLeavesOnlyItsItemUndecided(file, old, @new, item, says);

@@ -30,7 +30,7 @@ public sealed class HandOutCommandTests : CommandTests
             Assert.False(File.ReadAllBytes(library).AsSpan().IndexOf(Encoding.UTF8.GetBytes(secret)) >= 0, $"{library} has the solution in it");
         File.WriteAllBytes(raycaster.PathOf("lab1/room.png"), File.ReadAllBytes(raycaster.PathOf("lab1/scenes/step10/room.png")));
         Assert.Equal(0, RunCarried(["compare", "room.png", "scenes/step10/room.png"]).ExitCode);
-        Assert.Equal((ExitCode.CouldNot, "raycaster: RayCaster.Marks.dll is not beside this program, which may be a hand-out's own: that one does " +
+        Assert.Equal((ExitCode.Failed, "raycaster: RayCaster.Marks.dll is not beside this program, which may be a hand-out's own: that one does " +
             "not mark\n  Mark with a clone of the project, or with the installed tool.\n"), RunCarried(["mark", "rubric.json"]));
         // After the last step the picture is the scene's own.
         raycaster.Run(ProjectFolder.PathOf("scenes/circle.json"), "-q", "-o", "circle.png");
@@ -40,7 +40,7 @@ public sealed class HandOutCommandTests : CommandTests
 
         raycaster.Run("handout", "lab1");
         Assert.Equal("raycaster: lab1 exists already, and is not empty\n  Name a new folder: handout overwrites nothing.\n", raycaster.Error);
-        Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
+        Assert.Equal(ExitCode.Failed, raycaster.ExitCode);
     }
 
     private (int ExitCode, string Error) RunCarried(string[] arguments)
@@ -63,7 +63,7 @@ public sealed class HandOutCommandTests : CommandTests
         raycaster.Run("handout", "file/lab1");
         Assert.StartsWith("raycaster: cannot write the folder file/lab1: ", raycaster.Error);
         Assert.DoesNotContain(".tmp", raycaster.Error);
-        Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
+        Assert.Equal(ExitCode.Failed, raycaster.ExitCode);
     }
 
     [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
@@ -88,7 +88,7 @@ public sealed class HandOutCommandTests : CommandTests
         Assert.StartsWith(
             $"raycaster: option '--open' takes one step of 1 to 10, or the first and the last as in 1..4, but '{steps}' is given\n",
             raycaster.Error);
-        Assert.Equal(ExitCode.CouldNot, raycaster.ExitCode);
+        Assert.Equal(ExitCode.Failed, raycaster.ExitCode);
         Assert.Empty(raycaster.Files);
     }
 }

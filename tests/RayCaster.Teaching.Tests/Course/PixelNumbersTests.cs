@@ -55,15 +55,15 @@ public class PixelNumbersTests
     {
         var first = FirstWrong(Numbers(file, old, @new));
         Assert.StartsWith($"  {name}: yours ", first);
-        Assert.EndsWith($": here it parts. Slide \"{slide}\"", first);
+        Assert.EndsWith($": the first wrong value. Slide \"{slide}\"", first);
     }
 
     [Fact]
     public void TheLevelOfTheHintDecidesWhatIsShown()
     {
-        Assert.Equal("  ur (from your d): yours 0.23196, right −0.182254: here it parts. Slide \"Camera Pixel Translation\"", Of("answer"));
-        Assert.Equal("  ur (from your d): yours 0.23196, not right: here it parts. Slide \"Camera Pixel Translation\"", Of("question"));
-        Assert.Equal("  ur (from your d): yours 0.23196, not right: here it parts", Of("symptom"));
+        Assert.Equal("  ur (from your d): yours 0.23196, right −0.182254: the first wrong value. Slide \"Camera Pixel Translation\"", Of("answer"));
+        Assert.Equal("  ur (from your d): yours 0.23196, not right: the first wrong value. Slide \"Camera Pixel Translation\"", Of("question"));
+        Assert.Equal("  ur (from your d): yours 0.23196, not right: the first wrong value", Of("symptom"));
 
         static string Of(string hint) =>
             Numbers("Camera", "h * r / Height - h / 2", "h * r / Height", hint)
@@ -91,7 +91,7 @@ public class PixelNumbersTests
     {
         var first = FirstWrong(Numbers("Sphere", "var t_ca = ", "throw new DivideByZeroException(); var t_ca = "));
         Assert.StartsWith("  t of ball: yours DivideByZeroException, ", first);
-        Assert.Contains(", right 17.0344: here it parts", first);
+        Assert.Contains(", right 17.0344: the first wrong value", first);
     }
 
     [Fact]
@@ -99,7 +99,7 @@ public class PixelNumbersTests
     {
         var lines = Numbers("Camera", "W = -(Target", "throw new Exception(\"one\\ntwo\"); W = -(Target");
         Assert.StartsWith("  W: yours Exception, one two", lines[1]);
-        Assert.EndsWith(", right (1, 0, 0): here it parts. Slide \"Camera\"", lines[1]);
+        Assert.EndsWith(", right (1, 0, 0): the first wrong value. Slide \"Camera\"", lines[1]);
         Assert.Equal(3, lines.Length);
         lines = Numbers("Camera", "var ur =", "throw new Exception(); var ur =");
         Assert.StartsWith("  d: yours Exception, ", lines[^2]);
@@ -111,7 +111,7 @@ public class PixelNumbersTests
     public void WhereABodyThrowsNoHitIsRightInWords()
     {
         var lines = Numbers("Circle", "var X = ray.At(t)", "Vector3 X = null");
-        Assert.EndsWith(", right no hit: here it parts. Slide \"Circle\"", FirstWrong(lines));
+        Assert.EndsWith(", right no hit: the first wrong value. Slide \"Circle\"", FirstWrong(lines));
     }
 
     [Fact]
@@ -119,7 +119,7 @@ public class PixelNumbersTests
     {
         var lines = Numbers("Camera", "var ur = ", "while (c > 0) Thread.Sleep(20); var ur = ");
         Assert.Equal("  w: 0.828427", lines[^3]);
-        Assert.StartsWith("  uc (from your d): yours no end: probably your code has an endless loop, right 0.124264: here it parts", lines[^2]);
+        Assert.StartsWith("  uc (from your d): yours no end: probably your code has an endless loop, right 0.124264: the first wrong value", lines[^2]);
     }
 
     [Theory]

@@ -32,7 +32,7 @@ public class PixelExplanationTests
     public void ARefusedCrossingSaysWhy(double distance, double zNear, Outcome outcome, string reason)
     {
         var model = Explain(Model.Of(new Plane(new(-distance, 0, 0), new(1, 0, 0))), zNear);
-        Assert.Equal((outcome, reason), (model.Fate.Outcome, model.Reason));
+        Assert.Equal((outcome, reason), (model.Result.Outcome, model.Reason));
         Assert.Equal(outcome, Assert.Single(model.Crossings).Outcome);
     }
 
@@ -69,7 +69,7 @@ public class PixelExplanationTests
     public void AShapeOfOnesOwnIsExplainedByItsOwnFormula()
     {
         var model = Explain(Model.Of(new Ring(new(-5, 0.5, 0), new(1, 0, 0), 1, 2)));
-        Assert.Equal(("ring", Outcome.Misses), (model.Fate.Model.Kind, model.Fate.Outcome));
+        Assert.Equal(("ring", Outcome.Misses), (model.Result.Model.Kind, model.Result.Outcome));
         Assert.EndsWith("= 0.25 ≥ 1 is false", model.Reason);
         Assert.Equal("t", Assert.Single(model.Steps).Name);
         Assert.Equal(5, model.Crossings[0].Untested);
@@ -79,9 +79,9 @@ public class PixelExplanationTests
     public void AModelInPlainDoublesTellsItsTAndWhereItWouldBeHitUnclipped()
     {
         var seen = Explain(new Cylinder(new(-5, 0, 0), 1, 4));
-        Assert.Equal((Outcome.Shows, 4.0), (seen.Fate.Outcome, Assert.Single(seen.Crossings).T));
+        Assert.Equal((Outcome.Shows, 4.0), (seen.Result.Outcome, Assert.Single(seen.Crossings).T));
         var clipped = Explain(new Cylinder(new(-5, 0, 0), 1, 4), zNear: 20);
-        Assert.Equal((Outcome.BeforeNear, 4.0), (clipped.Fate.Outcome, Assert.Single(clipped.Crossings).T));
+        Assert.Equal((Outcome.BeforeNear, 4.0), (clipped.Result.Outcome, Assert.Single(clipped.Crossings).T));
         Assert.StartsWith("z = 4 < zNear = 20", clipped.Reason);
         Assert.EndsWith("< 0: behind the camera", Explain(new Cylinder(new(5, 0, 0), 1, 4)).Reason);
     }
@@ -93,9 +93,9 @@ public class PixelExplanationTests
             new(3, 9, -9), new(3, 0, 9)],
             [3, 4, 5, 6, 7, 8, 0, 1, 2]);
         var model = Explain(mesh);
-        var tally = model.Fate.Triangles!;
+        var tally = model.Result.Triangles!;
         Assert.Equal((2, 3, 1, 1, 1),
-            (model.Fate.Triangle, tally.Total, tally[Outcome.Misses], tally[Outcome.Behind], tally[Outcome.Shows]));
+            (model.Result.Triangle, tally.Total, tally[Outcome.Misses], tally[Outcome.Behind], tally[Outcome.Shows]));
         Assert.Equal(5, model.Crossings[0].T, 12);
     }
 
@@ -131,7 +131,7 @@ public class PixelExplanationTests
         for (var i = 0; i < 40; i++) models.Add(Model.Of(new Sphere(new(-30, 30 + i, 0), 0.4)));
         var pixel = new PixelExplanation(Scene(models), 0, 0);
         Assert.Equal(30, pixel.Winner); // the camera is in it
-        Assert.Equal([27, 28, 29, 30, 31, 32, 33], pixel.Models.Select(model => model.Fate.Index));
+        Assert.Equal([27, 28, 29, 30, 31, 32, 33], pixel.Models.Select(model => model.Result.Index));
         Assert.Equal((73, 27, 6, 40),
             (pixel.Others.Total, pixel.Others[Outcome.Hidden], pixel.Others[Outcome.Behind], pixel.Others[Outcome.Misses]));
     }
@@ -214,9 +214,9 @@ public class PixelExplanationTests
             full = pixel.Scene.Models[index].Color;
             light = Math.Max(0, 1 - t / pixel.Scene.Camera.FadeDistance);
             Assert.Equal(light, pixel.ColorSteps.Single(step => step.Name == "attenuation").Value);
-            var winner = pixel.Models.Single(model => model.Fate.Outcome == Outcome.Shows);
+            var winner = pixel.Models.Single(model => model.Result.Outcome == Outcome.Shows);
             var shown = winner.Crossings.Single(crossing => crossing.Outcome == Outcome.Shows);
-            Assert.Equal(index, winner.Fate.Index);
+            Assert.Equal(index, winner.Result.Index);
             Assert.Equal(t, shown.T);
             Assert.Equal(t * pixel.Ray.DepthPerT, shown.Z);
         }

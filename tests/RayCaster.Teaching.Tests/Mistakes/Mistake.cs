@@ -85,7 +85,7 @@ internal sealed record Mistake(string Id, string What, params Edit[] Edits)
         new("plane-sign", "plane: (P − Q)·n", new Edit("Plane", "Q - ray.Origin", "ray.Origin - Q")),
         new("plane-cull", "plane: back side left out", new Edit("Plane", "n == 0", "n >= 0")),
         new("slab-noswap", "box: t0 and t1 not sorted", new Edit("Aabb", "t0 <= t1 ? (t0, t1) : (t1, t0)", "(t0, t1)")),
-        new("slab-minmin", "box: t_min is the least way in",
+        new("slab-minmin", "box: t_min is the smallest entry parameter",
             new Edit("Aabb", "Math.Max(x0, Math.Max(y0, z0))", "Math.Min(x0, Math.Min(y0, z0))")),
         new("slab-2axes", "box: z forgotten",
             new Edit("Aabb", "Slab(B0.Z, B1.Z, P.Z, d.Z)", "(double.NegativeInfinity, double.PositiveInfinity)")),

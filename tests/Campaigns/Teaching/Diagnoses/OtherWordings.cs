@@ -46,7 +46,7 @@ internal sealed class OtherWordings(Scene scene, string? made)
         ("plane-sign", "plane", "plane: (Q − P)·n"),
         ("circ-nosq", "circle", "circle: |X − C|² ≤ R"),
         ("circ-nosq", "circle", "circle: |X − C| ≤ R²"),
-        ("circ-inf", "circle", "circle: the radius not asked"),
+        ("circ-inf", "circle", "circle: the radius not tested"),
         ("plane-no-p circ-inf", "circle", "circle: X = t d"),
         ("r-diameter", "circle", "circle: R / 2"),
         ("r-nosq", "sphere", "sphere: √(R − D²), and D² > R asked"),
@@ -61,15 +61,15 @@ internal sealed class OtherWordings(Scene scene, string? made)
         ("plane-no-p", "sphere", "sphere: L = C"),
         ("r-diameter", "sphere", "sphere: 2 R"),
         ("slab-minmin", "aabb", "box: tmin = min"),
-        ("slab-minmin", "aabb", "box: tmin ≤ tmax not asked"),
+        ("slab-minmin", "aabb", "box: tmin ≤ tmax not tested"),
         ("slab-2axes", "aabb", "box: without z"),
         ("slab-tmax", "aabb", "box: tmax"),
         ("slab-noswap", "aabb", "box: y not sorted"),
         ("plane-no-p", "aabb", "box: B / d"),
-        ("tri-uv", "triangle", "triangle: u + v ≤ 1 not asked"),
+        ("tri-uv", "triangle", "triangle: u + v ≤ 1 not tested"),
         ("tri-uv", "triangle", "triangle: u ≤ 1, v ≤ 1 for u + v ≤ 1"),
-        ("tri-neg", "triangle", "triangle: v ≥ 0 not asked"),
-        ("no-znear", "rule", "zNear not asked"),
+        ("tri-neg", "triangle", "triangle: v ≥ 0 not tested"),
+        ("no-znear", "rule", "zNear not tested"),
         ("zfar-t", "rule", "t ≤ zFar"),
         ("att-no2", "light", "1 − t / |T − P|"),
         ("att-no2", "light", "1 − t / (4 |T − P|)"),
@@ -127,7 +127,7 @@ internal sealed class OtherWordings(Scene scene, string? made)
                 var (depth, z) = (t * -Dot(d, W), camera.Clip == ClipMode.Distance);
                 var (near, far) = z ? (t, t) : (depth, depth);
                 if (Is("t ≤ zFar")) far = z ? depth : t;
-                if (!(t > camera.Bias && (near >= camera.ZNear || Is("zNear not asked")) && far <= camera.ZFar)) continue;
+                if (!(t > camera.Bias && (near >= camera.ZNear || Is("zNear not tested")) && far <= camera.ZFar)) continue;
                 if (t < best) (best, hit) = (t, model);
                 break;
             }
@@ -201,7 +201,7 @@ internal sealed class OtherWordings(Scene scene, string? made)
             if (t0 > t1 && !(i == 1 && Is("box: y not sorted"))) (t0, t1) = (t1, t0);
             (tmin, tmax) = (Is("box: tmin = min") ? Math.Min(tmin, t0) : Math.Max(tmin, t0), Math.Min(tmax, t1));
         }
-        return tmin > tmax && !Is("box: tmin ≤ tmax not asked") ? [] : Is("box: tmax") ? [tmax] : [tmin, tmax];
+        return tmin > tmax && !Is("box: tmin ≤ tmax not tested") ? [] : Is("box: tmax") ? [tmax] : [tmin, tmax];
     }
 
     private double[] OnCircle(Vector3 C, Vector3 n, double R, Vector3 d)
@@ -210,7 +210,7 @@ internal sealed class OtherWordings(Scene scene, string? made)
         var distance = ((Is("circle: X = t d") ? t * d : P + t * d) - C).Length;
         if (Is("circle: |X − C|² ≤ R")) distance *= distance;
         var most = Is("circle: |X − C| ≤ R²") ? R * R : Is("circle: R / 2") ? R / 2 : R;
-        return distance <= most || Is("circle: the radius not asked") ? [t] : [];
+        return distance <= most || Is("circle: the radius not tested") ? [t] : [];
     }
 
     private double[] OnTriangle(Vector3 A, Vector3 B, Vector3 C, Vector3 d)
@@ -219,8 +219,8 @@ internal sealed class OtherWordings(Scene scene, string? made)
         var t = OnPlane(A, n, d, "triangle");
         var X = P + t * d;
         var (u, v) = (Dot(n, Cross(A - C, X - C)) / Dot(n, n), Dot(n, Cross(B - A, X - A)) / Dot(n, n));
-        var last = Is("triangle: u + v ≤ 1 not asked") || (Is("triangle: u ≤ 1, v ≤ 1 for u + v ≤ 1") ? u <= 1 && v <= 1 : u + v <= 1);
-        return u >= 0 && (v >= 0 || Is("triangle: v ≥ 0 not asked")) && last ? [t] : [];
+        var last = Is("triangle: u + v ≤ 1 not tested") || (Is("triangle: u ≤ 1, v ≤ 1 for u + v ≤ 1") ? u <= 1 && v <= 1 : u + v <= 1);
+        return u >= 0 && (v >= 0 || Is("triangle: v ≥ 0 not tested")) && last ? [t] : [];
     }
 
     private static Vector3 Unit(Vector3 a) => a / Math.Sqrt(Dot(a, a));

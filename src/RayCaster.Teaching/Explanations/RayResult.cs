@@ -1,22 +1,22 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What becomes of a pixel's ray, for one model.</summary>
+/// <summary>The result of a pixel's ray, for one model.</summary>
 /// <param name="T">The t of the hit, else of the crossing that comes closest to counting; not finite if there is none.</param>
-/// <param name="Triangles">What becomes of a mesh's triangles; null for other shapes.</param>
+/// <param name="Triangles">The results of a mesh's triangles; null for other shapes.</param>
 /// <param name="Triangle">The index of the nearest triangle that counts, else of the nearest one that does not; null for none.</param>
-internal sealed record RayFate(Model Model, int Index, Outcome Outcome, double T, Tally? Triangles = null, int? Triangle = null)
+internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double T, Tally? Triangles = null, int? Triangle = null)
 {
     /// <summary>What is explained: the model, or one triangle of a mesh; null where the ray crosses none.</summary>
     public Model? Shape => Model is not Mesh mesh ? Model : Triangle is { } triangle ? Model.Of(mesh[triangle]) : null;
 
     /// <param name="ray">With its nearest hit.</param>
-    public static RayFate Of(Model model, int index, Ray ray)
+    public static RayResult Of(Model model, int index, Ray ray)
     {
-        var fate = model is Mesh mesh ? OfMesh(mesh, index, ray) : new(model, index, Judge(model, ray, out var t), t);
-        return fate.Outcome == Outcome.Shows && model != ray.HitModel ? fate with { Outcome = Outcome.Hidden } : fate;
+        var result = model is Mesh mesh ? OfMesh(mesh, index, ray) : new(model, index, Judge(model, ray, out var t), t);
+        return result.Outcome == Outcome.Shows && model != ray.HitModel ? result with { Outcome = Outcome.Hidden } : result;
     }
 
-    /// <summary>What becomes of a ray, for one model, whatever else is in the scene: <see cref="Outcome.Shows"/> for a hit. Quick enough for all
+    /// <summary>The result of a ray, for one model, whatever else is in the scene: <see cref="Outcome.Shows"/> for a hit. Quick enough for all
     /// rays of a picture, also where a mesh has many triangles.</summary>
     /// <param name="t">As <see cref="T"/>.</param>
     public static Outcome Judge(Model model, Ray ray, out double t) =>
@@ -24,11 +24,11 @@ internal sealed record RayFate(Model Model, int Index, Outcome Outcome, double T
         : model.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)) is { } crossings ? JudgeShape(ray, crossings, out t)
         : JudgeByHits(model, ray, out t);
 
-    private static RayFate OfMesh(Mesh mesh, int index, Ray ray)
+    private static RayResult OfMesh(Mesh mesh, int index, Ray ray)
     {
         var tally = new Tally();
         var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
-        var (best, chosen) = ((IsRefused: true, Distance: double.PositiveInfinity), new RayFate(mesh, index, Outcome.Misses, double.NaN, tally));
+        var (best, chosen) = ((IsRefused: true, Distance: double.PositiveInfinity), new RayResult(mesh, index, Outcome.Misses, double.NaN, tally));
         for (var i = 0; i < mesh.TriangleCount; i++)
         {
             double t = mesh[i].Intersect(along).Near;
