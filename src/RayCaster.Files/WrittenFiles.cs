@@ -92,7 +92,8 @@ public static class WrittenFiles
         if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
             throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
         var target = FilePlace.Of(path);
-        if (OperatingSystem.IsWindows() && Path.GetFileName(target).Length > 255) throw Failure(path, "the name is too long"); // it has no error for it
+        // Windows says of such a name only that its syntax is wrong.
+        if (OperatingSystem.IsWindows() && Path.GetFileName(target).Length > 255) throw Failure(path, "the name is too long");
         var folder = Path.GetDirectoryName(target);
         if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(path))
             throw Failure(path, "it is a folder; name a file in it");

@@ -48,7 +48,7 @@ public class Camera
         return new Ray(Position, d) { Bias = Bias, ZNear = ZNear, ZFar = ZFar, DepthPerT = ClipsByDistance ? 1 : -(d * W) };
     }
 
-    /// <summary>The colour that a ray shows at its hit: the farther, the darker, and black from twice the target's distance on.</summary>
+    /// <summary>The colour that a ray shows at its hit: the farther, the darker; black at 2 |T − P| and beyond.</summary>
     public Color Shade(Ray ray)
     {
         // BEGIN SOLUTION "Primitive Shading"

@@ -5,6 +5,6 @@ public abstract class Model
 {
     public Color Color = new(1, 1, 1);
 
-    /// <summary>Finds the intersections of the ray with this model and gives t of each to <see cref="Ray.Hit"/>.</summary>
+    /// <summary>Finds the crossings of the ray with this model. Each t goes to <see cref="Ray.Hit"/>, which keeps the nearest that counts.</summary>
     public abstract void Intersect(Ray ray);
 }

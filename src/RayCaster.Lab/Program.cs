@@ -2,7 +2,7 @@ using System.Diagnostics;
 using Lab;
 using RayCaster.Files;
 
-if (args.Length == 0) args = DrawTheRoom(); // as an editor's F5 does
+if (args.Length == 0) args = DrawTheRoom(); // as F5 in an editor does
 if (args is [var scene]) args = [scene, Path.ChangeExtension(Path.GetFileName(scene), "png")]; // room.png, in this folder
 if (args is not ([_, _] or [_, "--pixel", ..]))
 {
@@ -27,7 +27,7 @@ catch (ProblemException problem) // a name that no file can have, a folder that 
     Console.Error.WriteLine(problem.Message);
     return 2;
 }
-catch (Exception mistake) // in a body
+catch (Exception mistake) // in the student's code
 {
     var place = new StackTrace(mistake, fNeedFileInfo: true).GetFrames().FirstOrDefault(frame => frame.GetFileLineNumber() > 0);
     Console.Error.WriteLine($"{place?.GetFileName()}({place?.GetFileLineNumber()}): {mistake.GetType().Name}: {mistake.Message}");

@@ -11,7 +11,8 @@ public class Ray(Vector3 origin, Vector3 direction)
 
     public Model HitModel; // the model hit there; null for none
 
-    // What zNear and zFar measure is z = t DepthPerT. A ray made without a camera is not clipped.
+    // z = t DepthPerT is the depth in front of the camera, which zNear and zFar limit: DepthPerT is the cosine between the ray and the view.
+    // A ray made without a camera is not clipped.
     public double Bias, ZNear, ZFar = double.MaxValue, DepthPerT = 1;
 
     public Vector3 At(double t)

@@ -7,7 +7,7 @@ public class Scene(Camera camera, Color background)
 {
     public Camera Camera = camera;
 
-    public Color Background = background; // of a pixel whose ray hits nothing; it does not fade
+    public Color Background = background; // of a pixel whose ray hits nothing; it is not attenuated
 
     public List<Model> Models = [];
 

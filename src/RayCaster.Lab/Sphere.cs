@@ -18,13 +18,13 @@ public class Sphere(Vector3 center, double radius) : Model
         // The slide's "t_ca should be greater than zero" is right only for a camera outside the sphere: from inside, one sees the sphere even if
         // its centre lies behind.
 
-        // The slide's Pythagoras, D² = L² − t_ca², subtracts two large, nearly equal numbers for a far sphere, and its outline moves.
-        // The vector from the ray's nearest point to C has the same length, and all its digits.
+        // The slide's Pythagoras, D² = L² − t_ca², subtracts two large, nearly equal numbers for a far sphere, so it loses digits, and
+        // the sphere's edge moves. D here is the vector from the ray's nearest point to C, whose length is the slide's D, without that loss.
         var D = L - t_ca * ray.Direction;
         if (D * D > R * R) return; // passes by
         var t_hc = Math.Sqrt(R * R - D * D); // the slide writes t_hc² on the left; the square is an error of the slide
         ray.Hit(t_ca - t_hc, this);
-        ray.Hit(t_ca + t_hc, this); // shows where the near one does not count: the camera is inside, or zNear cuts the sphere open
+        ray.Hit(t_ca + t_hc, this); // the hit if the near one does not count: the camera is inside, or zNear cuts the sphere open
         // END SOLUTION
     }
 

@@ -55,7 +55,7 @@ internal static class BoxMistakes
             "B0 = min and B1 = max, as the scene has them."),
     ];
 
-    /// <summary>The slides' way: t_min is the last way into a slab, t_max the first way out.</summary>
+    /// <summary>The slides' way: t_min is the largest entry parameter, t_max the smallest exit parameter.</summary>
     /// <param name="along">From the faces of a slab and P, the ways in and out of a ray along it; the right ones if null.</param>
     /// <param name="lastIn">From the ways in, the one that counts.</param>
     /// <param name="axesOfD">Which coordinate of d the slabs of x, y and z take.</param>

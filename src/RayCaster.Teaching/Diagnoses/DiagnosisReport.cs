@@ -183,7 +183,7 @@ public static class DiagnosisReport
         }
         text.AppendLine($"  It would leave {Rest(diagnosis, suspect)}.");
         if (suspect.OtherSample)
-            text.Wrap("  Besides:  ", "the rays pass through another sample point of each pixel than the scene says (\"sample\": corner or center).");
+            text.Wrap("  Besides:  ", "the rays pass through another point of each pixel than the scene's \"sample\" says (corner or center).");
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
                 $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} " +

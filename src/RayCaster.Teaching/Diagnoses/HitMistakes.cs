@@ -116,7 +116,7 @@ internal static class HitMistakes
             "t > bias with the scene's tiny bias, and zNear as a test of its own.")
             .Or(OfSome("a bias of 1 in place of zNear", (lab, t, depth) => t > 1 && lab.Far.Do(t, depth))),
         new("clip-root", Affects.Hit, Slides.ClipPlanes,
-            "the near crossing of a body chosen before zNear is tested, so that its far side never shows where it is cut",
+            "the near crossing of a solid chosen before zNear is tested, so that its far side never shows where it is cut",
             lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),
             "A sphere or a box that the near plane cuts has a hole through it.",
             "If the first crossing is cut away, what of the second?",

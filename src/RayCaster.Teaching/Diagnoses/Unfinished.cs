@@ -35,7 +35,7 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
         return NotYet.Contains(Clipping) ? program.With(program[SectionKind.Rule].With(Formula.When.Text, "t > bias")) : program;
     }
 
-    /// <summary>Every subset of missing parts: of the scene's kinds of shape, except all of them, with and without attenuation and clipping.</summary>
+    /// <summary>Every subset of missing parts: of the kinds of shape, except all of them, with and without attenuation and clipping.</summary>
     public static IEnumerable<Unfinished> Ways(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
         var kinds = KindsOf(pictures);

@@ -102,7 +102,8 @@ public sealed class PixelExplanation
         [
             Winner,
             .. Neighbours.Select(neighbour => neighbour.Model),
-            .. Results.Where(result => result.Outcome is not (Outcome.Shows or Outcome.Misses)).OrderBy(result => Math.Abs(result.T)).Take(NearestCount)
+            .. Results.Where(result => result.Outcome is not (Outcome.Shows or Outcome.Misses))
+                .OrderBy(result => Math.Abs(result.T)).Take(NearestCount)
                 .Select(result => (int?)result.Index),
         ];
         return [.. Results.Where(result => chosen.Contains(result.Index))];

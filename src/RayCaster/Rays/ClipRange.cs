@@ -10,7 +10,7 @@ public readonly struct ClipRange
     /// <param name="bias">A crossing counts when t &gt; bias; with a bias of 0 when t ≥ 0.</param>
     public ClipRange(double bias, double zNear, double zFar)
     {
-        least = bias == 0 ? 0 : Math.BitIncrement(bias); // t ≥ the next double says the same as t > bias
+        least = bias == 0 ? 0 : Math.BitIncrement(bias); // t ≥ the next double is t > bias, and one comparison fits both cases
         (this.zNear, this.zFar) = (zNear, Math.Min(zFar, double.MaxValue)); // so that the infinite t of a parallel ray never counts
     }
 
@@ -18,7 +18,7 @@ public readonly struct ClipRange
     public static ClipRange Everything { get; } = new(0, 0, double.PositiveInfinity);
 
     /// <summary>Whether a crossing counts; false where t is NaN.</summary>
-    /// <param name="depthPerT">The z of one unit of t.</param>
+    /// <param name="depthPerT"><see cref="Ray.DepthPerT"/>.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N CountsMask<N>(N t, N depthPerT) where N : struct, IReal<N>
     {
@@ -38,7 +38,7 @@ public readonly struct ClipRange
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N IsWithinFar<N>(N z) where N : struct, IReal<N> => z <= zFar;
 
-    /// <summary>The first of two crossings that counts, or NaN. Where the near side of a body is clipped away, its far side shows.</summary>
+    /// <summary>The first of two crossings that counts, or NaN. Where the near side of a solid is clipped away, its far side shows.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N First<N>(Crossings<N> crossings, N depthPerT) where N : struct, IReal<N> =>
         First(crossings, depthPerT, CountsMask(crossings.Near, depthPerT));

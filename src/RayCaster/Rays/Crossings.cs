@@ -6,7 +6,7 @@ public readonly struct Crossings<N>(N near, N far) where N : struct, IReal<N>
     /// <summary>The first crossing along the ray.</summary>
     public readonly N Near = near;
 
-    /// <summary>The second crossing, where the ray leaves a body; NaN for a surface that is crossed once.</summary>
+    /// <summary>The second crossing, where the ray leaves a solid; NaN for a surface that is crossed once.</summary>
     public readonly N Far = far;
 
     /// <summary>The one crossing of a surface.</summary>

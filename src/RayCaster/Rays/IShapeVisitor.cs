@@ -1,8 +1,8 @@
 namespace RayCaster;
 
-/// <summary>Code that is compiled for each kind of shape: what draws a shape fast need not list them (<see cref="Model.Accept"/>).</summary>
+/// <summary>Code that is compiled for each type of shape, without a list of the types: <see cref="Model.Accept"/> calls it.</summary>
 public interface IShapeVisitor
 {
-    /// <summary>Does it for a shape; returns whether it could.</summary>
+    /// <summary>Runs the code for a shape; returns whether the code supports it.</summary>
     bool Visit<P>(P shape) where P : struct, IPrimitive;
 }

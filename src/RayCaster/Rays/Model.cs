@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>
-/// A visible object: a shape with a colour. <see cref="Of{P}"/> makes one of an <see cref="IPrimitive"/>, which is drawn several pixels at once.
+/// A visible object: a shape with a colour. <see cref="Of{P}"/> makes one of an <see cref="IPrimitive"/>, whose formula the engine runs for
+/// several pixels at once.
 /// A scalar shape is a class that derives from Model and computes with one ray's doubles and ifs (docs/adding-a-primitive.md).
 /// </summary>
 public abstract class Model
@@ -23,7 +24,7 @@ public abstract class Model
     /// <summary>A box around it; null if the shape does not implement <see cref="IBounded"/>.</summary>
     public virtual Bounds? Bounds => (this as IBounded)?.Bounds;
 
-    /// <summary>Where rays over any kind of number cross the shape; null for models without such a formula: meshes and scalar shapes.</summary>
+    /// <summary>The shape's formula for rays over the numbers N; null for models that have none: meshes and scalar shapes.</summary>
     public virtual Crossings<N>? Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
 
     /// <summary>Calls the visitor with the shape, and returns what that returns; false for models without a formula: meshes and scalar
@@ -46,7 +47,7 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     {
         var crossings = Primitive.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction));
         if (ray.Counts(crossings.Near)) return crossings.Near;
-        return ray.Counts(crossings.Far) ? crossings.Far : null; // where the near side of a body is clipped away, its far side shows
+        return ray.Counts(crossings.Far) ? crossings.Far : null; // where the near side of a solid is clipped away, its far side shows
     }
 
     /// <inheritdoc/>

@@ -14,7 +14,8 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     /// <summary>Which crossings count. For a ray without a camera: all that are not behind its origin.</summary>
     public ClipRange ClipRange { get; init; } = ClipRange.Everything;
 
-    /// <summary>The z of one unit of t; zNear and zFar limit z.</summary>
+    /// <summary>The depth z in front of the camera per unit of t: the cosine between the ray and the view. zNear and zFar limit z = t · this, and it
+    /// is 1 if they limit the distance.</summary>
     public double DepthPerT { get; init; } = 1;
 
     /// <summary>The t of the nearest hit so far; +∞ before the first.</summary>

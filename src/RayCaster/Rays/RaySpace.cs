@@ -3,19 +3,20 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>
-/// The view along a ray. The axes are renamed so that z is the axis that d follows most; then points are sheared along d onto the plane z = 0.
-/// There the ray is the point (0, 0), and a triangle around this point is one that the ray hits.
+/// Coordinates in which the ray is the z axis. First the axes are permuted so that z is the one along which d is longest; then a shear moves each
+/// point sideways, by as much as the ray moves sideways up to the point's z. So the ray becomes (0, 0, z), and it hits a triangle whose X and Y
+/// surround (0, 0).
 /// </summary>
 public readonly struct RaySpace<N> where N : struct, IReal<N>
 {
     private readonly Vector3<N> origin;
-    private readonly N mostlyX, isYAtLeastZ; // masks: the axis that d follows most is x; otherwise y if it is at least z, else z
+    private readonly N mostlyX, isYAtLeastZ; // masks (true or false for each lane): d is longest along x; if not, along y rather than z
     private readonly N slopeX, slopeY;       // how far the ray moves sideways for one step along z
 
-    /// <summary>d's coordinate along the renamed z: how far the ray moves along it for one unit of t.</summary>
+    /// <summary>d's coordinate along the permuted z: how far the ray moves along z for one unit of t.</summary>
     public readonly N Dz;
 
-    /// <summary>Renames the axes for a ray; a zero in d needs no care, because the slopes divide by its largest coordinate.</summary>
+    /// <summary>Permutes the axes for a ray; a zero in d needs no care, because the slopes divide by its largest coordinate.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public RaySpace(in Ray<N> ray)
     {
@@ -36,7 +37,7 @@ public readonly struct RaySpace<N> where N : struct, IReal<N>
         return new(p.X - slopeX * p.Z, p.Y - slopeY * p.Z, p.Z);
     }
 
-    /// <summary>Renames the axes in a cycle, which keeps their handedness.</summary>
+    /// <summary>Permutes the axes in a cycle, so that right-handed coordinates stay right-handed.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector3<N> PermuteAxes(Vector3<N> p) => new(
         N.Select(mostlyX, p.Y, N.Select(isYAtLeastZ, p.Z, p.X)),

@@ -146,7 +146,7 @@ public sealed record Camera
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
-        var pixel = (across + upwards - W).As("pixel", "uc * U + ur * V - W"); // on the picture plane, seen from P
+        var pixel = (across + upwards - W).As("pixel", "uc * U + ur * V - W"); // to the picture plane; explanations print this text
         return (pixel / N.Sqrt(pixel * pixel)).As("d");
     }
 
@@ -170,7 +170,7 @@ public sealed record Camera
         return ur * (Vector3<N>)V;
     }
 
-    /// <summary>The z of one unit of t along d: −d·W if z is the depth, 1 if it is the distance.</summary>
+    /// <summary>The depth z per unit of t along d: −d·W; 1 if zNear and zFar limit the distance.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N DepthPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
         Clip == ClipMode.Depth ? -(direction * W) : 1;

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>The definition of a picture, one ray after another. Some pixels of each picture that the engine draws are compared with it.</summary>
+/// <summary>The definition of a picture, one ray after another: slow, and right. The engine's pictures are spot-checked against it.</summary>
 public static class ScalarRenderer
 {
     /// <summary>Draws the picture of a scene.</summary>

@@ -13,7 +13,7 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Color Shade(double t, Model? model) => model is null ? Background : Attenuation<Scalar>(t) * model.Color;
 
-    /// <summary>1 − t / (2 |T − P|), not below 0: from twice the target's distance on all is black.</summary>
+    /// <summary>1 − t / (2 |T − P|), not below 0: black at 2 |T − P| and beyond.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N Attenuation<N>(N t) where N : struct, IReal<N> => N.Max(0, 1 - t / Camera.FadeDistance).As("attenuation");
 

@@ -18,9 +18,9 @@ public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive
         // The slide's "t_ca should be greater than zero" is right only for a camera outside the sphere: from inside, one sees the sphere even if
         // its centre lies behind.
 
-        // The slide's Pythagoras, D² = L² − t_ca², subtracts two large, nearly equal numbers for a far sphere, and its outline moves.
-        // The vector from the ray's nearest point to C has the same length, and all its digits (Haines, Günther, Akenine-Möller, "Precision
-        // Improvements for Ray/Sphere Intersection", 2019).
+        // The slide's Pythagoras, D² = L² − t_ca², subtracts two large, nearly equal numbers for a far sphere, so it loses digits, and
+        // the sphere's edge moves. D here is the vector from the ray's nearest point to C, whose length is the slide's D, without that loss
+        // (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", 2019).
         var D = (L - t_ca * ray.Direction).As("D");
         var t_hc = N.Sqrt(Radius * Radius - D * D).As("t_hc"); // NaN where the ray passes by; the slide's t_hc² on the left is an error of the slide
         return new(t_ca - t_hc, t_ca + t_hc);

@@ -16,8 +16,8 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     /// <para>In the view along the ray the ray is the point (0, 0). This point and the triangle's sides make three triangles; w, u and v are
     /// twice their signed areas, and t is the mean of the corners' depths with these weights. A triangle seen edge-on (d·n = 0) has no area: 0 / 0,
     /// NaN.</para>
-    /// <para>If a triangle is seen nearly edge-on, its areas are all rounding, and may have equal signs for a ray that passes far from it,
-    /// within its plane. So (0, 0) must also lie between the corners in X and in Y, which is always true inside.</para>
+    /// <para>If a triangle is seen nearly edge-on, its areas are nothing but rounding errors, and may have equal signs for a ray that passes far
+    /// from it, within its plane. So (0, 0) must also lie between the corners in X and in Y, which is always true inside.</para>
     /// <para>No ray passes between two triangles that share a side. Both see its two corners at the same places, so they compute the same area
     /// over it, with opposite signs; and rounding can make the difference of two products 0, but never change its sign. So the triangles cover
     /// the view without gaps, also at corners (after Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013).</para>
@@ -30,7 +30,7 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public Crossings<N> Intersect<N>(in RaySpace<N> along) where N : struct, IReal<N> => Intersect(along, A, B, C);
 
-    /// <summary>The same for corners over any kind of number: in a packet each lane has its own triangle.</summary>
+    /// <summary>The same for corners over any kind of number: for several triangles at once.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Crossings<N> Intersect<N>(in RaySpace<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
         where N : struct, IReal<N>

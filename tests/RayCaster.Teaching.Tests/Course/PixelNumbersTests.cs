@@ -119,7 +119,7 @@ public class PixelNumbersTests
     {
         var lines = Numbers("Camera", "var ur = ", "while (c > 0) Thread.Sleep(20); var ur = ");
         Assert.Equal("  w: 0.828427", lines[^3]);
-        Assert.StartsWith("  uc (from your d): yours no end: probably your code has an endless loop, right 0.124264: the first wrong value", lines[^2]);
+        Assert.StartsWith("  uc (from your d): yours no end: probably your code has an endless loop, right 0.124264: the first wrong", lines[^2]);
     }
 
     [Theory]
