@@ -110,7 +110,8 @@ internal sealed class LiveServer : IAsyncDisposable
 
     private async Task AnswerAsync(HttpContext context, RequestDelegate answerWithFile)
     {
-        var (path, method) = (context.Request.Path, context.Request.Method);
+        var path = context.Request.Path;
+        var method = context.Request.Method;
         if (gate.Refuse(context) is { } reason) await RefuseAsync(context, StatusCodes.Status403Forbidden, reason);
         else if (path == "/live" && context.WebSockets.IsWebSocketRequest) await ServeTabAsync(context);
         else if (path == "/mine" && HttpMethods.IsPost(method)) await TakeMineAsync(context);
@@ -165,10 +166,10 @@ internal sealed class LiveServer : IAsyncDisposable
         }
     }
 
-    /// <summary>The name of a dropped file, without folders and control characters.</summary>
+    /// <summary>The name of a dropped file, without folders.</summary>
     private static string NameOf(string text)
     {
-        var name = string.Concat(Path.GetFileName(text.Replace('\\', '/')).Where(c => !char.IsControl(c)));
+        var name = PrintableText.Of(Path.GetFileName(text.Replace('\\', '/')));
         return name.Length == 0 ? "your picture" : name[..Math.Min(100, name.Length)];
     }
 }

@@ -38,9 +38,9 @@ internal abstract class Option(string names, string? value, string help)
     /// <summary>The value that a text means; null if it means none.</summary>
     public abstract object? Read(string text);
 
-    public static Option<bool> Switch(string names, string help) => new(names, null, help, "no value", _ => true);
+    public static Option<bool> Switch(string names, string help) => new(names, null, help, "", _ => true);
 
-    public static Option<string> Text(string names, string value, string help) => new(names, value, help, "a text", text => text);
+    public static Option<string> Text(string names, string value, string help) => new(names, value, help, "", text => text);
 
     public static Option<int?> Count(string names, string help, int most) =>
         new(names, "<n>", help, $"a whole number from 1 to {most:N0}", text => ReadCount(text) is { } count && count <= most ? count : null);

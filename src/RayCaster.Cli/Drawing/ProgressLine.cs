@@ -96,7 +96,8 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         }
         catch (IOException)
         {
-            (isGone, drawn) = (true, 0); // the terminal was closed; the work continues
+            isGone = true; // the terminal was closed; the work continues
+            drawn = 0;
         }
     }
 }
