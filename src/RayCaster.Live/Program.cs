@@ -33,7 +33,8 @@ internal static class Program
                 return ExitCode.Failed;
             }
             if (line.Get(LiveOptions.UntilInputEnds)) _ = Task.Run(EndWithInput);
-            var starting = Task.Run(() => LiveServer.StartAsync(scene, line.Get(LiveOptions.Mine), line.Get(LiveOptions.Port))); // it may wait for a mesh file for ever
+            // It may wait for a mesh file for ever.
+            var starting = Task.Run(() => LiveServer.StartAsync(scene, line.Get(LiveOptions.Mine), line.Get(LiveOptions.Port)));
             if (await Task.WhenAny(starting, end.Task) == end.Task) return await end.Task;
             var server = await starting;
             Console.Out.WriteLine(Greeting(scene, server));

@@ -9,7 +9,8 @@ internal abstract class Option(string names, string? value, string help)
     private const int MaxThreads = 1024, MaxThreadsPerCore = 4;
 
     public static readonly Option<PictureFormat?> Format = new("--format", "<format>",
-        "png, ppm or ppm-text (PPM in readable numbers). [default: by the file's extension]", "png, ppm or ppm-text", ReadFormat);
+        "png, ppm or ppm-text (PPM in readable numbers). [default: by the file's extension]", "png, ppm or ppm-text",
+        text => text switch { "png" => PictureFormat.Png, "ppm" => PictureFormat.Ppm, "ppm-text" => PictureFormat.PpmText, _ => null });
     public static readonly Option<(int Width, int Height)?> Size = new("-s, --size", "<W>x<H>",
         "Overrides the scene's picture size, in pixels.", "width and height in pixels as in 640x480", ReadSize);
     public static readonly Option<int?> Threads = new("-t, --threads", "<n>",
@@ -66,14 +67,6 @@ internal abstract class Option(string names, string? value, string help)
     /// <summary>More threads than a few per core only need memory.</summary>
     private static int? ReadThreads(string text) =>
         ReadCount(text) is { } count && count <= MaxThreads ? Math.Min(count, MaxThreadsPerCore * Environment.ProcessorCount) : null;
-
-    private static PictureFormat? ReadFormat(string text) => text switch
-    {
-        "png" => PictureFormat.Png,
-        "ppm" => PictureFormat.Ppm,
-        "ppm-text" => PictureFormat.PpmText,
-        _ => null,
-    };
 
     private static (int Width, int Height)? ReadSize(string text)
     {

@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Chooses how to draw: small pictures by the definition, and others with the engine, until a pixel of the engine's differs from the definition. In a native
-/// program the engine starts at once and draws small pictures, too. With <c>--plain</c>, draws every picture by the definition.
+/// Chooses how to draw: small pictures by the definition, and others with the engine, until a pixel of the engine's differs from the definition.
+/// In a native program the engine starts at once and draws small pictures, too. With <c>--plain</c>, draws every picture by the definition.
 /// </summary>
 /// <param name="manyFrames">Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</param>
 internal sealed class RendererChoice(Scene scene, int? threads, bool plain, bool manyFrames = false)
