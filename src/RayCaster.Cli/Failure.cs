@@ -8,6 +8,7 @@ internal static class Failure
     /// <returns>The exit code.</returns>
     public static int Report(Exception e, string hint)
     {
+        if (e is ReportedException) return ExitCode.Failed;
         if (Message(e) is { } message)
         {
             StandardStreams.WriteError($"raycaster: {message}");

@@ -57,7 +57,7 @@ public static class FilePlace
 
     /// <summary>The number by which this process has a place open: 1 for <c>/dev/stdout</c>; null for any other.</summary>
     internal static int? DescriptorOf(string place) =>
-        IsOpen(place) && Path.GetDirectoryName(place) is var folder && (folder == "/dev/fd" || folder == $"/proc/{Environment.ProcessId}/fd")
+        IsOpen(place) && (place.StartsWith("/dev/", StringComparison.Ordinal) || Path.GetDirectoryName(place) == $"/proc/{Environment.ProcessId}/fd")
             ? int.Parse(Path.GetFileName(place), CultureInfo.InvariantCulture)
             : null;
 

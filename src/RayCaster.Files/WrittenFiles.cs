@@ -154,7 +154,8 @@ public static class WrittenFiles
             if (isAborted) throw new OperationCanceledException();
             move();
             unfinished.Remove(temporary);
-            (Count, Last) = (Count + 1, path);
+            Count++;
+            Last = path;
         }
     }
 

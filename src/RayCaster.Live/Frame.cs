@@ -28,7 +28,8 @@ internal sealed class Frame(int width, int height)
 
     public static Frame Of(Picture picture)
     {
-        var (frame, rgb) = (new Frame(picture.Width, picture.Height), picture.Rgb);
+        var frame = new Frame(picture.Width, picture.Height);
+        var rgb = picture.Rgb;
         var to = MemoryMarshal.Cast<byte, uint>(frame.pixels.AsSpan());
         for (int i = 0, j = 0; j < to.Length; i += 3, j++) to[j] = 0xFF000000u | (uint)rgb[i + 2] << 16 | (uint)rgb[i + 1] << 8 | rgb[i];
         return frame;

@@ -1,5 +1,4 @@
 using System.Security.Cryptography;
-using System.Text;
 using Microsoft.AspNetCore.Http;
 
 namespace RayCaster.Live;
@@ -22,7 +21,8 @@ internal sealed class Gate(int port, string token)
     /// <returns>Null if the page may have sent it; otherwise the reason against it.</returns>
     public string? Refuse(HttpContext context)
     {
-        var (request, headers) = (context.Request, context.Response.Headers);
+        var request = context.Request;
+        var headers = context.Response.Headers;
         headers.ContentSecurityPolicy = Policy;
         headers.XContentTypeOptions = "nosniff";
         headers.XFrameOptions = "DENY";

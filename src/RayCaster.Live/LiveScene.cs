@@ -24,7 +24,9 @@ internal sealed class LiveScene
 
     public LiveScene(string path, CancellationToken end)
     {
-        (Path, FullPath, watch) = (path, System.IO.Path.GetFullPath(path), new(end));
+        Path = path;
+        FullPath = System.IO.Path.GetFullPath(path);
+        watch = new(end);
         watch.Watch([FullPath]);
         State = Next(Read());
     }

@@ -26,9 +26,11 @@ internal sealed class LiveServer : IAsyncDisposable
     private readonly Gate gate;
     private readonly WebApplication app;
 
-    private LiveServer(LiveOptions options, PageAddress address)
+    private LiveServer(string scene, string? mine, PageAddress address)
     {
-        (Scene, Mine, Port) = (new(options.Scene, end.Token), new(options.Mine, end.Token), address.Port);
+        Scene = new(scene, end.Token);
+        Mine = new(mine, end.Token);
+        Port = address.Port;
         gate = new(Port, address.Token);
         var builder = WebApplication.CreateEmptyBuilder(new());
         builder.WebHost.UseKestrelCore().ConfigureKestrel(kestrel =>
@@ -59,14 +61,17 @@ internal sealed class LiveServer : IAsyncDisposable
 
     public string Address => gate.Address;
 
+    /// <param name="scene">The scene file.</param>
+    /// <param name="mine">The file of a picture by the user's own program to compare with; null for none.</param>
+    /// <param name="port">The page's port; null for any that is free.</param>
     /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>
-    public static async Task<LiveServer> StartAsync(LiveOptions options)
+    public static async Task<LiveServer> StartAsync(string scene, string? mine = null, int? port = null)
     {
         for (var attempt = 1; ; attempt++)
         {
-            var address = attempt == 1 && PageAddress.Last() is { } last && (options.Port == 0 || options.Port == last.Port) ? last
-                : PageAddress.New(options.Port > 0 ? options.Port : FreePort());
-            var server = new LiveServer(options, address);
+            var address = attempt == 1 && PageAddress.Last() is { } last && (port ?? last.Port) == last.Port ? last
+                : PageAddress.New(port ?? FreePort());
+            var server = new LiveServer(scene, mine, address);
             try
             {
                 await server.app.StartAsync();
@@ -78,7 +83,7 @@ internal sealed class LiveServer : IAsyncDisposable
             catch (IOException e)
             {
                 await server.DisposeAsync();
-                if (options.Port == 0 && attempt < MaxAttempts) continue;
+                if (port is null && attempt < MaxAttempts) continue;
                 var reason = e.InnerException is AddressInUseException ? "is taken" : "cannot be used";
                 throw new ProblemException($"port {address.Port} {reason}; choose another one above 1023, or leave --port out");
             }
@@ -105,7 +110,8 @@ internal sealed class LiveServer : IAsyncDisposable
 
     private async Task AnswerAsync(HttpContext context, RequestDelegate answerWithFile)
     {
-        var (path, method) = (context.Request.Path, context.Request.Method);
+        var path = context.Request.Path;
+        var method = context.Request.Method;
         if (gate.Refuse(context) is { } reason) await RefuseAsync(context, StatusCodes.Status403Forbidden, reason);
         else if (path == "/live" && context.WebSockets.IsWebSocketRequest) await ServeTabAsync(context);
         else if (path == "/mine" && HttpMethods.IsPost(method)) await TakeMineAsync(context);
@@ -160,10 +166,10 @@ internal sealed class LiveServer : IAsyncDisposable
         }
     }
 
-    /// <summary>The name of a dropped file, without folders and control characters.</summary>
+    /// <summary>The name of a dropped file, without folders.</summary>
     private static string NameOf(string text)
     {
-        var name = string.Concat(Path.GetFileName(text.Replace('\\', '/')).Where(c => !char.IsControl(c)));
+        var name = PrintableText.Of(Path.GetFileName(text.Replace('\\', '/')));
         return name.Length == 0 ? "your picture" : name[..Math.Min(100, name.Length)];
     }
 }

@@ -4,9 +4,6 @@ namespace RayCaster.Live;
 
 internal static class Program
 {
-    // The same codes as those of raycaster.
-    private const int Done = 0, Failed = 2, InternalError = 70, Interrupted = 130, Terminated = 143;
-
     private const string Usage = """
         Usage:
           dotnet run --project src/RayCaster.Live -- <scene> [--mine <file>] [--port <n>] [--no-browser]
@@ -18,27 +15,30 @@ internal static class Program
         Renderer.Disagreed = difference => Console.Error.WriteLine($"The engine disagrees with ScalarRenderer, which draws again: {difference}");
         // The process ends with this method, even with open pages: they hold nothing that could be lost.
         var end = new TaskCompletionSource<int>(TaskCreationOptions.RunContinuationsAsynchronously);
-        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => End(context, Interrupted));
-        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => End(context, Terminated));
+        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => End(context, ExitCode.Interrupted));
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => End(context, ExitCode.Terminated));
         try
         {
-            if (LiveOptions.Parse(arguments) is not { } options)
+            var line = CommandLine.Parse("live", [.. LiveOptions.All, LiveOptions.UntilInputEnds, Option.Help], arguments);
+            if (line.Get(Option.Help))
             {
                 Console.Out.WriteLine(Usage);
-                return Done;
+                return ExitCode.Done;
             }
+            var scene = line.Exactly("<scene>")[0];
             // The page shows a scene's errors; a file that does not exist is an error of the command line.
-            if (!File.Exists(options.Scene))
+            if (!File.Exists(scene))
             {
-                Console.Error.Write(SceneReader.Read(options.Scene).Report());
-                return Failed;
+                Console.Error.Write(SceneReader.Read(scene).Report());
+                return ExitCode.Failed;
             }
-            if (options.EndsWithInput) _ = Task.Run(EndWithInput);
-            var starting = Task.Run(() => LiveServer.StartAsync(options)); // it may wait for a mesh file for ever
+            if (line.Get(LiveOptions.UntilInputEnds)) _ = Task.Run(EndWithInput);
+            // It may wait for a mesh file for ever.
+            var starting = Task.Run(() => LiveServer.StartAsync(scene, line.Get(LiveOptions.Mine), line.Get(LiveOptions.Port)));
             if (await Task.WhenAny(starting, end.Task) == end.Task) return await end.Task;
             var server = await starting;
-            Console.Out.WriteLine(Greeting(options, server));
-            if (options.OpensBrowser && !PageAddress.IsRestart && Browser.HasScreen)
+            Console.Out.WriteLine(Greeting(scene, server));
+            if (!line.Get(LiveOptions.NoBrowser) && !PageAddress.IsRestart && Browser.HasScreen)
                 await Browser.OpenAsync(server.Address, server.Port, Task.WhenAny(end.Task, Task.Delay(TimeSpan.FromSeconds(30))));
             return await end.Task;
         }
@@ -46,12 +46,12 @@ internal static class Program
         {
             Console.Error.WriteLine($"raycaster-live: {problem.Message}");
             if (problem.IsUsage) Console.Error.WriteLine(Usage);
-            return Failed;
+            return ExitCode.Failed;
         }
         catch (Exception unexpected)
         {
             Console.Error.WriteLine(Fault.InWords("raycaster-live", unexpected));
-            return InternalError;
+            return ExitCode.InternalError;
         }
 
         void End(PosixSignalContext context, int exitCode)
@@ -63,12 +63,12 @@ internal static class Program
         void EndWithInput()
         {
             Console.OpenStandardInput().CopyTo(Stream.Null);
-            end.TrySetResult(Terminated);
+            end.TrySetResult(ExitCode.Terminated);
         }
     }
 
-    private static string Greeting(LiveOptions options, LiveServer server) => $"""
-        The page for {options.Scene} is at
+    private static string Greeting(string scene, LiveServer server) => $"""
+        The page for {scene} is at
           {server.Address}
         It draws the scene again when you save the file. Press Ctrl-C to end it.
         From another machine: ssh -L {server.Port}:127.0.0.1:{server.Port} USER@THIS-MACHINE, then open the address there.

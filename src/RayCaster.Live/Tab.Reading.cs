@@ -93,9 +93,11 @@ internal sealed partial class Tab
     private static T Named<T>(JsonElement value) where T : struct, Enum =>
         Enum.GetValues<T>().First(member => string.Equals($"{member}", value.GetString(), StringComparison.OrdinalIgnoreCase));
 
-    private static double Finite(JsonElement value) => value.GetDouble() is var number && double.IsFinite(number)
-        ? number
-        : throw new FormatException("a number is not finite");
+    private static double Finite(JsonElement value)
+    {
+        var number = value.GetDouble();
+        return double.IsFinite(number) ? number : throw new FormatException("a number is not finite");
+    }
 
     /// <summary>Moves the camera. Each move counts, even if no frame is drawn before the next.</summary>
     private void Move(Func<Camera, Camera> move)

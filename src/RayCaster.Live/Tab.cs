@@ -78,16 +78,16 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
             try
             {
                 var state = server.Scene.State;
-                await TellSceneAsync(state);
+                await SendSceneAsync(state);
                 while (posted.TryDequeue(out var message)) await SendAsync(message);
                 if (state.Scene is null) continue;
-                await TellHoverAsync(state);
-                await TellFrameAsync(state);
-                await TellCameraAsync(state);
-                await TellExplanationAsync(state);
-                await TellMapAsync(state);
-                await TellComparisonAsync(state);
-                await TellLedgerAsync(state);
+                await SendHoverAsync(state);
+                await SendPictureAsync(state);
+                await SendCameraAsync(state);
+                await SendExplanationAsync(state);
+                await SendMapAsync(state);
+                await SendComparisonAsync(state);
+                await SendLedgerAsync(state);
             }
             catch (OperationCanceledException) when (!end.IsCancellationRequested)
             {
@@ -104,7 +104,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         }
     }
 
-    private async Task TellSceneAsync(SceneState state)
+    private async Task SendSceneAsync(SceneState state)
     {
         if (ReferenceEquals(known, state)) return;
         await SendAsync(Messages.OfScene(server.Scene, state));
@@ -133,7 +133,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         }
     }
 
-    private async Task TellFrameAsync(SceneState state)
+    private async Task SendPictureAsync(SceneState state)
     {
         if (sent - shown >= MaxUnseen || !Takes(Pending.Frame)) return;
         var moves = isMoving;
@@ -144,21 +144,21 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         hasFault = false;
     }
 
-    private async Task TellCameraAsync(SceneState state)
+    private async Task SendCameraAsync(SceneState state)
     {
         if (!Takes(Pending.Camera)) return;
         var camera = view.Camera;
         await SendAsync(Messages.OfCamera(camera ?? state.Scene!.Camera, camera is not null));
     }
 
-    private async Task TellHoverAsync(SceneState state)
+    private async Task SendHoverAsync(SceneState state)
     {
         if (!Takes(Pending.Hover) || hover is not { } place) return;
         var scene = view.Of(state.Scene!);
         if (IsIn(scene, place)) await SendAsync(Messages.OfHover(scene, place.Column, place.Line));
     }
 
-    private async Task TellExplanationAsync(SceneState state)
+    private async Task SendExplanationAsync(SceneState state)
     {
         if (isMoving || !Takes(Pending.Explanation) || explained is not { } place) return;
         var seen = view;
@@ -171,7 +171,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         }));
     }
 
-    private async Task TellMapAsync(SceneState state)
+    private async Task SendMapAsync(SceneState state)
     {
         if (isMoving || !Takes(Pending.Map) || map is not { } kind) return;
         var scene = view.Of(state.Scene!);
@@ -180,10 +180,11 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         await SendFrameAsync(frame, Layer.Map, state.Version, isFinal: true);
     }
 
-    private async Task TellComparisonAsync(SceneState state)
+    private async Task SendComparisonAsync(SceneState state)
     {
         if (!Takes(Pending.Comparison)) return;
-        var (diagnoses, level) = (Takes(Pending.Diagnosis), hint);
+        var diagnoses = Takes(Pending.Diagnosis);
+        var level = hint;
         var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio).WaitAsync(end.Token);
         if (!ReferenceEquals(comparison, compared))
         {
@@ -194,11 +195,11 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         }
         if (!diagnoses) return;
         diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end.Token);
-        _ = TellDiagnosisAsync(comparison, level, diagnosing.Token);
+        _ = SendDiagnosisAsync(comparison, level, diagnosing.Token);
     }
 
     /// <summary>Sends the diagnosis later: it takes seconds, in which the page can be used.</summary>
-    private async Task TellDiagnosisAsync(Comparison comparison, HintLevel level, CancellationToken cancellation)
+    private async Task SendDiagnosisAsync(Comparison comparison, HintLevel level, CancellationToken cancellation)
     {
         string text;
         try
@@ -216,7 +217,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         if (ReferenceEquals(comparison, compared)) Post(Messages.Of(new { Kind = "diagnosis", Text = text }));
     }
 
-    private async Task TellLedgerAsync(SceneState state)
+    private async Task SendLedgerAsync(SceneState state)
     {
         if (isMoving || !Takes(Pending.Ledger)) return;
         var scene = view.Of(state.Scene!);

@@ -165,7 +165,7 @@ public class AttackTests
     public async Task APortThatIsTakenIsToldInWords()
     {
         await using var page = await LivePage.OpenAsync();
-        var problem = await Assert.ThrowsAsync<ProblemException>(() => LiveServer.StartAsync(new(page.Scene, null, page.Server.Port, false)));
+        var problem = await Assert.ThrowsAsync<ProblemException>(() => LiveServer.StartAsync(page.Scene, port: page.Server.Port));
         Assert.Contains($"port {page.Server.Port} is taken", problem.Message);
     }
 

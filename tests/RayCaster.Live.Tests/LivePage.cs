@@ -36,7 +36,7 @@ internal sealed class LivePage : IAsyncDisposable
         var folder = new TemporaryFolder();
         prepare?.Invoke(folder);
         var path = folder.Write("scene.json", scene);
-        return new(folder, await LiveServer.StartAsync(new(path, mine is null ? null : folder[mine], 0, false)));
+        return new(folder, await LiveServer.StartAsync(path, mine is null ? null : folder[mine]));
     }
 
     /// <summary>A page that has shown its first picture.</summary>

@@ -16,9 +16,10 @@ internal sealed class LiveProcess : IDisposable
     /// <param name="scene">The scene file.</param>
     /// <param name="iteration">Which start by "dotnet watch" this is; 0 without "dotnet watch".</param>
     /// <param name="home">The home folder; the user's own if left out.</param>
-    public static LiveProcess Start(string scene, int iteration = 0, string? home = null)
+    /// <param name="options">More options.</param>
+    public static LiveProcess Start(string scene, int iteration = 0, string? home = null, params string[] options)
     {
-        var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "raycaster-live"), [scene, "--no-browser"])
+        var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "raycaster-live"), [scene, "--no-browser", .. options])
         {
             RedirectStandardOutput = true,
         };

@@ -9,6 +9,9 @@ internal sealed class CommandLine(string command)
 
     public IReadOnlyList<string> Operands => operands;
 
+    /// <summary>All words, as they were given.</summary>
+    public string[] Words { get; private init; } = [];
+
     /// <summary>The warnings so far, for an answer in JSON; null if there are none.</summary>
     public string? Warning { get; private set; }
 
@@ -16,7 +19,7 @@ internal sealed class CommandLine(string command)
     public static CommandLine Parse(string command, IReadOnlyList<Option> options, ReadOnlySpan<string> words)
     {
         foreach (var word in words) FileWord.Check(word);
-        var line = new CommandLine(command);
+        var line = new CommandLine(command) { Words = words.ToArray() };
         while (words is [var word, .. var rest])
         {
             words = rest;

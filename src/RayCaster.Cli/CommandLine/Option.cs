@@ -9,7 +9,8 @@ internal abstract class Option(string names, string? value, string help)
     private const int MaxThreads = 1024, MaxThreadsPerCore = 4;
 
     public static readonly Option<PictureFormat?> Format = new("--format", "<format>",
-        "png, ppm or ppm-text (PPM in readable numbers). [default: by the file's extension]", "png, ppm or ppm-text", ReadFormat);
+        "png, ppm or ppm-text (PPM in readable numbers). [default: by the file's extension]", "png, ppm or ppm-text",
+        text => text switch { "png" => PictureFormat.Png, "ppm" => PictureFormat.Ppm, "ppm-text" => PictureFormat.PpmText, _ => null });
     public static readonly Option<(int Width, int Height)?> Size = new("-s, --size", "<W>x<H>",
         "Overrides the scene's picture size, in pixels.", "width and height in pixels as in 640x480", ReadSize);
     public static readonly Option<int?> Threads = new("-t, --threads", "<n>",
@@ -38,9 +39,9 @@ internal abstract class Option(string names, string? value, string help)
     /// <summary>The value that a text means; null if it means none.</summary>
     public abstract object? Read(string text);
 
-    public static Option<bool> Switch(string names, string help) => new(names, null, help, "no value", _ => true);
+    public static Option<bool> Switch(string names, string help) => new(names, null, help, "", _ => true);
 
-    public static Option<string> Text(string names, string value, string help) => new(names, value, help, "a text", text => text);
+    public static Option<string> Text(string names, string value, string help) => new(names, value, help, "", text => text);
 
     public static Option<int?> Count(string names, string help, int most) =>
         new(names, "<n>", help, $"a whole number from 1 to {most:N0}", text => ReadCount(text) is { } count && count <= most ? count : null);
@@ -66,14 +67,6 @@ internal abstract class Option(string names, string? value, string help)
     /// <summary>More threads than a few per core only need memory.</summary>
     private static int? ReadThreads(string text) =>
         ReadCount(text) is { } count && count <= MaxThreads ? Math.Min(count, MaxThreadsPerCore * Environment.ProcessorCount) : null;
-
-    private static PictureFormat? ReadFormat(string text) => text switch
-    {
-        "png" => PictureFormat.Png,
-        "ppm" => PictureFormat.Ppm,
-        "ppm-text" => PictureFormat.PpmText,
-        _ => null,
-    };
 
     private static (int Width, int Height)? ReadSize(string text)
     {

@@ -2,6 +2,9 @@ namespace RayCaster.Cli;
 
 internal static class StandardStreams
 {
+    /// <summary>The name of standard input and of standard output on the command line.</summary>
+    public const string Name = "-";
+
     /// <summary>Whether a write to standard output was begun.</summary>
     public static bool HasOutput { get; private set; }
 

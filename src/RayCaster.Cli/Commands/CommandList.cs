@@ -5,22 +5,21 @@ internal sealed class CommandList
 {
     private readonly (string Title, Command[] Commands)[] groups;
     private readonly DrawCommand draw = new();
-    private readonly Command[] all;
 
     /// <param name="groups">The commands but draw and help, in groups with a title.</param>
     public CommandList(params (string Title, Command[] Commands)[] groups)
     {
         this.groups = groups;
-        all = [draw, .. groups.SelectMany(group => group.Commands), new HelpCommand(this)];
+        All = [draw, .. groups.SelectMany(group => group.Commands), new HelpCommand(this)];
     }
 
-    public IEnumerable<Command> All => all;
+    public Command[] All { get; }
 
     /// <summary>The command that the first word names; drawing if it names none.</summary>
     /// <param name="words">The words that are the command's.</param>
     public Command Of(string[] arguments, out string[] words)
     {
-        var command = Array.Find(all, command => command.Name == arguments[0]);
+        var command = Array.Find(All, command => command.Name == arguments[0]);
         words = command is null ? arguments : arguments[1..];
         return command ?? draw;
     }
@@ -29,7 +28,7 @@ internal sealed class CommandList
     public void ThrowIfMisspelled(string[] words)
     {
         if (words is not [var word, ..] || word.StartsWith('-') || File.Exists(word)) return;
-        if (Spelling.Nearest(word, all.Select(command => command.Name)) is { } name)
+        if (Spelling.Nearest(word, All.Select(command => command.Name)) is { } name)
             throw ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?");
         if (words is [_, var second, ..] && !second.StartsWith('-') && word.All(char.IsAsciiLetter) && !File.Exists(string.Join(' ', words)))
             throw ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one");
@@ -40,6 +39,6 @@ internal sealed class CommandList
         command is DrawCommand or HelpCommand ? HelpPage.Of(draw, groups) : HelpPage.Of(command);
 
     /// <summary>The help page of the command with a name.</summary>
-    public string HelpOf(string name) => Array.Find(all, command => command.Name == name) is { } command ? HelpOf(command)
-        : throw ProblemException.Usage($"there is no command '{name}'{Spelling.DidYouMean(name, all.Select(known => known.Name), quote: '\'')}");
+    public string HelpOf(string name) => Array.Find(All, command => command.Name == name) is { } command ? HelpOf(command)
+        : throw ProblemException.Usage($"there is no command '{name}'{Spelling.DidYouMean(name, All.Select(known => known.Name), quote: '\'')}");
 }

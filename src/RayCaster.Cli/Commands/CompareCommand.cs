@@ -26,14 +26,15 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var files = line.Exactly("<mine>", "<reference>");
-        var (mineFile, referenceFile, file) = (files[0], files[1], line.Get(output));
+        var mineFile = files[0];
+        var referenceFile = files[1];
+        var file = line.Get(output);
         InputFiles.Note(files);
         var format = file is null ? PictureFormat.Png : PictureFormats.ByExtension(file);
         Action<string> warn = StandardStreams.WriteError;
-        var (mine, reference) = (PictureFile.Read(mineFile, warn), PictureFile.Read(referenceFile, warn));
+        var mine = PictureFile.Read(mineFile, warn);
+        var reference = PictureFile.Read(referenceFile, warn);
         var scene = line.Get(sceneFile) is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
-        if (scene is null && line.Get(sceneFile) is not null) return ExitCode.Failed;
-
         var comparison = new PictureComparison(mine, reference, scene, line.Get(Option.Threads));
         if (file is not null) PictureOutput.Write(file, SideBySide.Draw(comparison), format, cancellation);
         StandardStreams.WriteOutput(Text(comparison, mineFile, referenceFile, file, line.Get(measures)));

@@ -31,7 +31,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         {
             return Judge(line, cancellation);
         }
-        catch (Exception e) when (line.Get(asJson) && e is ProblemException)
+        catch (Exception e) when (line.Get(asJson) && e is ProblemException or ReportedException)
         {
             StandardStreams.WriteOutput(DiagnosisReport.Json(e.Message)); // other programs read standard output, also after an error
             throw;
@@ -41,15 +41,11 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
     private static int Judge(CommandLine line, CancellationToken cancellation)
     {
         var operands = line.Exactly("<scene>", "<mine>");
-        var (scenePath, picturePath) = (operands[0], operands[1]);
+        var scenePath = operands[0];
+        var picturePath = operands[1];
         var level = line.Get(hint) ?? HintLevel.Question;
         var json = line.Get(asJson);
-        if (SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true) is not { } scene)
-        {
-            if (json) StandardStreams.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
-            return ExitCode.Failed;
-        }
-
+        var scene = SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true);
         var picture = PictureFile.Read(picturePath, StandardStreams.WriteError);
         var size = (scene.Camera.Width, scene.Camera.Height);
         var hasOtherSize = (picture.Width, picture.Height) != size && (picture.Height, picture.Width) != size;

@@ -24,12 +24,12 @@ internal sealed class DrawCommand() : Command("draw", "<scene>", "Draws a scene.
         var path = OneScene(line.Operands);
         var file = line.Get(output) ?? SceneInput.NameOf(path) + ".png";
         var format = PictureOutput.FormatOf(file, line.Get(Option.Format));
-        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.Failed;
+        var scene = SceneInput.Read(path, line, cancellation);
 
         var start = Stopwatch.GetTimestamp();
         scene = SpatialOrder.Of(scene);
-        var renderer = new CheckedRenderer(scene, line.Get(Option.Threads), line.Get(plain));
-        var lines = LineRange.Whole(scene.Camera.Height);
+        var renderer = new RendererChoice(scene, line.Get(Option.Threads), line.Get(plain));
+        var lines = NumberRange.Whole(scene.Camera.Height);
         var isOdd = PictureOutput.Draw(file, format, renderer, lines, part: null, line, cancellation);
         line.Tell(PictureOutput.Summary(file, scene, lines, Stopwatch.GetElapsedTime(start)));
         if (isOdd && !line.Get(Option.Quiet)) StandardStreams.WriteError(ModelsCommand.WhyNothingShows(scene, cancellation));

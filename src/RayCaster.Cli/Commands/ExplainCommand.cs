@@ -26,8 +26,7 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var operands = line.Exactly("<scene>", "<column>", "<line>");
-        if (SceneInput.Read(operands[0], line, cancellation) is not { } scene)
-            return ExitCode.Failed;
+        var scene = SceneInput.Read(operands[0], line, cancellation);
 
         var camera = scene.Camera;
         var explanation = new PixelExplanation(scene,

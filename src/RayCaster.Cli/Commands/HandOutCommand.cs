@@ -2,7 +2,7 @@ namespace RayCaster.Cli;
 
 internal sealed class HandOutCommand() : Command("handout", "<folder>", "Writes the lab for students: ten steps, with tests.")
 {
-    private static readonly Option<LineRange?> open = new("--open", "<steps>",
+    private static readonly Option<NumberRange?> open = new("--open", "<steps>",
         "The steps that the students write, for example 1..4 or 7; the others are written already. [default: 1..10]",
         "one step of 1 to 10, or the first and the last as in 1..4", ReadSteps);
     private static readonly Option<bool> solution = Option.Switch("--solution", "All steps are written: for the teacher.");
@@ -29,6 +29,6 @@ internal sealed class HandOutCommand() : Command("handout", "<folder>", "Writes 
         return ExitCode.Done;
     }
 
-    private static LineRange? ReadSteps(string text) =>
-        LineRange.Parse(text.Contains("..") ? text : $"{text}..{text}") is { First: > 0 } steps && steps.Last <= LabSteps.Count ? steps : null;
+    private static NumberRange? ReadSteps(string text) =>
+        NumberRange.Parse(text.Contains("..") ? text : $"{text}..{text}") is { First: > 0 } steps && steps.Last <= LabSteps.Count ? steps : null;
 }

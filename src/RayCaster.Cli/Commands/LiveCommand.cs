@@ -5,11 +5,6 @@ namespace RayCaster.Cli;
 /// <summary>Starts the live page. It is a separate program, because a web server would make this one start more slowly.</summary>
 internal sealed class LiveCommand() : Command("live", "<scene>", "Opens a page that redraws the scene when you save it.")
 {
-    private static readonly Option<string> mine = Option.Text("--mine", "<file>",
-        "Compares with a picture (PNG or PPM) of your own program, each time that your program writes it.");
-    private static readonly Option<string> port = Option.Text("--port", "<n>", "The page's port, 1 to 65535. [default: any that is free]");
-    private static readonly Option<bool> noBrowser = Option.Switch("--no-browser", "Prints the address and opens no browser.");
-
     private static readonly TimeSpan pollInterval = TimeSpan.FromMilliseconds(50);
 
     public override string Description =>
@@ -18,23 +13,19 @@ internal sealed class LiveCommand() : Command("live", "<scene>", "Opens a page t
 
     public override IReadOnlyList<(string, string)> Arguments => [("<scene>", "The scene file (JSON).")];
 
-    public override IReadOnlyList<Option> Options => [mine, port, noBrowser];
+    public override IReadOnlyList<Option> Options => LiveOptions.All;
 
     public override string[] Examples => ["live scenes/room.json"];
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
-        var arguments = new List<string> { line.Exactly("<scene>")[0] };
-        if (line.Get(mine) is { } file) arguments.AddRange([mine.Name, file]);
-        if (line.Get(port) is { } number) arguments.AddRange([port.Name, number]);
-        if (line.Get(noBrowser)) arguments.Add(noBrowser.Name);
-        arguments.Add("--until-input-ends"); // however this process ends, the system then closes the pipe
-        using var live = Start(arguments);
+        line.Exactly("<scene>");
+        using var live = Start([LiveOptions.UntilInputEnds.Name, .. line.Words]); // however this process ends, the system then closes the pipe
         while (!live.WaitForExit(pollInterval)) cancellation.ThrowIfCancellationRequested();
         return live.ExitCode;
     }
 
-    private static Process Start(List<string> arguments)
+    private static Process Start(string[] arguments)
     {
         var start = LiveProgram.Beside() is { } program ? new ProcessStartInfo("dotnet", [program, .. arguments])
             : LiveProgram.Project() is { } project ? new("dotnet", ["run", "--project", project, "--", .. arguments])

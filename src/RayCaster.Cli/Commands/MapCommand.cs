@@ -26,10 +26,10 @@ internal sealed class MapCommand() : Command("map", "<scene> <kind>", "Writes nu
         // A name of its own, so "-o room.pfm" does not replace the picture room.png.
         var ending = $".{kind.Name()}";
         var picture = numbers[..^4] + (numbers[..^4].EndsWith(ending, StringComparison.Ordinal) ? "" : ending) + ".png";
-        if (SceneInput.Read(operands[0], line, cancellation) is not { } scene) return ExitCode.Failed;
+        var scene = SceneInput.Read(operands[0], line, cancellation);
 
         var map = MapMaker.Make(scene, kind, line.Get(Option.Threads));
-        PictureOutput.Write(numbers, cancellation, file => PfmFile.Write(file, map));
+        OutputFile.Write(numbers, cancellation, file => PfmFile.Write(file, map));
         PictureOutput.Write(picture, MapPicture.Draw(map, kind), PictureFormat.Png, cancellation);
         var range = kind != MapKind.Model && map.Range is var (least, greatest) ? $", {kind.Name()} from {least:G7} to {greatest:G7}" : "";
         line.Tell($"{numbers}, {picture}: {map.Width} x {map.Height} pixels{range}");

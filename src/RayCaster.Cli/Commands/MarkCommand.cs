@@ -62,7 +62,7 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
             (done, all, next) => progress?.Show(done, all, next), StandardStreams.WriteError);
         var (count, toLookAt) = marks.Mark(line.Operands[1], cancellation);
         progress?.Dispose();
-        line.Tell($"{folder}: {count} submission{(count == 1 ? "" : "s")} marked, {toLookAt} to look at yourself, " +
+        line.Tell($"{folder}: {Digits.Count(count, "submission")} marked, {toLookAt} to look at yourself, " +
             $"{Stopwatch.GetElapsedTime(start).TotalSeconds:0.0} s");
         return ExitCode.Done;
     }

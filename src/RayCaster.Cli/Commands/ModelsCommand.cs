@@ -12,7 +12,7 @@ internal sealed class ModelsCommand() : Command("models", "<scene>", "Says which
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
-        if (SceneInput.Read(line.Exactly("<scene>")[0], line, cancellation) is not { } scene) return ExitCode.Failed;
+        var scene = SceneInput.Read(line.Exactly("<scene>")[0], line, cancellation);
         StandardStreams.WriteOutput(HitLedger.Take(SpatialOrder.Of(scene), cancellation).Report());
         return ExitCode.Done;
     }

@@ -23,15 +23,15 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
     {
         var path = line.Exactly("<scene>")[0];
         var count = line.Get(frames) ?? throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
-        var wanted = LineRange.Whole(count);
+        var wanted = NumberRange.Whole(count);
         if (line.Get(only) is { } portion)
             wanted = portion.Of(count) ?? throw new ProblemException($"there are no frames {portion} of {count}, 0..{count - 1}");
-        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.Failed;
+        var scene = SceneInput.Read(path, line, cancellation);
 
         scene = SpatialOrder.Of(scene);
         var folder = line.Get(output) ?? "";
         var models = SceneDigest.OfModels(scene.Models);
-        var whole = LineRange.Whole(scene.Camera.Height);
+        var whole = NumberRange.Whole(scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
         var drawn = 0;
         for (var frame = wanted.First; frame <= wanted.Last; frame++)
@@ -43,13 +43,13 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
             var part = PartFacts.Of(view, whole, models, typeof(Renderer).Assembly); // the file contains what it shows, so --resume can skip it
             // The reason to draw a frame again is printed for the first one only.
             if (line.Get(PartCommand.Resume) && PictureOutput.IsUpToDate(file, part, line.Get(Option.Quiet) || drawn > 0)) continue;
-            var renderer = new CheckedRenderer(view, line.Get(Option.Threads), plain: false, manyFrames: true);
+            var renderer = new RendererChoice(view, line.Get(Option.Threads), plain: false, manyFrames: true);
             PictureOutput.Draw(file, PictureFormat.Png, renderer, whole, part, line, cancellation);
             drawn++;
         }
-        var (pixels, seconds) = ($"{scene.Camera.Width} x {scene.Camera.Height} pixels", Stopwatch.GetElapsedTime(start).TotalSeconds);
-        line.Tell($"{(folder == "" ? "." : folder)}: {Digits.Count(drawn, "frame")} of {pixels} drawn, " +
-            $"{wanted.Count - drawn} existed already, {seconds:0.00} s");
+        var (width, height) = (scene.Camera.Width, scene.Camera.Height);
+        line.Tell($"{(folder == "" ? "." : folder)}: {Digits.Count(drawn, "frame")} of {width} x {height} pixels drawn, " +
+            $"{wanted.Count - drawn} existed already, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s");
         return ExitCode.Done;
     }
 }

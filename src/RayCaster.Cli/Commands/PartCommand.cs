@@ -30,7 +30,7 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
             "write the first and the last as in 0..249, counted from 0 at the top, or 3/8 for the third of eight parts");
         if (line.Get(output) is { } given && PictureOutput.FormatOf(given, null) != PictureFormat.Png)
             throw ProblemException.Usage("a part is a PNG file, which records what it shows; choose another name");
-        if (SceneInput.Read(operands[0], line, cancellation) is not { } scene) return ExitCode.Failed;
+        var scene = SceneInput.Read(operands[0], line, cancellation);
 
         var height = scene.Camera.Height;
         var lines = portion.Of(height) ?? throw new ProblemException($"there is no part {portion} of a picture of {height} lines, 0..{height - 1}");
@@ -43,7 +43,7 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
             line.Tell($"{file}: exists already");
             return ExitCode.Done;
         }
-        var renderer = new CheckedRenderer(SpatialOrder.Of(scene), line.Get(Option.Threads), plain: false);
+        var renderer = new RendererChoice(SpatialOrder.Of(scene), line.Get(Option.Threads), plain: false);
         PictureOutput.Draw(file, PictureFormat.Png, renderer, lines, part, line, cancellation);
         line.Tell(PictureOutput.Summary(file, scene, lines, Stopwatch.GetElapsedTime(start)));
         return ExitCode.Done;

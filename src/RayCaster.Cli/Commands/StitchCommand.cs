@@ -31,7 +31,8 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         if (line.Operands.Count == 0) throw ProblemException.Usage("no part is given: name files, a pattern or a folder");
-        var (file, onlyMissing) = (line.Get(output) ?? "", line.Get(missing));
+        var file = line.Get(output) ?? "";
+        var onlyMissing = line.Get(missing);
         if (onlyMissing && file != "") throw ProblemException.Usage("--missing writes no picture: leave -o out");
         if (!onlyMissing && file == "")
             throw ProblemException.Usage("stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines");
@@ -55,7 +56,7 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
 
         InputFiles.Note(parts.Files);
         var (width, height) = parts.Size;
-        PictureOutput.Write(file, cancellation, stream =>
+        OutputFile.Write(file, cancellation, stream =>
         {
             using var progress = ProgressLine.For(line, width, height, "pixels");
             using var writer = PictureWriter.Create(format, stream, width, height);
@@ -63,7 +64,7 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
             writer.Finish();
         });
         var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
-        line.Tell($"{PictureOutput.NameOf(file)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
+        line.Tell($"{OutputFile.NameOf(file)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
         return ExitCode.Done;
     }
 

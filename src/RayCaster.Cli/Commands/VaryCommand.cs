@@ -39,8 +39,8 @@ internal sealed class VaryCommand() : Command("vary", "<scene>", "Makes a simila
             StandardStreams.WriteError($"{path}: no variation of it shows all its mistakes; try another seed");
             return ExitCode.No;
         }
-        PictureOutput.Write(file, cancellation, stream => stream.Write(varied));
-        line.Tell($"{PictureOutput.NameOf(file)}: {path}, varied; it shows the same mistakes" +
+        OutputFile.Write(file, cancellation, stream => stream.Write(varied));
+        line.Tell($"{OutputFile.NameOf(file)}: {path}, varied; it shows the same mistakes" +
             (budget?.LeavesOut == true ? ", of those that were tried within 10 s; --all tries all" : ""));
         return ExitCode.Done;
     }

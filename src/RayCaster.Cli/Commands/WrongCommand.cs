@@ -24,11 +24,11 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
         if (Option.ReadList(operands[1], '+', Ids) is not { } ids) throw ProblemException.Usage("no mistake is named: docs/mistakes.md lists them");
         var file = line.Get(output) ?? $"{SceneInput.NameOf(operands[0])}.{string.Join('+', ids)}.png";
         var format = PictureOutput.FormatOf(file, line.Get(Option.Format));
-        if (SceneInput.Read(operands[0], line, cancellation, judges: true) is not { } scene) return ExitCode.Failed;
+        var scene = SceneInput.Read(operands[0], line, cancellation, judges: true);
 
         var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!);
         PictureOutput.Write(file, MistakeCatalog.Draw(scene, mistakes, line.Get(Option.Threads)), format, cancellation);
-        line.Tell($"{PictureOutput.NameOf(file)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");
+        line.Tell($"{OutputFile.NameOf(file)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");
         return ExitCode.Done;
     }
 }

@@ -1,52 +1,37 @@
 namespace RayCaster.Cli;
 
-/// <summary>Writes pictures: to a file, which is complete or unchanged, or to standard output.</summary>
+/// <summary>Draws and writes pictures.</summary>
 internal static class PictureOutput
 {
-    /// <summary>Its name in messages.</summary>
-    public static string NameOf(string output) => output == SceneInput.Standard ? "standard output" : output;
-
     /// <summary>The format of --format, or that of the file's extension; PPM for standard output.</summary>
     public static PictureFormat FormatOf(string output, PictureFormat? format)
     {
-        if (output == SceneInput.Standard && !Console.IsOutputRedirected)
+        if (output == StandardStreams.Name && !Console.IsOutputRedirected)
             throw new ProblemException(
                 "a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
-        return format ?? (output == SceneInput.Standard ? PictureFormat.Ppm
+        return format ?? (output == StandardStreams.Name ? PictureFormat.Ppm
             : Directory.Exists(output) ? throw new ProblemException($"cannot write {output}: it is a folder; name a file in it")
             : PictureFormats.ByExtension(output));
     }
 
-    /// <param name="cancellation">If cancelled, the old file stays.</param>
-    public static void Write(string output, CancellationToken cancellation, Action<Stream> write)
-    {
-        if (output == SceneInput.Standard)
-        {
-            StandardStreams.WriteOutput(write);
-            return;
-        }
-        InputFiles.ThrowIfInput(output);
-        WrittenFiles.Write(output, write, cancellation);
-    }
-
     public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
-        Write(output, cancellation, stream => PictureFile.Write(stream, picture, format));
+        OutputFile.Write(output, cancellation, stream => PictureFile.Write(stream, picture, format));
 
     /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
     /// <returns>Whether the lines look like a mistake, since they show nothing or one colour.</returns>
-    public static bool Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
+    public static bool Draw(string output, PictureFormat format, RendererChoice renderer, NumberRange lines, PartFacts? part,
         CommandLine line, CancellationToken cancellation)
     {
         var odd = default(OddPicture);
         try
         {
-            Write(output, cancellation, WriteOnce);
+            OutputFile.Write(output, cancellation, WriteOnce);
         }
         catch (EngineDisagreesException)
         {
-            if (output == SceneInput.Standard) throw new ProblemException("standard output has a wrong picture: write to a file, or add --plain");
-            Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
+            if (output == StandardStreams.Name) throw new ProblemException("standard output has a wrong picture: write to a file, or add --plain");
+            OutputFile.Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
         }
         return odd!.IsOdd;
 
@@ -68,10 +53,10 @@ internal static class PictureOutput
     }
 
     /// <summary>What was drawn, in a line.</summary>
-    public static string Summary(string output, Scene scene, LineRange lines, TimeSpan elapsed)
+    public static string Summary(string output, Scene scene, NumberRange lines, TimeSpan elapsed)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
-        return $"{NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
+        return $"{OutputFile.NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
             $"{Digits.Count(scene.Models.Count, "model")}, {elapsed.TotalSeconds:0.00} s, " +
             ProgressLine.Rate((double)width * lines.Count, "rays", elapsed);
     }

@@ -25,10 +25,8 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
 
     /// <summary>A progress line on standard error's terminal; null if it is not wanted, or nobody sees it.</summary>
     public static ProgressLine? For(CommandLine line, int width, int height, string what = "rays") =>
-        line.Get(Option.Quiet) || line.Get(Option.NoProgress) || !IsSeen ? null : OnTerminal(width, height, what);
-
-    private static ProgressLine OnTerminal(int width, int height, string what) =>
-        new(Console.Error, width, height, Columns(), TimeProvider.System, what);
+        line.Get(Option.Quiet) || line.Get(Option.NoProgress) || !IsSeen ? null
+            : new(Console.Error, width, height, Columns(), TimeProvider.System, what);
 
     /// <summary>The terminal's columns; 80 if it does not say.</summary>
     private static int Columns()
@@ -96,7 +94,8 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         }
         catch (IOException)
         {
-            (isGone, drawn) = (true, 0); // the terminal was closed; the work continues
+            isGone = true; // the terminal was closed; the work continues
+            drawn = 0;
         }
     }
 }

@@ -22,7 +22,8 @@ internal static partial class Bodies
                 "a body stands between // BEGIN SOLUTION \"slide\" and // END SOLUTION, and with it its // STUB");
         return Body().Replace(text, body =>
         {
-            var (slide, code) = (body.Groups["slide"].Value, body.Groups["line"].Captures.Select(line => line.Value).ToArray());
+            var slide = body.Groups["slide"].Value;
+            var code = body.Groups["line"].Captures.Select(line => line.Value);
             var step = Slides.StepOf(slide);
             if (step == 0) throw new ProblemException($"{file}: error: no step has the slide \"{slide}\"");
             if (!isOpen(step)) return string.Concat(code.Where(line => !line.Contains(Stub)));

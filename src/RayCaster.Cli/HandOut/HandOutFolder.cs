@@ -27,10 +27,8 @@ internal static class HandOutFolder
     /// <summary>A hand-out judges students by the pictures of this build: in a clone they must be the stored references.</summary>
     private static void ThrowIfPicturesDiffer(CancellationToken cancellation)
     {
-        var root = new DirectoryInfo(AppContext.BaseDirectory);
-        while (root is not null && !Directory.Exists(Path.Combine(root.FullName, "tests", "References"))) root = root.Parent;
-        if (root is null) return; // an installed program
-        foreach (var file in Directory.GetFiles(Path.Combine(root.FullName, "scenes"), "*.json", SearchOption.AllDirectories))
+        if (Clone.Folder() is not { } clone) return;
+        foreach (var file in Directory.GetFiles(Path.Combine(clone, "scenes"), "*.json", SearchOption.AllDirectories))
         {
             cancellation.ThrowIfCancellationRequested();
             if (SceneReader.Read(file).Scene is { } scene && StoredReference.Contradiction(file, scene) is { } difference)

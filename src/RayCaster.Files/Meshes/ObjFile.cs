@@ -9,11 +9,13 @@ internal static class ObjFile
     {
         source.ThrowUnless("an OBJ mesh");
         source.Has(64);
-        if (source.Bytes[..Math.Min(source.Bytes.Length, 64)] is var start && start.IndexOfAny("\0\r\n"u8) is >= 0 and var at && start[at] == 0)
+        var start = source.Bytes[..Math.Min(source.Bytes.Length, 64)];
+        if (start.IndexOfAny("\0\r\n"u8) is >= 0 and var at && start[at] == 0)
             throw source.Error("it is no text, and so no OBJ mesh; compiled files have the same extension");
         var scanner = new TextScanner(source, isObj: true);
         var mesh = new MeshBuilder(source);
-        var (lines, points) = (0, 0);
+        var lines = 0;
+        var points = 0;
         var ahead = new List<(long Index, int Line)>(); // of faces before their vertices: each index that is greater than those before it
         string? warning = null;
         do

@@ -55,7 +55,8 @@ internal sealed class PlyFile(PlyHeader header, PlyValues values, MeshBuilder me
     /// strip; a corner that is there twice joins two, by triangles without an area.</summary>
     private void ReadStrips(PlyType type, long count)
     {
-        var (a, b, corners) = (0, 0, 0);
+        var (a, b) = (0, 0);
+        var corners = 0;
         for (; count > 0; count--)
         {
             var index = values.Next(type);
@@ -68,7 +69,8 @@ internal sealed class PlyFile(PlyHeader header, PlyValues values, MeshBuilder me
             var isTriangle = corners >= 2 && a != b && b != c && c != a;
             if (isTriangle && corners % 2 == 0) mesh.AddTriangle(a, b, c);
             else if (isTriangle) mesh.AddTriangle(b, a, c);
-            (a, b, corners) = (b, c, corners + 1);
+            (a, b) = (b, c);
+            corners++;
         }
     }
 

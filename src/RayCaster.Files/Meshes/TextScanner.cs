@@ -37,8 +37,7 @@ internal sealed class TextScanner
             const int most = 40;
             var word = Line[wordAt..Math.Max(wordAt, Position)]; // Return may have gone back before it
             if (word.IsEmpty) return lineEnd == 0 ? "the end of the file" : "the end of the line";
-            var text = Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)]).Select(c => char.IsControl(c) ? '?' : c);
-            return $"'{string.Concat(text)}{(word.Length > most ? "…" : "")}'";
+            return $"'{PrintableText.Of(Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)]))}{(word.Length > most ? "…" : "")}'";
         }
     }
 
@@ -103,7 +102,8 @@ internal sealed class TextScanner
     /// <summary>Finds the end of the line that begins here, and loads it as a whole; false at the end of the file.</summary>
     private bool LoadLine()
     {
-        var (begin, searched) = (0, 0); // where the last line begins that a backslash continues, and where no line end is
+        var begin = 0; // of the last line that a backslash continues
+        var searched = 0; // no line end is before this place
         for (joinedLines = 0; ; joinedLines++, begin = searched = length + lineEnd)
         {
             while ((length = EndIn(source.Bytes, searched)) < 0)

@@ -16,13 +16,13 @@ namespace RayCaster.Files;
 /// </summary>
 /// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
 /// <param name="Version">The version of the program, and 12 digits that change with its code.</param>
-public sealed partial record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
+public sealed partial record PartFacts(int Width, int Height, NumberRange Lines, string Digest, string Version)
 {
     internal const string Keyword = "raycaster:part";
 
     /// <summary>The facts of a part that is drawn now.</summary>
     /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
-    public static PartFacts Of(Scene scene, LineRange lines, string models, Assembly engine) =>
+    public static PartFacts Of(Scene scene, NumberRange lines, string models, Assembly engine) =>
         new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene, models),
             VersionOf(typeof(Scene).Assembly, typeof(PartFacts).Assembly, engine));
 
@@ -38,7 +38,7 @@ public sealed partial record PartFacts(int Width, int Height, LineRange Lines, s
     {
         var values = Form().Match(text).Groups;
         return Side(values[1].ValueSpan) is { } width && Side(values[2].ValueSpan) is { } height
-            && LineRange.Parse(values[3].Value) is { } lines && lines.Last < height
+            && NumberRange.Parse(values[3].Value) is { } lines && lines.Last < height
             ? new(width, height, lines, values[4].Value, values[5].Value)
             : null;
     }

@@ -6,7 +6,7 @@ public sealed class PartSet
 {
     private readonly List<(string Path, PartFacts Facts)> parts = [];
     private readonly List<string> problems = [];
-    private readonly List<LineRange> missing = [];
+    private readonly List<NumberRange> missing = [];
 
     /// <summary>Reads the facts of the files.</summary>
     /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
@@ -37,7 +37,7 @@ public sealed class PartSet
     public IReadOnlyList<string> Problems => problems;
 
     /// <summary>The lines that no part holds, from the top; of parts without problems.</summary>
-    public IReadOnlyList<LineRange> Missing => missing;
+    public IReadOnlyList<NumberRange> Missing => missing;
 
     /// <summary>The whole picture's size.</summary>
     public (int Width, int Height) Size => (parts[0].Facts.Width, parts[0].Facts.Height);
@@ -83,13 +83,14 @@ public sealed class PartSet
     /// <summary>Finds lines that no part holds, and lines that two parts hold. The latter is a problem even where they are equal.</summary>
     private void FindGapsAndOverlaps()
     {
-        var (path, reach) = ("", -1); // the part that reaches farthest down so far, and its last line
+        var path = ""; // of the part that reaches farthest down so far
+        var reach = -1; // its last line
         foreach (var (next, facts) in parts)
         {
             var lines = facts.Lines;
             if (lines.First > reach + 1) missing.Add(new(reach + 1, lines.First - 1));
             if (lines.First <= reach)
-                problems.Add($"the lines {new LineRange(lines.First, Math.Min(reach, lines.Last))} are in {path} and in {next}");
+                problems.Add($"the lines {new NumberRange(lines.First, Math.Min(reach, lines.Last))} are in {path} and in {next}");
             if (lines.Last > reach) (path, reach) = (next, lines.Last);
         }
         if (reach < Size.Height - 1) missing.Add(new(reach + 1, Size.Height - 1));

@@ -32,7 +32,8 @@ public static class SceneDigest
         using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         for (var i = 0; i < models.Count; i++)
         {
-            var (model, mesh) = (models[i], models[i] as Mesh);
+            var model = models[i];
+            var mesh = model as Mesh;
             var text = mesh is null ? $"{model}" : FormattableString.Invariant($"mesh {mesh.Vertices.Length} {mesh.Indices.Length}");
             if (model.GetType().ToString().Contains(text)) // the name of a class or structure that does not override ToString
                 throw new ProblemException($"the scene cannot be drawn in parts: models[{i}] is of the class {model.GetType().Name}, "

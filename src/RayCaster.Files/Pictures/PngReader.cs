@@ -23,7 +23,8 @@ internal sealed class PngReader
     {
         chunks = new(file);
         PngHeader? header = null;
-        var (dataBytes, paletteBytes) = (0L, 0L);
+        var dataBytes = 0L;
+        var paletteBytes = 0L;
         var before = "";
         for (chunks.Next(); ; before = chunks.Type, chunks.Next())
         {

@@ -170,7 +170,8 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
 
     private JsonMistake Fraction(int at)
     {
-        var (start, end) = (tree.Last.Start, words.End(at + 1));
+        var start = tree.Last.Start;
+        var end = words.End(at + 1);
         return new(start, end, $"{tree.Text.Quote(start, end)} is not a number; JSON has no fractions: write 0.5 for 1/2");
     }
 

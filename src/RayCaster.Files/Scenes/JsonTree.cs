@@ -58,12 +58,14 @@ internal sealed class JsonTree
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
         var depth = 0;
         var reader = new Utf8JsonReader(text.Utf8, options);
-        var (last, lastEnd) = (JsonTokenType.None, 0);
+        var last = JsonTokenType.None;
+        var lastEnd = 0;
         try
         {
             while (reader.Read())
             {
-                (last, lastEnd) = (reader.TokenType, (int)reader.BytesConsumed); // a key's ends after its colon
+                last = reader.TokenType;
+                lastEnd = (int)reader.BytesConsumed; // a key's ends after its colon
                 if (last is JsonTokenType.EndObject or JsonTokenType.EndArray)
                 {
                     tree.lastClosed = open[--depth];

@@ -62,7 +62,8 @@ internal readonly ref struct JsonWords(SourceText text)
 
     public JsonMistake? Number(int at)
     {
-        var (word, end) = (Word(at), End(at));
+        var word = Word(at);
+        var end = End(at);
         if (IsNotFinite(word)) return NotFinite(at);
         var text = Encoding.UTF8.GetString(utf8[at..end]);
         foreach (var (pattern, message) in wrongNumbers)
@@ -85,7 +86,8 @@ internal readonly ref struct JsonWords(SourceText text)
     /// <summary>A word without quotes, where a value should be.</summary>
     public JsonMistake? Literal(int at)
     {
-        var (word, end) = (Word(at), End(at));
+        var word = Word(at);
+        var end = End(at);
         foreach (var literal in (ReadOnlySpan<string>)["true", "false", "null"])
         {
             if (literal == word || (end == utf8.Length && literal.StartsWith(word, StringComparison.Ordinal))) return null;

@@ -121,7 +121,9 @@ public static class SceneReader
 
         var view = camera.Target - camera.Position;
         var position = o.PathOf("position");
-        var (width, height, zNear, zFar, fovY) = (camera.Width, camera.Height, camera.ZNear, camera.ZFar, camera.FovY);
+        var (width, height) = (camera.Width, camera.Height);
+        var (zNear, zFar) = (camera.ZNear, camera.ZFar);
+        var fovY = camera.FovY;
         var ofUp = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
         var ofZNear = o.Has("zNear") ? "" : " where it is not given";
         if (view.Length == 0) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");

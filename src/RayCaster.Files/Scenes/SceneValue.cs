@@ -48,7 +48,7 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     {
         if (json.Kind == JsonTokenType.StartArray && Elements.Take(4).ToArray() is [var x, var y, var z])
             return new(x.Number(limits), y.Number(limits), z.Number(limits));
-        var found = json.Kind == JsonTokenType.StartArray ? $"has {MeshBuilder.Counted(json.Content.Count(), "element")}{DecimalComma()}"
+        var found = json.Kind == JsonTokenType.StartArray ? $"has {Quantity.Of(json.Content.Count(), "element")}{DecimalComma()}"
             : $"is {json.InWords}";
         Report(true, $" must be {form}, but {found}");
         return NoVector;
@@ -75,12 +75,14 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     public void AddTriangles(Limits limits, List<int> triangles)
     {
         if (!IsArray("indices")) return;
-        var (first, previous, count) = (0, 0, 0);
+        var (first, previous) = (0, 0);
+        var count = 0;
         foreach (var index in Elements)
         {
             var corner = (int)index.Whole(limits);
             if (count >= 2) triangles.AddRange([first, previous, corner]);
-            (first, previous) = (count == 0 ? corner : first, corner);
+            if (count == 0) first = corner;
+            previous = corner;
             count++;
         }
         if (count < 3) Report(true, $" must have at least three indices, but has {count}");

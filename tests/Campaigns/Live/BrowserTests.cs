@@ -166,7 +166,7 @@ public class BrowserTests(Chromium chromium)
     public async Task ThePicturesOfTheDocsAreMade()
     {
         var folder = Environment.GetEnvironmentVariable("RAYCASTER_DOCS");
-        await using var server = await LiveServer.StartAsync(new(ProjectFolder.PathOf("scenes/room.json"), null, 0, false));
+        await using var server = await LiveServer.StartAsync(ProjectFolder.PathOf("scenes/room.json"));
         var (page, complaints) = await chromium.OpenAsync(server.Address);
         await page.WaitForFunctionAsync("() => document.getElementById('model-0-rays').textContent.includes('%')");
         if (folder is not null) await page.ScreenshotAsync(Path.Combine(folder, "live.png"));

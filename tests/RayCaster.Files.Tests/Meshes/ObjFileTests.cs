@@ -98,7 +98,7 @@ public class ObjFileTests
     [InlineData("v 1.#QNAN00 2 3", "(5): the vertex's x must be a finite number, but is '1.#QNAN00'")]
     [InlineData("v 1 2 1e400", "(5): the vertex's z must be a finite number, but is '1e400'")]
     [InlineData("v 1,5 2 3", "(5): the vertex's x must be a finite number, but is '1,5'")]
-    [InlineData("v 1\0 2 3", "(5): the vertex's x must be a finite number, but is '1?'")]
+    [InlineData("v 1\0 2 3", "(5): the vertex's x must be a finite number, but is '1\uFFFD'")]
     [InlineData("# only vertices", ": the file has no face, only 4 vertices; a mesh needs at least one")]
     [InlineData("l 1 2", ": the file has no face, only 4 vertices and 1 line; a mesh needs at least one")]
     [InlineData("p 1\np 2\nl 1 2 3\nl 1 2", ": the file has no face, only 4 vertices and 2 lines and 2 points; a mesh needs at least one")]

@@ -103,7 +103,8 @@ public class PlyFileTests
     [InlineData("ply\n" + vertex + face + "end_header\n", "(8): the header has no format")]
     [InlineData("ply\nformat\n", "(2): the format must be ascii, binary_little_endian or binary_big_endian, but is the end of the line")]
     [InlineData(
-        start + "\u0001\u001b[31m\n", "(3): a header line must be format, element, property, comment, obj_info or end_header, but is '??[31m'")]
+        start + "\u0001\u001b[31m\n",
+        "(3): a header line must be format, element, property, comment, obj_info or end_header, but is '\uFFFD\uFFFD[31m'")]
     [InlineData(start + "verts 7\n", "(3): a header line must be format, element, property, comment, obj_info or end_header, but is 'verts'")]
     [InlineData(start + vertex + face, "(8): the file ends within the header: end_header is missing")]
     [InlineData(start + "element vertex many\n", "(3): the count of an element must be a whole number from 0 on, but is 'many'")]

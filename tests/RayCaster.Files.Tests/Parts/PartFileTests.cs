@@ -73,7 +73,7 @@ public sealed class PartFileTests : IDisposable
         Assert.Matches(@"^\d+\.\d+\.\d+\+[0-9a-f]{12}$", PartFacts.VersionOf(library, files));
         Assert.Equal(PartFacts.VersionOf(library, files), PartFacts.VersionOf(library, files));
         Assert.NotEqual(PartFacts.VersionOf(library, files), PartFacts.VersionOf(library, typeof(PartFileTests).Assembly));
-        var (scene, lines) = (new Scene(new(new(5, 0, 0), Vector3.Zero), []), LineRange.Whole(500));
+        var (scene, lines) = (new Scene(new(new(5, 0, 0), Vector3.Zero), []), NumberRange.Whole(500));
         var (mine, edited) = (PartFacts.Of(scene, lines, "", files), PartFacts.Of(scene, lines, "", typeof(PartFileTests).Assembly));
         Assert.False(PartFile.Holds(Write(mine, width: 500), edited, out var reason));
         Assert.Equal($"it was drawn by version {mine.Version}, and this is {edited.Version}", reason);

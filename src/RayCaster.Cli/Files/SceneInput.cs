@@ -2,31 +2,29 @@ namespace RayCaster.Cli;
 
 internal static class SceneInput
 {
-    /// <summary>The name for standard input and for standard output.</summary>
-    public const string Standard = "-";
-
     /// <summary>The name of a scene's pictures: its file name without folder and extension.</summary>
-    public static string NameOf(string scene) => scene == Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
+    public static string NameOf(string scene) => scene == StandardStreams.Name ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
     /// <summary>Reads a scene and prints its errors and warnings.</summary>
     /// <param name="path">The file, or "-".</param>
-    /// <returns>The scene; null if it has errors.</returns>
+    /// <exception cref="ReportedException">It has errors.</exception>
     /// <inheritdoc cref="Read(string, CommandLine, bool)"/>
-    public static Scene? Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true, bool judges = false)
+    public static Scene Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true, bool judges = false)
     {
         var reading = Read(path, line, judges);
         cancellation.ThrowIfCancellationRequested();
         if (reading.Scene is null || (warns && !line.Get(Option.Quiet))) StandardStreams.WriteError(reading.Report());
-        return line.Get(Option.Size) is var (width, height) ? reading.Scene?.WithSize(width, height) : reading.Scene;
+        var scene = reading.Scene ?? throw new ReportedException($"{path} has errors");
+        return line.Get(Option.Size) is var (width, height) ? scene.WithSize(width, height) : scene;
     }
 
     /// <param name="judges">Whether the command judges pictures by this scene: warns if this build's picture of it differs from the stored
     /// reference.</param>
     public static SceneReading Read(string path, CommandLine line, bool judges)
     {
-        var reading = path == Standard ? ReadStandardInput() : SceneReader.Read(path);
+        var reading = path == StandardStreams.Name ? ReadStandardInput() : SceneReader.Read(path);
         InputFiles.Note([path, .. reading.MeshFiles]);
-        if (judges && path != Standard && reading.Scene is { } scene && StoredReference.Contradiction(path, scene) is { } message)
+        if (judges && path != StandardStreams.Name && reading.Scene is { } scene && StoredReference.Contradiction(path, scene) is { } message)
             line.Warn($"{message}. What follows may be wrong.");
         return reading;
     }

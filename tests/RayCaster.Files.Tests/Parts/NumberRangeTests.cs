@@ -1,11 +1,11 @@
 namespace RayCaster.Files.Tests.Parts;
 
-public class LineRangeTests
+public class NumberRangeTests
 {
     [Fact]
     public void BothEndsBelongToIt()
     {
-        var lines = LineRange.Parse("0..249")!.Value;
+        var lines = NumberRange.Parse("0..249")!.Value;
         Assert.Equal((0, 249, 250, "0..249"), (lines.First, lines.Last, lines.Count, lines.ToString()));
     }
 
@@ -18,5 +18,5 @@ public class LineRangeTests
     [InlineData("0..4..5")]
     [InlineData(" 0..4")]
     [InlineData("0..99999999999")]
-    public void WhatIsNoRangeIsNone(string text) => Assert.Null(LineRange.Parse(text));
+    public void WhatIsNoRangeIsNone(string text) => Assert.Null(NumberRange.Parse(text));
 }

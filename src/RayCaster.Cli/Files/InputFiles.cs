@@ -7,7 +7,7 @@ internal static class InputFiles
         OperatingSystem.IsWindows() || OperatingSystem.IsMacOS() ? StringComparer.OrdinalIgnoreCase : StringComparer.Ordinal);
 
     /// <summary>Notes files that are read, so that no output replaces one.</summary>
-    public static void Note(IEnumerable<string> files) => read.UnionWith(files.Where(file => file != SceneInput.Standard).Select(PlaceOf));
+    public static void Note(IEnumerable<string> files) => read.UnionWith(files.Where(file => file != StandardStreams.Name).Select(PlaceOf));
 
     /// <summary>Refuses an output that is one of the files that were read.</summary>
     public static void ThrowIfInput(string output)

@@ -3,11 +3,11 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Draws small pictures by the definition, and others with the engine, until a pixel of the engine's differs from the definition. In a native
-/// program the engine starts at once and draws small pictures, too. With <c>--plain</c>, draws every picture by the definition.
+/// Chooses how to draw: small pictures by the definition, and others with the engine, until a pixel of the engine's differs from the definition.
+/// In a native program the engine starts at once and draws small pictures, too. With <c>--plain</c>, draws every picture by the definition.
 /// </summary>
 /// <param name="manyFrames">Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</param>
-internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, bool manyFrames = false)
+internal sealed class RendererChoice(Scene scene, int? threads, bool plain, bool manyFrames = false)
 {
     /// <summary>The definition draws a picture of up to this many pixels in one call. It draws a larger one in strips, which need less
     /// memory.</summary>
@@ -27,7 +27,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
     /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
     /// <exception cref="EngineDisagreesException">All lines were drawn, but a pixel differs from the definition. A message was shown; the next call
     /// draws by the definition.</exception>
-    public void Draw(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
+    public void Draw(NumberRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
         if (isByDefinition)
         {
@@ -36,7 +36,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
         }
         try
         {
-            engine.Draw(lines, write, linesDone, cancellation);
+            engine.Draw(lines.ToRange(), write, linesDone, cancellation);
         }
         catch (EngineDisagreesException e)
         {
@@ -46,14 +46,14 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
         }
     }
 
-    private void DrawByDefinition(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
+    private void DrawByDefinition(NumberRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
         var atOnce = (int)Math.Clamp(PixelsAtOnce / scene.Camera.Width, 1, Math.Max(1, lines.Count / 50)); // and progress is shown
         for (var line = lines.First; line <= lines.Last; line += atOnce)
         {
-            var (top, window) = (line, new Picture(scene.Camera.Width, Math.Min(atOnce, lines.Last + 1 - line)));
+            var window = new Picture(scene.Camera.Width, Math.Min(atOnce, lines.Last + 1 - line));
             cancellation.ThrowIfCancellationRequested();
-            ScalarRenderer.Render(scene, window, 0, top, threads ?? -1);
+            ScalarRenderer.Render(scene, window, 0, line, threads ?? -1);
             linesDone?.Invoke(window.Height);
             write(window.Rgb);
         }
