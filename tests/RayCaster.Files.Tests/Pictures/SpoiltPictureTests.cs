@@ -30,12 +30,25 @@ public sealed class SpoiltPictureTests : IDisposable
         },
         { "P5\n2 2\n255\n", colors, "8 bytes more than its header promises: P5 is grey, one byte a pixel; the header for colours is P6" },
         {
+            "P6\n2 2\n255\n", [10, 20, 30, 40, 50, 60, 70, 80, 90, 10, 0xC3, 0x88, 0xC2, 0x82],
+            "2 bytes more than its header promises: each byte above 127 has become two or more: "
+                + "write bytes to a stream, not characters or a redirected text"
+        },
+        {
             "P6\n1 2\n255\n", [1, 2, 3, 0, 4, 5, 6, 0],
             "2 bytes more than its header promises: it has four bytes a pixel; a pixel of P6 has red, green and blue, no alpha"
         },
         {
             "P6\n3 2\n255\n", new byte[24],
             "6 bytes more than its header promises: it has four bytes a pixel; a pixel of P6 has red, green and blue, no alpha"
+        },
+        {
+            "P6\n5 2\n255\n", new byte[32],
+            "2 bytes more than its header promises: each line is filled up to a multiple of 4 bytes; a line of PPM is not"
+        },
+        {
+            "P6\n4 2\n255\n", new byte[30],
+            "6 bytes more than its header promises: as many as one column more takes: does the loop over columns run once too often?"
         },
     };
 
@@ -75,6 +88,7 @@ public sealed class SpoiltPictureTests : IDisposable
 
     [Theory]
     [InlineData("P6\n2 2\n256\n", "; maxval is 256, and above 255 a value takes two bytes: write 255")]
+    [InlineData("P6\n4 3\n255\n", "; it has one byte a pixel; the header for grey is P5")]
     [InlineData("P3\n2 2\n255\n", "; bytes follow the header, and P3 announces a text; the header for bytes is P6")]
     [InlineData("P6\n7 2\n255\n", "42 bytes after the header, but there are 12")]
     public void TheMessageSaysHowTheBytesBecameTooFew(string header, string message)
@@ -149,7 +163,9 @@ public sealed class SpoiltPictureTests : IDisposable
         { [.. "\r\n<!DOCTYPE html>\n"u8], "it is a web page (HTML), saved in place of the file" },
         { [.. "%PDF-1.7"u8], "it is a PDF" },
         { [.. "8BPS"u8, 0, 1], "it is a picture of Photoshop (PSD)" },
-        { [0, 0, 0, 0x18, .. "ftypheic"u8, 0], "it is an HEIC picture or a film" },
+        { [0x76, 0x2F, 0x31, 0x01, 2, 0], "it is an OpenEXR picture" },
+        { [.. "#?RADIANCE\n"u8], "it is a Radiance picture (HDR)" },
+        { [0, 0, 0, 0x1C, .. "ftypavif"u8, 0], "it is an AVIF" },
         { [.. "BM"u8, 1, 2, 3], "it is a BMP" },
         { [.. "GIF89a"u8], "it is a GIF" },
     };
