@@ -139,7 +139,7 @@ public sealed class PixelNumbers
             if (OfAnalytical(model, i) is { } analytical) yield return analytical;
         }
         var hit = right.HitModel;
-        yield return Of("hit", Slides.Ray, new Hit(hit == null ? -1 : scene.Models.TakeWhile(model => model != hit).Count(), right.HitParameter));
+        yield return Of("hit", Slides.Ray, new Hit(scene.IndexOf(hit), right.HitParameter));
         if (hit != null) yield return Of("attenuation", Slides.Shading, scene.Attenuation<Scalar>(right.HitParameter).Value);
         var color = hit != null && unwritten.Contains(Slides.Shading) ? hit.Color : scene.Shade(right.HitParameter, hit);
         yield return Of("bytes", Slides.RayCasting, color.ToBytes());

@@ -66,10 +66,10 @@ public sealed class SceneVariation
     /// <summary>What the scene shows in each variant: a symmetric scene may owe what it shows only in some to the last bits.</summary>
     private static Mistake[] Shown(Scene scene, SearchBudget? budget) =>
         SceneFitness.CanJudge(scene) && SceneFitness.Of([scene], budget: budget) is var fitness
-            ? [.. fitness.Asked.Except([.. fitness.Hidden, .. fitness.HiddenAtFirst, .. fitness.NotTried])] : [];
+            ? [.. fitness.Tested.Except([.. fitness.Hidden, .. fitness.HiddenAtFirst, .. fitness.NotTried])] : [];
 
     private static bool Shows(Scene scene, Mistake[] mistakes) =>
-        mistakes.Length == 0 || SceneFitness.HiddenIn(scene, null, asked: mistakes).Count == 0;
+        mistakes.Length == 0 || SceneFitness.HiddenIn(scene, null, tested: mistakes).Count == 0;
 
     private void MoveSchema(string folder, string newFolder)
     {
