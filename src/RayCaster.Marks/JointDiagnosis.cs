@@ -134,7 +134,8 @@ internal sealed record JointDiagnosis
 
     private static bool IsHardlyExplained(WrongProgram program, SubmittedPicture picture)
     {
-        var (left, all) = (picture.Evidence.Misfit(program.Draw(picture.Scene.Scene)), picture.Evidence.Misfit(right.Draw(picture.Scene.Scene)));
+        var left = picture.Evidence.Misfit(program.Draw(picture.Scene.Scene));
+        var all = picture.Evidence.Misfit(right.Draw(picture.Scene.Scene));
         return left != all && left.Weight > Helpless * all.Weight;
     }
 

@@ -57,7 +57,8 @@ internal sealed class Marker(Rubric rubric)
         IReadOnlyDictionary<int, StepResult> all, List<string> lookYourself)
     {
         var tests = all.GetValueOrDefault(item.Step);
-        var (isFull, isOpen) = (pictures.Points == item.Points, isUntouched || item.Evidence == ItemEvidence.Tests || pictures.Undecided > 0);
+        var isFull = pictures.Points == item.Points;
+        var isOpen = isUntouched || item.Evidence == ItemEvidence.Tests || pictures.Undecided > 0;
         var marks = pictures with { Tests = tests?.ToString() };
         if (tests?.IsTelling(all) != true)
         {
@@ -81,7 +82,8 @@ internal sealed class Marker(Rubric rubric)
     private List<ItemMarks> Items(JointDiagnosis diagnosis, List<SubmittedPicture> pictures)
     {
         var items = new List<ItemMarks>();
-        var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Scene));
+        var told = Told(pictures, diagnosis);
+        var judged = pictures.ConvertAll(picture => picture.Scene);
         var isAllTold = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
         SectionKind[] steps =
         [
@@ -91,11 +93,13 @@ internal sealed class Marker(Rubric rubric)
         foreach (var item in rubric.Items)
         {
             var (lost, because) = Cost(item, diagnosis.Verdict);
-            var (least, most) = (lost, lost);
+            var least = lost;
+            var most = lost;
             foreach (var alternative in diagnosis.Alternatives)
             {
                 var (other, otherwise) = Cost(item, alternative);
-                (least, most) = (Math.Min(least, other), Math.Max(most, other));
+                least = Math.Min(least, other);
+                most = Math.Max(most, other);
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
             var mayBeAtFault = steps.Any(step => Concerns(item, step)) || (diagnosis.Steps is not null ? !Tells(judged, item)

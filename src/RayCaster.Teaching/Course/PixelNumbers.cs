@@ -70,7 +70,8 @@ public sealed class PixelNumbers
         }
         var row = height - 1 - line;
         output.WriteLine($"Column {column}, line {line} from the top: c = {column}, r = {row}");
-        var (foundWrong, last) = (false, "");
+        var foundWrong = false;
+        var last = "";
         foreach (var (name, slide, mine, rightly) in new PixelNumbers(scene, column, row, bodies(column, row), notes).Lines())
         {
             if (mine == null && slide == last) continue;
@@ -148,7 +149,8 @@ public sealed class PixelNumbers
     /// <summary>Which t the model has, and whether one counts that should not, or the other way.</summary>
     private IEnumerable<Line> OfModel(Model model, int index)
     {
-        var (name, slide) = ($"t of {ModelName.Typed(scene, index)}", Slides.OfShape(model.Kind) ?? model.Kind);
+        var name = $"t of {ModelName.Typed(scene, index)}";
+        var slide = Slides.OfShape(model.Kind) ?? model.Kind;
         var rightly = model.Intersect(right) ?? double.PositiveInfinity;
         if (!IsWritten(model) || yours.GetValueOrDefault($"{index}") is not (double T, bool Counts)[] calls)
         {
@@ -169,7 +171,8 @@ public sealed class PixelNumbers
     {
         var slide = Slides.SphereAnalytical;
         if (unwritten.Contains(slide) || !yours.TryGetValue($"{index} {Analytical}", out var mine)) return null;
-        var (name, rightly) = ($"t of {ModelName.Typed(scene, index)} by AnalyticalSolution", model.Intersect(right) ?? double.PositiveInfinity);
+        var name = $"t of {ModelName.Typed(scene, index)} by AnalyticalSolution";
+        var rightly = model.Intersect(right) ?? double.PositiveInfinity;
         if (mine is not (double T, bool Counts)[] calls) return new(name, slide, Text(mine), HitText(rightly));
         var t = NearestOf(calls);
         return IsSame(t, rightly) ? null : new(name, slide, HitText(t), HitText(rightly));

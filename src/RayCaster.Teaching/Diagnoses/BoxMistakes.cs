@@ -63,13 +63,15 @@ internal static class BoxMistakes
         Func<double, double, double, double>? lastIn = null, int[]? axesOfD = null) => lab => lab.Box.Is((box, d) =>
     {
         var (x, y, z) = (SlabOf(0), SlabOf(1), SlabOf(2));
-        var (t_min, t_max) = (lastIn?.Invoke(x.In, y.In, z.In) ?? Math.Max(Math.Max(x.In, y.In), z.In), Least(x.Out, y.Out, z.Out));
+        var t_min = lastIn?.Invoke(x.In, y.In, z.In) ?? Math.Max(Math.Max(x.In, y.In), z.In);
+        var t_max = Least(x.Out, y.Out, z.Out);
         return t_min <= t_max ? new(t_min, t_max) : None;
 
         (double In, double Out) SlabOf(int axis)
         {
             var (lo, hi, P) = (box.Min.At(axis), box.Max.At(axis), lab.P.At(axis));
-            var (t0, t1) = d.At(axesOfD?[axis] ?? axis) is not 0 and var b ? ((lo - P) / b, (hi - P) / b)
+            var b = d.At(axesOfD?[axis] ?? axis);
+            var (t0, t1) = b != 0 ? ((lo - P) / b, (hi - P) / b)
                 : along is not null ? along(lo, hi, P)
                 : lo <= P && P <= hi ? (-endless, endless) : (double.NaN, double.NaN);
             return isSorted ? (Math.Min(t0, t1), Math.Max(t0, t1)) : (t0, t1);

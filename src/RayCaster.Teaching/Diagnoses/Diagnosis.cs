@@ -30,7 +30,8 @@ public sealed class Diagnosis
     internal Diagnosis(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Mistake>? likely)
     {
         this.prepared = prepared;
-        var (scene, right) = (prepared.Scene, prepared.Right);
+        var scene = prepared.Scene;
+        var right = prepared.Right;
         evidence = new(scene, right, picture, Pixels, !TooManyModels);
         if (evidence.WrongCount < evidence.OutlineCount && evidence.OutlineCount > SceneFitness.LeastPixels)
         {
@@ -39,7 +40,8 @@ public sealed class Diagnosis
         }
         if (prepared.Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
         {
-            (answer, Missing) = (new(Finding.Cropped), crop.Missing);
+            answer = new(Finding.Cropped);
+            Missing = crop.Missing;
             return;
         }
         if (WrongCount == 0 || (TooManyModels && evidence.IsOnlyOutlines))

@@ -202,8 +202,8 @@ public static class DiagnosisReport
 
     private static void AppendSuspect(StringBuilder text, Diagnosis diagnosis, Suspect suspect, HintLevel level)
     {
-        var (isUnwritten, shown) = (IsOnlyUnwritten(suspect), Shown(suspect));
-        text.AppendLine((isUnwritten ? "If that is written already, most likely: " : "Most likely: ") + Names(suspect)
+        var shown = Shown(suspect);
+        text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely: " : "Most likely: ") + Names(suspect)
             + (shown.Count switch { 1 => "", 2 => ", both at once", _ => ", all at once" }));
         foreach (var mistake in shown)
         {

@@ -36,9 +36,11 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
     private (Misfit, double) Closest(double x, Evidence evidence)
     {
         var best = evidence.Misfit(Draw(x), 0.2);
-        for (var (step, k) = (Math.Abs(x) / 3, 0); k < Steps; k++)
+        var step = Math.Abs(x) / 3;
+        for (var k = 0; k < Steps; k++)
         {
-            var (less, more) = (evidence.Misfit(Draw(x - step), 0.2), evidence.Misfit(Draw(x + step), 0.2));
+            var less = evidence.Misfit(Draw(x - step), 0.2);
+            var more = evidence.Misfit(Draw(x + step), 0.2);
             var isLess = less.CompareTo(more) < 0;
             if ((isLess ? less : more).CompareTo(best) < 0) (best, x) = isLess ? (less, x - step) : (more, x + step);
             else step /= 2;

@@ -20,7 +20,10 @@ public sealed class SceneDiagnosis
         (int Width, int Height)? size = null)
     {
         this.size = size;
-        (Scene, Threads, Possible, Budget) = (scene, threads, possible, budget);
+        Scene = scene;
+        Threads = threads;
+        Possible = possible;
+        Budget = budget;
         Right = Renderer.Render(scene, threads);
         var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
             && possible?.Invoke(mistake) != false).ToArray();

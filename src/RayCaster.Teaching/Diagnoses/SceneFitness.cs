@@ -185,9 +185,12 @@ public sealed class SceneFitness
         /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
         public bool AreAlike(Mistake a, Mistake b)
         {
-            var (one, other) = (new Lab(scene, a), new Lab(scene, b));
+            var one = new Lab(scene, a);
+            var other = new Lab(scene, b);
             if ((one.Width, one.Height) != (other.Width, other.Height)) return false;
-            var (first, second, isSlow) = (samples[a], samples[b], one.TrianglesTried + other.TrianglesTried > 0);
+            var first = samples[a];
+            var second = samples[b];
+            var isSlow = one.TrianglesTried + other.TrianglesTried > 0;
             return !Differ(Math.Min(first.Length, second.Length), isSlow ? 1 : LeastPixels, k => (first[k], second[k]))
                 && (isSlow || !Differ(count, LeastPixels, i => (one[i], other[i])));
         }
@@ -208,7 +211,10 @@ public sealed class SceneFitness
         private static bool Differ(int pairs, int least, Func<int, ((byte, byte, byte) A, (byte, byte, byte) B)> pair)
         {
             for (var k = 0; k < pairs && least > 0; k++)
-                if (pair(k) is var (a, b) && !PictureJudge.IsNear(a, b)) least--;
+            {
+                var (a, b) = pair(k);
+                if (!PictureJudge.IsNear(a, b)) least--;
+            }
             return least <= 0;
         }
     }

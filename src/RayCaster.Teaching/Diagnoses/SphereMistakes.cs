@@ -39,7 +39,9 @@ internal static class SphereMistakes
         new("disc-2", Affects.Spheres, Slides.SphereAnalytical, "sphere: discriminant b² − a c, while b = 2 d·(P − C) has its 2",
             lab => lab.Sphere.Is((s, d) =>
             {
-                var (a, b, L) = (d * d, 2 * (d * (lab.P - s.Center)), lab.P - s.Center);
+                var L = lab.P - s.Center;
+                var a = d * d;
+                var b = 2 * (d * L);
                 var root = Math.Sqrt(b * b - a * (L * L - (double)s.Radius * s.Radius));
                 return new((-b - root) / (2 * a), (-b + root) / (2 * a));
             }),

@@ -54,7 +54,8 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     public static IEnumerable<Unfinished> ByColors(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
         var kinds = KindsOf(pictures);
-        var (expected, seen) = (new int[kinds.Length], new int[kinds.Length]);
+        var expected = new int[kinds.Length];
+        var seen = new int[kinds.Length];
         foreach (var picture in pictures)
         {
             Look(picture.Scene, picture.Right, kinds, expected);
@@ -84,7 +85,8 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
         {
             var (r, g, b) = picture.At(places[k]);
             if (Math.Max(r, Math.Max(g, b)) < Dark || (r, g, b) == scene.Background.ToBytes()) continue;
-            var (only, several) = (-1, false);
+            var only = -1;
+            var several = false;
             foreach (var model in scene.Models)
             {
                 if (!IsShadeOf((r, g, b), model.Color)) continue;

@@ -59,6 +59,8 @@ internal static class VectorMistakes
         },
         symptom, question, "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).");
 
+    private static double Square(double x) => x * x;
+
     private static Action<Lab> SquareLength => lab => lab.Length.Becomes(length => a => length(a) * length(a));
 
     /// <summary>A length is in several formulas at once, in each as it is written there: an edit in one style comes nowhere near.</summary>
@@ -69,7 +71,7 @@ internal static class VectorMistakes
             (string Says, Action<Lab> Sphere)[] spheres =
             [
                 ("", AllowAnyLength), (", while the sphere takes d·d = 1", Geometric((_, L, t_ca, _) => L * L - t_ca * t_ca)),
-                (", while the sphere takes D = |L − t_ca d|", Geometric((lab, L, t_ca, d) => lab.Length.Do(L - t_ca * d) is var D ? D * D : 0)),
+                (", while the sphere takes D = |L − t_ca d|", Geometric((lab, L, t_ca, d) => Square(lab.Length.Do(L - t_ca * d)))),
             ];
             (string Says, Action<Lab> Light)[] lights =
             [

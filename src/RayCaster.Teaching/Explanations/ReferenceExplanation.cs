@@ -2,8 +2,7 @@ using static RayCaster.Teaching.PictureJudge;
 
 namespace RayCaster.Teaching;
 
-/// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour. Its properties are its
-/// fields in the JSON.</summary>
+/// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour.</summary>
 /// <param name="Bytes">The other picture's bytes.</param>
 /// <param name="Difference">The other picture's bytes minus the pixel's.</param>
 /// <param name="Agrees">Whether each channel differs by at most 1, as by rounding.</param>
@@ -17,7 +16,8 @@ public sealed record ReferenceExplanation(
     /// <param name="reference">The other picture, of the same size.</param>
     public static ReferenceExplanation Of(PixelExplanation pixel, Picture reference)
     {
-        var (mine, other) = (pixel.Bytes, reference[pixel.Column, pixel.Line]);
+        var mine = pixel.Bytes;
+        var other = reference[pixel.Column, pixel.Line];
         var agrees = IsNear(mine, other);
         return new(other, (other.R - mine.R, other.G - mine.G, other.B - mine.B), agrees,
             agrees ? [] : [.. FindCauses(pixel, other).Take(MaxCauses).Select(cause => "the other picture's colour is " + cause)]);

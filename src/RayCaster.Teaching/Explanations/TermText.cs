@@ -60,8 +60,11 @@ internal sealed class TermText(HashSet<double>? known = null)
 
     private static string Bracketed(string text, int own, int rank) => own < rank ? $"({text})" : text;
 
-    private static string Number(double value, bool leads) =>
-        Digits.Of(value) is var text && text.StartsWith('−') && !leads ? $"({text})" : text;
+    private static string Number(double value, bool leads)
+    {
+        var text = Digits.Of(value);
+        return text.StartsWith('−') && !leads ? $"({text})" : text;
+    }
 
     private static (Three A, Three B)? DotProduct(Three sum)
     {

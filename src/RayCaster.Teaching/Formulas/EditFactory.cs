@@ -111,7 +111,10 @@ internal sealed class EditFactory
     {
         if (e.Operator == Operator.Name) return name(e);
         for (var i = 0; i < e.Operands.Length; i++)
-            if (Rebuilt(e.Operands[i], name) is var operand && operand != e.Operands[i]) e = e.With(i, operand)!;
+        {
+            var operand = Rebuilt(e.Operands[i], name);
+            if (operand != e.Operands[i]) e = e.With(i, operand)!;
+        }
         return e;
     }
 
@@ -139,7 +142,9 @@ internal sealed class EditFactory
     private void AddCrossings(Dictionary<Symbol, Expression> scope)
     {
         var formulas = section.Formulas;
-        var (near, far, when) = (section.Find(Formula.Near.Text), section.Find(Formula.Far.Text), section.Find(Formula.When.Text));
+        var near = section.Find(Formula.Near.Text);
+        var far = section.Find(Formula.Far.Text);
+        var when = section.Find(Formula.When.Text);
         if (when >= 0)
             Add(section.With(section.Formulas.RemoveAt(when)), when, $"{formulas[when].Right}", "no condition", MissingCondition, 1);
         else if (near >= 0)

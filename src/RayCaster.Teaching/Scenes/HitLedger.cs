@@ -69,7 +69,8 @@ public sealed class HitLedger
     private void Judge(int column, int row)
     {
         var ray = Scene.Camera.RayThrough(column, row);
-        var (nearest, shown) = (double.PositiveInfinity, -1);
+        var nearest = double.PositiveInfinity;
+        var shown = -1;
         for (var i = 0; i < Models.Count; i++)
         {
             var outcome = RayResult.Judge(Scene.Models[i], ray, out var t);
