@@ -48,7 +48,8 @@ internal static class ClassPage
         {
             var right = Renderer.Render(scene);
             var wrong = program.Draw(scene).Render();
-            return (wrong.Width, wrong.Height) != (right.Width, right.Height) ? byte.MaxValue : new PictureDifference(wrong, right).MeanAbsoluteError;
+            return (wrong.Width, wrong.Height) != (right.Width, right.Height)
+                ? byte.MaxValue : new PictureDifference(wrong, right).MeanAbsoluteError;
         }
     }
 

@@ -22,7 +22,7 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     public bool IsUntouched => CanBeJudged && Picture!.Width == Scene.Right.Width
         && new PictureDifference(Picture, LabSteps.Draw(Scene.Scene, 1)).Largest <= PictureJudge.Tolerance;
 
-    /// <summary>What the picture tells, if it can be judged.</summary>
+    /// <summary>The pixels by which the picture is judged, if it can be judged.</summary>
     public Evidence Evidence => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
 
     /// <summary>A hash of its size and bytes, if there is a picture.</summary>

@@ -6,7 +6,7 @@ internal sealed record TeacherDecision(double? Points, string Comment);
 /// <summary>Reads the table of the last run, into which a teacher has entered points and comments.</summary>
 internal static class TeacherTable
 {
-    /// <summary>How many wrong rows are told, and how many folders are named for each.</summary>
+    /// <summary>How many wrong rows a message lists, and how many folders it names for each.</summary>
     private const int MaxRows = 5, MaxNearest = 3;
 
     /// <summary>What the teacher has entered, by student; empty if there is no table yet.</summary>

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What texts for people share.</summary>
+/// <summary>Helpers for texts that people read.</summary>
 internal static class TextExtensions
 {
     extension(Enum value)

@@ -10,7 +10,7 @@ public sealed class PixelNumbers
     /// <summary>Much longer than any body takes for one ray.</summary>
     private static readonly TimeSpan limit = TimeSpan.FromSeconds(5);
 
-    /// <summary>Of more models only those are told that the ray hits.</summary>
+    /// <summary>If there are more models, only those that the ray hits are listed.</summary>
     private const int ManyModels = 12;
 
     private const string Analytical = "analytical";

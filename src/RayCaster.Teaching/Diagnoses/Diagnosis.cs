@@ -49,7 +49,7 @@ public sealed class Diagnosis
             answer = new(Finding.Matches);
             return;
         }
-        var plain = PlainPicture.Says(scene, picture, right);
+        var plain = PlainPicture.Describe(scene, picture, right);
         var tellsNothing = new Answer(Finding.TellsNothing) { Likely = plain is null ? [] : [plain] };
         if (plain is not null && (TooManyModels || !PlainPicture.IsOneShade(scene, picture)))
         {
@@ -100,7 +100,7 @@ public sealed class Diagnosis
     /// <inheritdoc cref="PictureDifference.Shift"/>
     public int? Shift => evidence.Shift;
 
-    /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches says little.</summary>
+    /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches proves nothing.</summary>
     public bool ProvesNothing => prepared.Right.IsOneColor;
 
     /// <summary>The result.</summary>

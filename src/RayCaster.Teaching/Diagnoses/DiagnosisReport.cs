@@ -161,7 +161,7 @@ public static class DiagnosisReport
 
     private static JsonObject Json((int Width, int Height) size) => new() { ["width"] = size.Width, ["height"] = size.Height };
 
-    private static JsonArray Json(IEnumerable<string> texts) => [.. texts];
+    private static JsonArray Json(IEnumerable<string> texts) => new([.. texts.Select(text => (JsonNode)text)]);
 
     private static JsonObject Json(Suspect suspect, string rank) => new()
     {

@@ -127,7 +127,7 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
         other => other.Operator == edit.Operator && other.Formula?.Name == edit.Formula!.Name && other.Meant == edit.Meant.Replace("Q", point)
             && other.Written == edit.Written.Replace("Q", point))?.Section;
 
-    /// <summary>Whether a style computes what the scene asks for.</summary>
+    /// <summary>Whether a style computes what the scene needs.</summary>
     private bool IsPossible(FormulaSection section) => section.Kind switch
     {
         SectionKind.File => section == right[SectionKind.File],

@@ -32,7 +32,7 @@ internal sealed class Evidence
     public Evidence(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true)
     {
         (Scene, Picture, Right) = (scene, picture, right);
-        most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // the time stays
+        most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
         var difference = HasRightSize ? new PictureDifference(picture, right) : null;
         var judge = new PictureJudge(right, scene);
         List<int> wrong = [], other = [];
@@ -116,7 +116,7 @@ internal sealed class Evidence
     /// <summary>Whether it is the scene's picture, but for rounding and single pixels on outlines.</summary>
     public bool IsRight => WrongCount == 0 || IsOnlyOutlines;
 
-    /// <summary>The fewest pixels that count: as many as a visible mistake changes, or as one compared pixel stands for.</summary>
+    /// <summary>The fewest pixels that count: as many as a visible mistake changes, or as one compared pixel represents.</summary>
     public double LeastPixels => Math.Max(SceneFitness.LeastPixels, (double)WrongCount / most);
 
     /// <summary>Draws the pixels of the evidence, for comparison with several labs.</summary>
@@ -166,7 +166,7 @@ internal sealed class Evidence
     }
 
     /// <summary>Whether a program draws one of the first few wrong pixels right.</summary>
-    public bool IsHelpedBy(Lab lab) => CanDraw(lab) && wrongPixels.Take(ProbePixels).Any(pixel => IsDrawnBy(lab, pixel));
+    public bool IsImprovedBy(Lab lab) => CanDraw(lab) && wrongPixels.Take(ProbePixels).Any(pixel => IsDrawnBy(lab, pixel));
 
     /// <summary>A misfit on a scale for several pictures: 0 if nothing is left, 1 if all that is wrong is left, or more.</summary>
     public double Loss(Misfit misfit) => Math.Min(1,

@@ -4,8 +4,8 @@ namespace RayCaster.Teaching;
 
 /// <summary>
 /// The definition of a picture as replaceable steps, in pipeline order. Each step is the definition's own until a
-/// <see cref="Mistake"/> changes it; without a mistake every byte is that of <see cref="ScalarRenderer"/>. After its construction a lab
-/// no longer changes, so several threads may ask it for pixels.
+/// <see cref="Mistake"/> changes it; without a mistake every byte is that of <see cref="ScalarRenderer"/>. Several threads may draw
+/// with a lab, unless one of them sets <see cref="IsUnaffected"/>.
 /// </summary>
 internal sealed partial class Lab
 {

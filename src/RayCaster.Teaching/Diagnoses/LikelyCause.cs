@@ -11,12 +11,12 @@ internal static class LikelyCause
 
     /// <summary>A certain cause: one number of the scene is another, or one model is missing or has another colour.</summary>
     /// <returns>What it leaves unexplained, and a sentence; null for no cause.</returns>
-    public static (Misfit Misfit, string? Says) Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence)
+    public static (Misfit Misfit, string? Sentence) Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence)
     {
         if (ModelsText.Meant(byModels) is [{ IsExplained: true }])
             return (default, ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault());
-        var (misfit, says) = OtherNumber.Find(prepared.Scene, byModels, evidence, prepared.Threads);
-        return misfit.Unexplained <= Explained * evidence.WrongCount ? (misfit, says) : default;
+        var (misfit, sentence) = OtherNumber.Find(prepared.Scene, byModels, evidence, prepared.Threads);
+        return misfit.Unexplained <= Explained * evidence.WrongCount ? (misfit, sentence) : default;
     }
 
     /// <summary>Other hints.</summary>
@@ -141,7 +141,7 @@ internal static class LikelyCause
         return count.Values.Sum() >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong) ? count : none;
     }
 
-    /// <summary>Whether bytes are a colour in a light so bright that channels are clamped; the brightest of the others tells the light.</summary>
+    /// <summary>Whether bytes are a colour in a light so bright that channels are clamped; the brightest of the others gives the light.</summary>
     private static bool IsTooBrightShadeOf((byte R, byte G, byte B) bytes, Color color)
     {
         ReadOnlySpan<(byte Byte, double Channel)> channels = [(bytes.R, color.R), (bytes.G, color.G), (bytes.B, color.B)];
@@ -168,13 +168,13 @@ internal static class LikelyCause
         if (Enumerable.Range(top * picture.Width, rest).Count(i => difference.LevelsAt(i) > PictureJudge.Tolerance) > Explained * rest) return null;
         return (top, picture.Height - bottom) switch
         {
-            ( >= LeastLines, 0) => Says($"Its {top} upper lines are black"),
-            (0, >= LeastLines and var lines) => Says($"Its {lines} lower lines are black"),
+            ( >= LeastLines, 0) => Sentence($"Its {top} upper lines are black"),
+            (0, >= LeastLines and var lines) => Sentence($"Its {lines} lower lines are black"),
             _ => null,
         };
 
         static bool IsBlack(Picture picture, int y) => !picture.Rgb.AsSpan(3 * picture.Width * y, 3 * picture.Width).ContainsAnyExcept((byte)0);
 
-        static string Says(string lines) => lines + ": did the program draw them, and write them all?";
+        static string Sentence(string lines) => lines + ": did the program draw them, and write them all?";
     }
 }

@@ -129,7 +129,7 @@ public sealed class SceneFitness
     private static Scene Judged(Scene scene)
     {
         var camera = scene.Camera;
-        var most = Math.Clamp(MaxPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MaxPixels); // the time stays
+        var most = Math.Clamp(MaxPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MaxPixels); // so that the time stays the same
         var shrink = Math.Sqrt((double)camera.Width * camera.Height / most);
         if (shrink <= 1) return scene;
         return scene.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink)));

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>A step of a formula with the numbers of one pixel.</summary>
 /// <param name="Name">Its name on the slide.</param>
 /// <param name="Formula">How it is computed, in the notation of the slides.</param>
-/// <param name="Numbers">The formula with this pixel's numbers; named steps before it stand as their values.</param>
+/// <param name="Numbers">The formula with this pixel's numbers; named steps before it are written as their values.</param>
 /// <param name="Value">The result: a double, a <see cref="Vector3"/>, or for a test a bool.</param>
 internal sealed record FormulaStep(string Name, string Formula, string Numbers, object Value)
 {

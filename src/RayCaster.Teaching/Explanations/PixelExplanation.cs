@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// How one pixel gets its colour: the ray, each model's formula with this pixel's numbers, what becomes of each crossing, and the colour.
+/// How one pixel gets its colour: the ray, each model's formula with this pixel's numbers, the result of each crossing, and the colour.
 /// The code that draws computes it, so it agrees with the picture.
 /// </summary>
 public sealed class PixelExplanation

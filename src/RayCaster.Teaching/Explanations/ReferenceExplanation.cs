@@ -35,7 +35,7 @@ public sealed record ReferenceExplanation(
             {
                 var t = crossing.Untested ?? crossing.T;
                 if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !IsNear(scene.Shade(t, result.Model).ToBytes(), other)) continue;
-                yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {FateOf(crossing)}";
+                yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {ResultOf(crossing)}";
             }
             if (IsNear(result.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
         }
@@ -45,7 +45,7 @@ public sealed record ReferenceExplanation(
                 yield return $"that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
     }
 
-    private static string FateOf(CrossingExplanation crossing) => crossing.Outcome switch
+    private static string ResultOf(CrossingExplanation crossing) => crossing.Outcome switch
     {
         Outcome.NotNeeded => "is not needed, for the one before it counts",
         Outcome.Hidden => $"is {crossing.Reason}",

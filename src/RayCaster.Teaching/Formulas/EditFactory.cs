@@ -17,7 +17,7 @@ internal sealed class EditFactory
     /// <summary>What a formula costs that people are known to write.</summary>
     private const double Named = 1;
 
-    /// <summary>How deep in an expression a part may lie that stands instead of it.</summary>
+    /// <summary>How deep in an expression a part may lie that is written instead of it.</summary>
     private const int MaxDepth = 3;
 
     private static readonly Dictionary<FormulaSection, IReadOnlyList<FormulaEdit>> known = [];
@@ -46,7 +46,7 @@ internal sealed class EditFactory
             slips[place] = [.. SlipsIn(right, names, "")];
             foreach (var slip in slips[place]) Add(section.With(place, slip.Whole), place, slip, 0);
             foreach (var slip in Repeated(right, names)) Add(section.With(place, slip.Whole), place, slip, Everywhere);
-            if (right.Quantity.Kind == ValueKind.Truth) PutConditionsIn(place, scope.Values);
+            if (right.Quantity.Kind == ValueKind.Truth) AddConditions(place, scope.Values);
             scope[name] = Expression.Name(name, right.Quantity);
         }
         AddAlike(slips);
@@ -123,7 +123,7 @@ internal sealed class EditFactory
         || FormulaBook.Slides.IsGiven(section.Kind, name.Symbol);
 
     /// <summary>One condition more: that a number is positive, or negative.</summary>
-    private void PutConditionsIn(int place, IEnumerable<Expression> scope)
+    private void AddConditions(int place, IEnumerable<Expression> scope)
     {
         var right = section.Formulas[place].Right;
         foreach (var test in SignsOf(scope.Where(IsOwn)))
@@ -184,7 +184,7 @@ internal sealed class EditFactory
 
     /// <param name="Whole">The formula with the slip.</param>
     /// <param name="Path">The place in the formula's tree.</param>
-    /// <param name="Detail">What tells it from others of its operator at that place.</param>
+    /// <param name="Detail">What distinguishes it from others of its operator at that place.</param>
     private sealed record Slip(
         Expression Whole, Expression Meant, Expression Written, EditOperator Operator, string Path, string Detail, double Cost)
     {
@@ -220,7 +220,7 @@ internal sealed class EditFactory
         }
     }
 
-    /// <summary>What may stand at a node instead of it; null or another kind of value where the operator does not fit.</summary>
+    /// <summary>What people may write instead of a node; null or another kind of value where the operator does not fit.</summary>
     private IEnumerable<(EditOperator Operator, Expression? Written, string Detail, double Cost)> At(Expression e, Expression[] names)
     {
         var parts = e.Operands;
@@ -371,7 +371,7 @@ internal sealed class EditFactory
     private static Expression? Without(Expression[] axes, int axis) =>
         Expression.Of(Operator.Vector, [.. axes.Select((coordinate, i) => i == axis ? Expression.Number(0) : coordinate)]);
 
-    /// <summary>Parts of an expression that may stand instead of it.</summary>
+    /// <summary>Parts of an expression that people may write instead of it.</summary>
     private static IEnumerable<(Expression Part, string Path)> PartsOf(Expression e, string path)
     {
         for (var i = 0; i < e.Operands.Length; i++)

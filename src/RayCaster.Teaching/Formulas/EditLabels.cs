@@ -6,7 +6,7 @@ internal static class EditLabels
     /// <summary>A line: either formulas that people write, or a pattern.</summary>
     /// <param name="Style">The only style in which it counts; null for each.</param>
     /// <param name="Written">A formula or several at once, each as name = expression; empty for a pattern.</param>
-    /// <param name="Subjects">A pattern's formulas by name, or what stands in them; what begins so, if it ends with *.</param>
+    /// <param name="Subjects">A pattern's formulas by name, or parts of them; a * at the end is for any text.</param>
     /// <param name="Operators">A pattern's operators; any if empty.</param>
     internal sealed record Label(string Id, SectionKind Kind, string? Style, (string Name, string Right)[] Written, string[] Subjects,
         EditOperator[] Operators);

@@ -265,7 +265,7 @@ internal sealed class FormulaEvaluator
     /// <summary>The step whose formulas cross a model; null for a shape of one's own.</summary>
     public static SectionKind? KindOf(Model model) => PartsOf(model).First().Kind;
 
-    /// <summary>A model as its section knows it; a small mesh is its triangles.</summary>
+    /// <summary>A model with the numbers that its section reads; a small mesh is its triangles.</summary>
     private static IEnumerable<Part> PartsOf(Model model) => model switch
     {
         Model<Plane> { Primitive: var plane } => [new(model, SectionKind.Plane, NumbersOf(plane))],

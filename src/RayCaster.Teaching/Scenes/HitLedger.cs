@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Counts for each model what becomes of a picture's rays: how many pixels show the model, and why other crossings do not count. The models'
+/// Counts the results of a picture's rays for each model: how many pixels show the model, and why other crossings do not count. The models'
 /// own formulas decide.
 /// </summary>
 public sealed class HitLedger
