@@ -2,7 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>Finds what the rays of a strip of the picture hit; each thread has its own.</summary>
 /// <param name="strip">Up to eight tiles side by side; none crosses a multiple of <see cref="Tile.MaxSide"/>.</param>
-internal delegate void StripCaster(in Tile strip, IHitConsumer consumer);
+internal delegate void StripCaster(in PixelRect strip, IHitConsumer consumer);
 
 /// <summary>What all threads share that draw one picture.</summary>
 internal abstract class Frame(Scene scene, Plan plan) : IDisposable

@@ -27,7 +27,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     public int[] ModelIndices { get; }
 
     /// <summary>Where in the picture each of them can show at all.</summary>
-    public Tile[] ShowIn { get; }
+    public PixelRect[] ShowIn { get; }
 
     /// <summary>The other models; null if there are few.</summary>
     public PrimitiveBatch<N>? PrimitiveBatch { get; }

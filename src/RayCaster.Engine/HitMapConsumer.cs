@@ -15,7 +15,7 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
         }
     }
 
-    public void TakeMiss(in Tile part)
+    public void TakeMiss(in PixelRect part)
     {
         for (var row = part.Row; row < part.EndRow; row++) map.T.AsSpan(IndexOf(part.Column, row), part.Width).Fill(double.PositiveInfinity);
         FillModels(part, -1);
@@ -28,9 +28,9 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
         return true;
     }
 
-    public bool TryTake(in Tile tile, ModelView view, int index) => false; // bytes without exact hits are of no use here
+    public bool TryTake(in PixelRect tile, ModelView view, int index) => false; // bytes without exact hits are of no use here
 
-    private void FillModels(in Tile part, int index)
+    private void FillModels(in PixelRect part, int index)
     {
         for (var row = part.Row; row < part.EndRow; row++) map.Model.AsSpan(IndexOf(part.Column, row), part.Width).Fill(index);
     }

@@ -16,7 +16,7 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
 
     public void Take(RayStream rays) => shader.Shade(rays, rgb, OffsetOf(rays.Column, rays.Row), -3 * width);
 
-    public void TakeMiss(in Tile part)
+    public void TakeMiss(in PixelRect part)
     {
         for (var row = part.Row; row < part.EndRow; row++) shader.ShadeMiss(rgb.AsSpan(OffsetOf(part.Column, row), 3 * part.Width));
     }
@@ -24,7 +24,7 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
     public bool TryTake(in CoveredTile covered) =>
         FloatBytes.IsSupported && Painter.Paint(covered, rgb, OffsetOf(covered.Part.Column, covered.Part.Row), -3 * width);
 
-    public bool TryTake(in Tile tile, ModelView view, int index) =>
+    public bool TryTake(in PixelRect tile, ModelView view, int index) =>
         view.Paint(shader.Scene, index, rgb, OffsetOf(tile.Column, tile.Row), -3 * width);
 
     private int OffsetOf(int column, int row) => 3 * ((topRow - row) * width + column);

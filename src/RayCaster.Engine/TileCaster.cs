@@ -11,7 +11,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
 
     private readonly Frame<N> frame;
     private readonly ModelView[] views;
-    private readonly Tile[] showIn;
+    private readonly PixelRect[] showIn;
     private readonly int[] modelIndices; // of the views' models in the scene
     private readonly BatchCaster<N>? batch;
     private readonly RayStream rays;
@@ -34,7 +34,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     }
 
     /// <inheritdoc cref="StripCaster"/>
-    public void Cast(in Tile strip, IHitConsumer consumer)
+    public void Cast(in PixelRect strip, IHitConsumer consumer)
     {
         this.consumer = consumer;
         candidates.Clear();
@@ -52,7 +52,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         }
     }
 
-    private void Cast(in Tile tile, List<Candidate> list)
+    private void Cast(in PixelRect tile, List<Candidate> list)
     {
         var farthestT = double.PositiveInfinity;
         for (var i = 0; i < list.Count; i++)
@@ -67,7 +67,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         else Cut(tile, list);
     }
 
-    private void CastBatch(BatchCaster<N> batch, in Tile tile, List<Candidate> list)
+    private void CastBatch(BatchCaster<N> batch, in PixelRect tile, List<Candidate> list)
     {
         batch.Cast(tile, list.Count > 0 ? Intersect : null, consumer);
 
@@ -78,13 +78,13 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     }
 
     /// <summary>Casts a tile in which only one model may show that is no single shape: cutting it would tell no more.</summary>
-    private void CastAlone(in Tile tile, List<Candidate> list)
+    private void CastAlone(in PixelRect tile, List<Candidate> list)
     {
         var only = list[0].Index;
         if (!(frame.Plan.UsesShapeKernels && consumer.TryTake(tile, views[only], modelIndices[only]))) CastRows(tile, list);
     }
 
-    private void Cut(in Tile tile, List<Candidate> list)
+    private void Cut(in PixelRect tile, List<Candidate> list)
     {
         if (list.Count == 0 || IsCoveredByOne(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
         else
@@ -102,7 +102,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     }
 
     /// <summary>Casts a part with the models that may show in it.</summary>
-    private void CastPart(in Tile part, List<Candidate> list)
+    private void CastPart(in PixelRect part, List<Candidate> list)
     {
         if (list.Count == 0) consumer.TakeMiss(part);
         else CastRows(part, list);
@@ -158,7 +158,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         return end - first;
     }
 
-    private bool TryCover(in Tile part, Candidate only) =>
+    private bool TryCover(in PixelRect part, Candidate only) =>
         consumer.TryTake(new CoveredTile(part, views[only.Index], modelIndices[only.Index], only.Range.IsNear));
 
     /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
@@ -172,7 +172,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     }
 
     /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part whose models are all single shapes.</summary>
-    private void CastRows(in Tile part, List<Candidate> list)
+    private void CastRows(in PixelRect part, List<Candidate> list)
     {
         var isSmall = part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isShape);
         var rows = isSmall ? part.Height : 1;

@@ -77,21 +77,6 @@ public class MarkerTests
     }
 
     [Theory]
-    [InlineData(12, 0.0, 2.0)]
-    [InlineData(9, 0.0, 0.0)]
-    public void TestsThatAllPassDoNotDecideWhatNoMistakeExplains(int passed, double points, double undecided)
-    {
-        var item = whole.Items.Single(item => item.Name == "8 Sphere") with { Evidence = ItemEvidence.Both, Step = 8 };
-        var both = With([item], Scenes("4-all").Select(Small));
-        var right = both.Scenes[0].Right;
-        var foreign = new Picture(right.Width, right.Height);
-        for (var i = 0; i < right.Count; i++) foreign[i % right.Width, i / right.Width] = ((byte)(37 * i), (byte)(i / 91), (byte)(i * i / 13));
-        var marks = new Marker(both).Mark("somebody", [new(both.Scenes[0], foreign, null)],
-            new Dictionary<int, StepResult> { [8] = new(8, passed, 12) });
-        Assert.Equal((points, undecided), (marks.Points, marks.Undecided));
-    }
-
-    [Theory]
     [InlineData("Tests", 8, 1, 0.0, 2.0)] // rays and shapes use the vectors
     [InlineData("Both", 8, 1, 2.0, 0.0)]
     [InlineData("Tests", 8, 3, 0.0, 0.0)] // a sphere is no plane
@@ -123,9 +108,7 @@ public class MarkerTests
     }
 
     [Theory]
-    [InlineData("ok", "circle triangle", "9 10")]
     [InlineData("ok", "aabb circle sphere triangle", "7 8 9 10")]
-    [InlineData("u-cross", "circle sphere triangle", "4 8 9 10")]
     public void WhatIsNotDrawnYetCostsItsItems(string mistake, string undone, string lost)
     {
         var marks = Mark(mistake, undone: undone);
@@ -140,15 +123,6 @@ public class MarkerTests
         Assert.Equal(["aabb"], marks.NotDrawn);
         Assert.Contains("slab-noswap", marks.HidingMistakes);
         Assert.StartsWith("If they are written: ", MarkWords.Question("aabb", marks.HidingMistakes));
-    }
-
-    [Fact]
-    public void WherePicturesAreMissingOnlyWhatTheOthersTellIsGiven()
-    {
-        var marks = Mark(scene => scene == rubric.Scenes[0].Scene ? ScalarRenderer.Render(scene) : null);
-        Assert.Equal((0.0, 2.0), (marks.Items[7].Points, marks.Items[7].Undecided)); // no sphere is in the only picture
-        Assert.Equal((2.0, 0.0), (marks.Items[2].Points, marks.Items[2].Undecided)); // planes are
-        Assert.Single(marks.LookYourself);
     }
 
     [Fact]

@@ -19,7 +19,7 @@ internal sealed class FloatPainter : IShapeVisitor
     private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
     private readonly uint[] doubts = new uint[Tile.MaxStrip * Tile.MaxSide / FloatPacket.Count]; // a bit for each pixel of each packet
     private CoveredTile covered;
-    private Tile part;
+    private PixelRect part;
     private byte[] rgb = [];
     private int first, step;
 
@@ -84,7 +84,7 @@ internal sealed class FloatPainter : IShapeVisitor
         return known.Error < goodError ? known.Error : Error(part, shape);
     }
 
-    private double Error<P>(in Tile part, in P shape) where P : struct, IPrimitive
+    private double Error<P>(in PixelRect part, in P shape) where P : struct, IPrimitive
     {
         var direction = rays.Directions(part);
         var hit = camera.ClipRange.First(shape.Intersect(new Ray<ErrorBound>(camera.Position, direction)), camera.DepthPerT(direction));

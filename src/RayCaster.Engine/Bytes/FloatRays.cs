@@ -3,7 +3,7 @@ namespace RayCaster.Engine;
 /// <summary>The rays of a strip in floats, and their error; each thread has its own.</summary>
 internal sealed class FloatRays(Camera camera)
 {
-    public Tile Strip { get; private set; }
+    public PixelRect Strip { get; private set; }
 
     /// <summary>What the directions of each column have in common.</summary>
     public Floats Across { get; } = new(Tile.MaxStrip);
@@ -12,9 +12,9 @@ internal sealed class FloatRays(Camera camera)
     public Floats Upwards { get; } = new(Tile.MaxSide);
 
     /// <summary>Goes to the strip of a part; returns whether it is a new one.</summary>
-    public bool Enter(in Tile part)
+    public bool Enter(in PixelRect part)
     {
-        var strip = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
+        var strip = new PixelRect(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
         if (strip == Strip) return false;
         Strip = strip;
         for (var i = 0; i < strip.Width; i += 2 * Packet.Count)
@@ -25,7 +25,7 @@ internal sealed class FloatRays(Camera camera)
     }
 
     /// <summary>The directions of all rays of a part.</summary>
-    public Vector3<ErrorBound> Directions(in Tile part)
+    public Vector3<ErrorBound> Directions(in PixelRect part)
     {
         var across = camera.Across(new ErrorBound(part.Column, part.EndColumn - 1, 0));
         var upwards = camera.Upwards(new ErrorBound(part.Row, part.EndRow - 1, 0));

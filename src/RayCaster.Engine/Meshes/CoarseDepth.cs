@@ -16,14 +16,14 @@ internal sealed class CoarseDepth
 
     /// <summary>Finds the least inverse depth of each cell. Rows are <see cref="Tile.MaxSide"/> numbers long.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void Update(float[] occluderDepth)
+    public void Update(float[] occluderInverseDepth)
     {
         for (var cell = 0; cell < least.Length; cell++)
         {
             var first = cell / Across * CellSide * Tile.MaxSide + cell % Across * CellSide;
-            var inverseDepth = occluderDepth.Load256(first);
+            var inverseDepth = occluderInverseDepth.Load256(first);
             for (var row = 1; row < CellSide; row++)
-                inverseDepth = Vector256.MinNative(inverseDepth, occluderDepth.Load256(first + row * Tile.MaxSide));
+                inverseDepth = Vector256.MinNative(inverseDepth, occluderInverseDepth.Load256(first + row * Tile.MaxSide));
             var half = Vector128.MinNative(inverseDepth.GetLower(), inverseDepth.GetUpper());
             half = Vector128.MinNative(half, Vector128.Shuffle(half, Vector128.Create(2, 3, 0, 1)));
             least[cell] = Math.Min(half[0], half[1]);

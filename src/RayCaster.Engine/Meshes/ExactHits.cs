@@ -24,15 +24,15 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     /// <summary>Adds a pixel and a triangle to the next packet. Its t is kept if it is less than the one so far.</summary>
     /// <param name="pixel">The pixel's position in both arrays.</param>
     /// <param name="least">The least t of each pixel so far.</param>
-    /// <param name="occluderDepth">The greatest inverse depth of each pixel so far, less its rounding error.</param>
+    /// <param name="occluderInverseDepth">The greatest inverse depth of each pixel so far, less its rounding error.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Add(int column, int row, int triangle, int pixel, double[] least, float[] occluderDepth)
+    public void Add(int column, int row, int triangle, int pixel, double[] least, float[] occluderInverseDepth)
     {
         (columns[count], rows[count], triangles[count], pixels[count]) = (column, row, triangle, pixel);
-        if (++count == N.Count) Flush(least, occluderDepth);
+        if (++count == N.Count) Flush(least, occluderInverseDepth);
     }
 
-    public void Flush(double[] least, float[] occluderDepth)
+    public void Flush(double[] least, float[] occluderInverseDepth)
     {
         if (count == 0) return;
         for (var i = count; i < N.Count; i++) (columns[i], rows[i], triangles[i]) = (columns[0], rows[0], triangles[0]);
@@ -41,7 +41,7 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
         {
             if (!(hits[i] < least[pixels[i]])) continue;
             least[pixels[i]] = hits[i];
-            occluderDepth[pixels[i]] = Math.Max(occluderDepth[pixels[i]], (float)inverseDepth[i]);
+            occluderInverseDepth[pixels[i]] = Math.Max(occluderInverseDepth[pixels[i]], (float)inverseDepth[i]);
         }
         count = 0;
     }

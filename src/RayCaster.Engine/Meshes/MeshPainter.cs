@@ -18,7 +18,7 @@ internal sealed class MeshPainter
     private readonly float[] squares = new float[Tile.MaxSide]; // of the columns' slopes
     private readonly uint[] doubts = new uint[Tile.MaxSide * Tile.MaxSide / FloatPacket.Count]; // of each packet
     private readonly byte[] rowEnds = new byte[Tile.MaxSide * 3 * FloatPacket.Count]; // of packets that the tile cuts
-    private Tile tile;
+    private PixelRect tile;
     private byte[] rgb = [];
     private int first, step;
 
@@ -46,16 +46,17 @@ internal sealed class MeshPainter
     /// <summary>The positions of pixels whose bytes the last painting could not decide.</summary>
     public PooledList<int> Doubts { get; } = new();
 
-    /// <param name="occluderDepth">The least inverse depth that a pixel's hit may have, row by row of <see cref="TilePixels.Stride"/>.</param>
-    /// <param name="candidateDepth">The greatest; 0 where there is no hit.</param>
+    /// <param name="occluderInverseDepth">The least inverse depth that a pixel's hit may have; rows are <see cref="TilePixels.Stride"/> long.</param>
+    /// <param name="candidateInverseDepth">The greatest; 0 where there is no hit.</param>
     /// <param name="exactT">Less than +∞ where the formula has decided about a pixel; null if there is none.</param>
     /// <param name="first">The position of the lowest row's first pixel.</param>
     /// <param name="step">The distance from a pixel to the one above it.</param>
-    public void Paint(in Tile tile, float[] occluderDepth, float[] candidateDepth, double[]? exactT, byte[] rgb, int first, int step)
+    public void Paint(
+        in PixelRect tile, float[] occluderInverseDepth, float[] candidateInverseDepth, double[]? exactT, byte[] rgb, int first, int step)
     {
         (this.tile, this.rgb, this.first, this.step) = (tile, rgb, first, step);
         for (var i = 0; i < tile.Width; i++) squares[i] = (float)Square((tile.Column + i - screen.CenterX) / screen.Scale);
-        Paint(occluderDepth, candidateDepth, exactT);
+        Paint(occluderInverseDepth, candidateInverseDepth, exactT);
 
         if (tile.Width % FloatPacket.Count is > 0 and var left)
             for (var row = 0; row < tile.Height; row++)
@@ -82,7 +83,7 @@ internal sealed class MeshPainter
     /// <remarks>A ray is √(1 + u² + v²) long where it is 1 deep and moves u across and v upwards: t = unit · √(1 + u² + v²) / inverse
     /// depth.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private void Paint(float[] occluderDepth, float[] candidateDepth, double[]? exactT)
+    private void Paint(float[] occluderInverseDepth, float[] candidateInverseDepth, double[]? exactT)
     {
         var (red, green, blue) = ((FloatPacket)model.Color.R, (FloatPacket)model.Color.G, (FloatPacket)model.Color.B);
         var unit = (FloatPacket)screen.Unit;
@@ -94,9 +95,10 @@ internal sealed class MeshPainter
             for (var i = 0; i < tile.Width; i += FloatPacket.Count, packet++)
             {
                 var at = row * TilePixels.Stride + i;
-                var inFront = FloatPacket.Load(candidateDepth, at);
+                var inFront = FloatPacket.Load(candidateInverseDepth, at);
                 var tTimesW = unit * FloatPacket.Sqrt(upwards + FloatPacket.Load(squares, i));
-                var (brightest, darkest) = (scene.Attenuation(tTimesW / inFront), scene.Attenuation(tTimesW / FloatPacket.Load(occluderDepth, at)));
+                var brightest = scene.Attenuation(tTimesW / inFront);
+                var darkest = scene.Attenuation(tTimesW / FloatPacket.Load(occluderInverseDepth, at));
                 var most = FloatPacket.Pixels(
                     Color.Level(brightest * red) + slack, Color.Level(brightest * green) + slack, Color.Level(brightest * blue) + slack);
                 var least = FloatPacket.Pixels(

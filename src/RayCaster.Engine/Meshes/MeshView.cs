@@ -13,7 +13,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
     private readonly TriangleTree? formulaOnly;      // over the triangles that the filter cannot handle
     private readonly TileFilters<N>? filters;        // of one thread, for all meshes
     private TileFilter<N>? filter;                   // holds this mesh's pixels until another mesh takes it
-    private Tile entered;
+    private PixelRect entered;
     private bool shows;                              // whether a triangle may show in that tile
 
     /// <param name="isKept">Whether what depends only on the mesh stays in memory for the next picture.</param>
@@ -23,7 +23,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         if (!screen.IsFine)
         {
             formulaOnly = new(vertices, indices, cancellation);
-            ShowsIn = Tile.Everywhere;
+            ShowsIn = PixelRect.Everywhere;
             return;
         }
 
@@ -38,7 +38,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         sets = [whole, clipped];
 
         if (clipper.FormulaOnly.Count > 0) formulaOnly = new(vertices, [.. clipper.FormulaOnly], cancellation);
-        ShowsIn = formulaOnly is null ? new ScreenBounds(screen.Camera).TileOf(boxes.Bounds) : Tile.Everywhere;
+        ShowsIn = formulaOnly is null ? new ScreenBounds(screen.Camera).TileOf(boxes.Bounds) : PixelRect.Everywhere;
     }
 
     private MeshView(MeshView<N> shared, TileFilters<N> filters)
@@ -48,11 +48,11 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         this.filters = filters;
     }
 
-    public override Tile ShowsIn { get; }
+    public override PixelRect ShowsIn { get; }
 
     public override ModelView ForThread(ref object? shared) => new MeshView<N>(this, (TileFilters<N>)(shared ??= new TileFilters<N>()));
 
-    public override HitRange Enter(in Tile tile, HitRange known)
+    public override HitRange Enter(in PixelRect tile, HitRange known)
     {
         if (sets.Length == 0) return known;
         entered = tile;
@@ -92,7 +92,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
     /// <summary>The filter that holds this mesh's pixels in the entered tile. If another mesh has taken it, the tile is entered anew.</summary>
     private TileFilter<N> OwnFilter()
     {
-        if (filter!.Owner != this || filter.Tile != entered) Enter();
+        if (filter!.Owner != this || filter.Rect != entered) Enter();
         return filter;
     }
 }

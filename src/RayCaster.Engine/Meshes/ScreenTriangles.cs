@@ -45,7 +45,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     public List<TriangleRun> Large { get; } = [];
 
     /// <summary>What may show in a tile.</summary>
-    public ReadOnlySpan<TriangleCluster> Of(in Tile tile) => triangles[tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide];
+    public ReadOnlySpan<TriangleCluster> Of(in PixelRect tile) => triangles[tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide];
 
     /// <summary>Returns rented memory; the object cannot be used any more.</summary>
     public void Free() => triangles.Free();

@@ -19,7 +19,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private readonly CoarseDepth coarse = new();
     private readonly TriangleQueue waiting = new(), waitingLarge = new();
     private EightTriangles eight;
-    private Tile tile;
+    private PixelRect tile;
     private bool isEmpty;
 
     public TileFilter(ScreenSpace screen)
@@ -32,7 +32,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <summary>The view whose pixels are stored; null if none are.</summary>
     public MeshView<N>? Owner { get; private set; }
 
-    public Tile Tile => tile;
+    public PixelRect Rect => tile;
 
     /// <summary>Goes to another mesh.</summary>
     /// <param name="owner">The view that uses it from now on.</param>
@@ -43,7 +43,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         hits.SetMesh(vertices, indices);
     }
 
-    public HitRange Enter(in Tile tile, ScreenTriangles<N>[] sets)
+    public HitRange Enter(in PixelRect tile, ScreenTriangles<N>[] sets)
     {
         this.tile = tile;
         isEmpty = true;
@@ -67,7 +67,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             return HitRange.None;
         }
         hits.Decide();
-        coarse.Update(pixels.OccluderDepth);
+        coarse.Update(pixels.OccluderInverseDepth);
         var least = coarse.Least;
         return new(
             screen.Unit / rasterizer.MaxInverseDepth * (1 - 1e-6),
@@ -198,7 +198,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     {
         AddWaiting();
         hits.Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
-        coarse.Update(pixels.OccluderDepth);
+        coarse.Update(pixels.OccluderInverseDepth);
     }
 
     private void AddWaiting()

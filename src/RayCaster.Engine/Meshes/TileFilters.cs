@@ -11,10 +11,10 @@ internal sealed class TileFilters<N> where N : struct, IPacket<N>
     private (int Index, MeshPainter Painter)? painter;
 
     /// <summary>A filter for a mesh in a tile: one that is not used in this tile, or a new one; with too many, the one taken longest ago.</summary>
-    public TileFilter<N> Take(ScreenSpace screen, in Tile tile)
+    public TileFilter<N> Take(ScreenSpace screen, in PixelRect tile)
     {
         if (next == filters.Count) next = 0;
-        var isFree = filters.Count > 0 && (filters[next].Owner is null || filters[next].Tile != tile);
+        var isFree = filters.Count > 0 && (filters[next].Owner is null || filters[next].Rect != tile);
         if (!isFree && filters.Count < Most) filters.Insert(next, new(screen));
         return filters[next++];
     }

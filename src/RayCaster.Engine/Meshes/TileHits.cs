@@ -14,9 +14,9 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
         if (pixels.Queue.Count == 0) return;
         pixels.BeginExactT();
         foreach (var (pixel, triangle, maxInverseDepth) in pixels.Queue.Items)
-            if (!(maxInverseDepth < pixels.OccluderDepth[pixel]))
+            if (!(maxInverseDepth < pixels.OccluderInverseDepth[pixel]))
                 Add(pixel, triangle);
-        exact.Flush(pixels.ExactT, pixels.OccluderDepth);
+        exact.Flush(pixels.ExactT, pixels.OccluderInverseDepth);
         pixels.Queue.Clear();
     }
 
@@ -25,7 +25,7 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
     public void Intersect(RayStream rays, int index)
     {
         var (exactT, hasExactT, proposed) = (pixels.ExactT, pixels.HasExactT, pixels.Proposed);
-        var first = (rays.Row - pixels.Tile.Row) * TilePixels.Stride + rays.Column - pixels.Tile.Column;
+        var first = (rays.Row - pixels.Rect.Row) * TilePixels.Stride + rays.Column - pixels.Rect.Column;
         for (var i = 0; i < rays.Length; i += N.Count)
         {
             var at = first + i;
@@ -43,23 +43,24 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
     /// <summary>Writes the bytes of a tile in which only the mesh may show.</summary>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step)
     {
-        painter.Paint(pixels.Tile, pixels.OccluderDepth, pixels.CandidateDepth, pixels.HasExactT ? pixels.ExactT : null, rgb, first, step);
+        var exactT = pixels.HasExactT ? pixels.ExactT : null;
+        painter.Paint(pixels.Rect, pixels.OccluderInverseDepth, pixels.CandidateInverseDepth, exactT, rgb, first, step);
         foreach (var pixel in painter.Doubts.Items)
         {
             if (!pixels.HasExactT) pixels.ExactT[pixel] = double.PositiveInfinity;
-            if (pixels.CandidateDepth[pixel] > 0) Add(pixel, pixels.Proposed[pixel]);
+            if (pixels.CandidateInverseDepth[pixel] > 0) Add(pixel, pixels.Proposed[pixel]);
         }
-        exact.Flush(pixels.ExactT, pixels.OccluderDepth);
+        exact.Flush(pixels.ExactT, pixels.OccluderInverseDepth);
         foreach (var pixel in painter.Doubts.Items) painter.Write(pixel, pixels.ExactT[pixel]);
     }
 
     private void Add(int pixel, int triangle) => exact.Add(
-        pixels.Tile.Column + pixel % TilePixels.Stride, pixels.Tile.Row + pixel / TilePixels.Stride,
-        triangle, pixel, pixels.ExactT, pixels.OccluderDepth);
+        pixels.Rect.Column + pixel % TilePixels.Stride, pixels.Rect.Row + pixel / TilePixels.Stride,
+        triangle, pixel, pixels.ExactT, pixels.OccluderInverseDepth);
 
     /// <summary>Whether any pixel of a packet has a proposed triangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool HasAny(int pixel) => N.Count == 8
-        ? pixels.CandidateDepth.Load256(pixel) != Vector256<float>.Zero
-        : pixels.CandidateDepth.Load128(pixel) != Vector128<float>.Zero;
+        ? pixels.CandidateInverseDepth.Load256(pixel) != Vector256<float>.Zero
+        : pixels.CandidateInverseDepth.Load128(pixel) != Vector128<float>.Zero;
 }

@@ -19,10 +19,10 @@ internal sealed class TilePixels
     private readonly Duplicates duplicates = new([], []);
 
     /// <summary>Each pixel certainly has a hit with at least this inverse depth; 0 for none.</summary>
-    public float[] OccluderDepth { get; } = new float[Size];
+    public float[] OccluderInverseDepth { get; } = new float[Size];
 
     /// <summary>The greatest inverse depth of the proposed triangle; 0 if there is none.</summary>
-    public float[] CandidateDepth { get; } = new float[Size];
+    public float[] CandidateInverseDepth { get; } = new float[Size];
 
     /// <summary>The proposed triangle; any number if there is none.</summary>
     public int[] Proposed { get; } = new int[Size];
@@ -39,21 +39,21 @@ internal sealed class TilePixels
     /// <summary>Whether the queue is so long that the formula should decide now.</summary>
     public bool IsFull => Queue.Count > QueueLength;
 
-    public Tile Tile { get; private set; }
+    public PixelRect Rect { get; private set; }
 
     public void SetMesh(Vector3[] vertices, int[] indices) => duplicates.SetMesh(vertices, indices);
 
     /// <summary>Forgets all. Places outside the tile are covered, so that they do not affect the coarse depth.</summary>
-    public void Enter(in Tile tile)
+    public void Enter(in PixelRect tile)
     {
-        Tile = tile;
+        Rect = tile;
         HasExactT = false;
         duplicates.Clear();
-        OccluderDepth.AsSpan().Clear();
-        CandidateDepth.AsSpan().Clear();
+        OccluderInverseDepth.AsSpan().Clear();
+        CandidateInverseDepth.AsSpan().Clear();
         Proposed.AsSpan().Clear();
         for (var row = 0; row < Tile.MaxSide; row++)
-            OccluderDepth.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
+            OccluderInverseDepth.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -21,7 +21,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     private readonly int[] unsurePixels = new int[TilePixels.Size / 8];
     private readonly uint[] unsureLanes = new uint[TilePixels.Size / 8];
     private TriangleSetUp setup; // of eight triangles
-    private Tile tile;
+    private PixelRect tile;
     private Vector256<float> maxInverseDepth;
 
     /// <summary>The greatest inverse depth of the tile's triangles.</summary>
@@ -35,7 +35,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         }
     }
 
-    public void Enter(in Tile tile) => (this.tile, maxInverseDepth) = (tile, Vector256<float>.Zero);
+    public void Enter(in PixelRect tile) => (this.tile, maxInverseDepth) = (tile, Vector256<float>.Zero);
 
     public void AddSmall(TriangleQueue triangles)
     {
@@ -70,8 +70,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     private void CoverSmall(RawSpan<int> ids, int firstId, uint shows)
     {
         ref readonly var s = ref setup;
-        var occluderDepthAt = new RawSpan<float>(pixels.OccluderDepth);
-        var candidateDepthAt = new RawSpan<float>(pixels.CandidateDepth);
+        var occluderInverseDepthAt = new RawSpan<float>(pixels.OccluderInverseDepth);
+        var candidateInverseDepthAt = new RawSpan<float>(pixels.CandidateInverseDepth);
         var proposedAt = new RawSpan<int>(pixels.Proposed);
         var uppers = new RawSpan<float>(upperOfLane);
         var lowers = new RawSpan<float>(lowerOfLane);
@@ -100,8 +100,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                     var i = BitOperations.TrailingZeroCount(bits);
                     var pixel = Lanes.At(s.Pixel, i) + y * TilePixels.Stride + x;
                     var id = ids[firstId + i];
-                    ref var occluderHere = ref occluderDepthAt[pixel];
-                    ref var candidateHere = ref candidateDepthAt[pixel];
+                    ref var occluderHere = ref occluderInverseDepthAt[pixel];
+                    ref var candidateHere = ref candidateInverseDepthAt[pixel];
                     ref var proposedHere = ref proposedAt[pixel];
                     var (upper, lower) = (Vector128.CreateScalarUnsafe(uppers[i]), Vector128.CreateScalarUnsafe(lowers[i]));
                     var (sure, before) = (Vector128.CreateScalarUnsafe(occluderHere), Vector128.CreateScalarUnsafe(candidateHere));
@@ -125,8 +125,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         var uppers = new RawSpan<float>(unsureUppers);
         var pixelAt = new RawSpan<int>(unsurePixels);
         var unsureAt = new RawSpan<uint>(unsureLanes);
-        var occluderDepthAt = new RawSpan<float>(pixels.OccluderDepth);
-        var candidateDepthAt = new RawSpan<float>(pixels.CandidateDepth);
+        var occluderInverseDepthAt = new RawSpan<float>(pixels.OccluderInverseDepth);
+        var candidateInverseDepthAt = new RawSpan<float>(pixels.CandidateInverseDepth);
         var proposedAt = new RawSpan<int>(pixels.Proposed);
         for (; shows != 0; shows &= shows - 1)
         {
@@ -159,14 +159,14 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                     var inverseDepth = Vector512.MultiplyAddEstimate(up, upInverseDepth, startInverseDepth);
                     var upper = Vector512.MinNative(inverseDepth + slack, most);
                     var lower = Vector512.MaxNative(inverseDepth - slack, least);
-                    var (sure, before) = (TwoRows(occluderDepthAt, pixel), TwoRows(candidateDepthAt, pixel));
+                    var (sure, before) = (TwoRows(occluderInverseDepthAt, pixel), TwoRows(candidateInverseDepthAt, pixel));
                     var possible = inBox & Vector512.LessThanOrEqual(up, last)
                         & Vector512.GreaterThanOrEqual(inner, outside) & Vector512.GreaterThanOrEqual(upper, sure);
                     if (isLarge && possible == Vector512<float>.Zero) continue;
                     var covers = possible & Vector512.GreaterThan(inner, inside);
                     var wins = covers & Vector512.GreaterThan(lower, before);
-                    Store(Vector512.ConditionalSelect(covers, Vector512.MaxNative(sure, lower), sure), occluderDepthAt, pixel);
-                    Store(Vector512.ConditionalSelect(wins, upper, before), candidateDepthAt, pixel);
+                    Store(Vector512.ConditionalSelect(covers, Vector512.MaxNative(sure, lower), sure), occluderInverseDepthAt, pixel);
+                    Store(Vector512.ConditionalSelect(wins, upper, before), candidateInverseDepthAt, pixel);
                     Store(Vector512.ConditionalSelect(wins.AsInt32(), id, TwoRows(proposedAt, pixel)), proposedAt, pixel);
 
                     var unsure = (uint)Vector512.AndNot(possible, wins).ExtractMostSignificantBits();

@@ -21,7 +21,7 @@ internal struct TriangleSetUp
 
     /// <summary>Computes the fields of eight triangles and returns a bit for each that may show in the tile.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public static uint Of(TriangleQueue triangles, int first, ScreenSpace screen, in Tile tile, out TriangleSetUp setup)
+    public static uint Of(TriangleQueue triangles, int first, ScreenSpace screen, in PixelRect tile, out TriangleSetUp setup)
     {
         var t = triangles.Load(first);
         Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;

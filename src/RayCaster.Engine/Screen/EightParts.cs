@@ -5,13 +5,13 @@ internal sealed class EightParts(Camera camera)
 {
     public const int Count = 8;
 
-    private readonly Tile[] tiles = new Tile[Count];
+    private readonly PixelRect[] tiles = new PixelRect[Count];
     private Ray<Interval> rays;
     private Interval depthPerT;
     private bool isAimed;
 
     /// <summary>A part; it may be empty.</summary>
-    public ref readonly Tile this[int part] => ref tiles[part];
+    public ref readonly PixelRect this[int part] => ref tiles[part];
 
     /// <summary>How many parts lie side by side; the others lie above them.</summary>
     public int Across { get; private set; }
@@ -32,7 +32,7 @@ internal sealed class EightParts(Camera camera)
     /// <summary>Cuts a rectangle into parts, from left to right and then upwards.</summary>
     /// <param name="whole">The rectangle; parts that lie beyond its sides are narrower, lower or empty.</param>
     /// <param name="across">How many lie side by side.</param>
-    public void Cut(in Tile whole, int side, int across)
+    public void Cut(in PixelRect whole, int side, int across)
     {
         Across = across;
         for (var i = 0; i < Count; i++)

@@ -7,11 +7,11 @@ internal interface IHitConsumer
     void Take(RayStream rays);
 
     /// <summary>Takes a part without any hit.</summary>
-    void TakeMiss(in Tile part);
+    void TakeMiss(in PixelRect part);
 
     /// <summary>Offers a part that one shape covers; returns whether the consumer can do it without exact hits.</summary>
     bool TryTake(in CoveredTile covered);
 
     /// <summary>Offers a tile in which only one model may show; returns whether the model's view has painted it.</summary>
-    bool TryTake(in Tile tile, ModelView view, int index);
+    bool TryTake(in PixelRect tile, ModelView view, int index);
 }

@@ -5,7 +5,7 @@ namespace RayCaster.Engine;
 internal abstract class ModelView
 {
     /// <summary>Where in the picture the model can show at all.</summary>
-    public virtual Tile ShowsIn => Tile.Everywhere;
+    public virtual PixelRect ShowsIn => PixelRect.Everywhere;
 
     /// <summary>Whether the model is a single shape with one formula. Only for such a model it pays to cut a tile: <see cref="Narrow"/> then
     /// computes the range of its hits in each part.</summary>
@@ -16,7 +16,7 @@ internal abstract class ModelView
     public virtual ModelView ForThread(ref object? shared) => this;
 
     /// <summary>Goes to a tile, before <see cref="Intersect"/> is called for its rows; returns the range of the model's hits.</summary>
-    public virtual HitRange Enter(in Tile tile, HitRange known) => known;
+    public virtual HitRange Enter(in PixelRect tile, HitRange known) => known;
 
     /// <summary>Returns the ranges of the model's hits in some parts.</summary>
     public virtual HitRanges Narrow(EightParts parts, HitRange whole) => new(whole);

@@ -85,24 +85,24 @@ internal sealed class ScreenBounds
     /// <param name="isClear">Whether all of its hits certainly count.</param>
     /// <returns>Where it may show; null if that is not known, since it reaches to the eye's plane or numbers overflow.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Tile? Read(int i, out float nearest, out bool isClear)
+    public PixelRect? Read(int i, out float nearest, out bool isClear)
     {
         var visibility = (Visibility)(int)this.visibility[i];
         (nearest, isClear) = ((float)this.nearest[i], visibility == Visibility.Clear);
         if (visibility == Visibility.Unknown) return null;
-        if (visibility == Visibility.Outside) return default(Tile);
+        if (visibility == Visibility.Outside) return default(PixelRect);
         var (column, row) = ((int)left[i], (int)bottom[i]);
         return new(column, row, (int)right[i] - column, (int)top[i] - row);
     }
 
     /// <summary>The pixels where something within bounds may show; everywhere if that is not known.</summary>
-    public Tile TileOf(Bounds bounds)
+    public PixelRect TileOf(Bounds bounds)
     {
-        if (camera.IsSkewed) return Tile.Everywhere; // the projection would be wrong
+        if (camera.IsSkewed) return PixelRect.Everywhere; // the projection would be wrong
         var projection = Box<Scalar>(bounds.Min, bounds.Max);
         var visibility = (Visibility)(int)projection.Visibility.Value;
         if (visibility == Visibility.Outside) return default;
-        if (visibility == Visibility.Unknown) return Tile.Everywhere;
+        if (visibility == Visibility.Unknown) return PixelRect.Everywhere;
         var (column, row) = ((int)projection.Left.Value, (int)projection.Bottom.Value);
         var (width, height) = ((int)projection.Right.Value - column, (int)projection.Top.Value - row);
         return width > 0 && height > 0 ? new(column, row, width, height) : default;

@@ -10,10 +10,10 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
     private readonly DepthOrder order = new();
 
     /// <summary>Whether members may show in a tile.</summary>
-    public bool IsFor(in Tile tile) => batch.Shows(tile, order);
+    public bool IsFor(in PixelRect tile) => batch.Shows(tile, order);
 
     /// <param name="others">Intersects a stream with the models that are not in the batch; null if there are none.</param>
-    public void Cast(in Tile tile, Action<RayStream>? others, IHitConsumer consumer)
+    public void Cast(in PixelRect tile, Action<RayStream>? others, IHitConsumer consumer)
     {
         var (firstColumn, firstRow) = (tile.Column / Side * Side, tile.Row / Side * Side);
         for (var y = firstRow; y < tile.EndRow; y += Side)
@@ -21,13 +21,13 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
             for (var x = firstColumn; x < tile.EndColumn; x += Side)
             {
                 var (column, row) = (Math.Max(x, tile.Column), Math.Max(y, tile.Row));
-                var inner = new Tile(column, row, Math.Min(x + Side, tile.EndColumn) - column, Math.Min(y + Side, tile.EndRow) - row);
+                var inner = new PixelRect(column, row, Math.Min(x + Side, tile.EndColumn) - column, Math.Min(y + Side, tile.EndRow) - row);
                 CastPart(inner, others, consumer);
             }
         }
     }
 
-    private void CastPart(in Tile tile, Action<RayStream>? others, IHitConsumer consumer)
+    private void CastPart(in PixelRect tile, Action<RayStream>? others, IHitConsumer consumer)
     {
         batch.Sort(tile, order);
         if (order.Sorted.Length == 0 && others is null)
@@ -43,7 +43,7 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
     }
 
     /// <summary>Row by row, since some views cannot intersect several rows at once.</summary>
-    private void MeetOthers(in Tile tile, Action<RayStream> others)
+    private void MeetOthers(in PixelRect tile, Action<RayStream> others)
     {
         row.Enter<N>(tile.Column, tile.Width);
         for (var i = 0; i < tile.Height; i++)

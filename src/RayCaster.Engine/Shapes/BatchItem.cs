@@ -24,7 +24,7 @@ internal readonly struct Sides(Vector128<int> numbers)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Sides(int left, int bottom, int right, int top) : this(Vector128.Create(left, bottom, -right, -top)) { }
 
-    public Sides(in Tile tile) : this(tile.Column, tile.Row, tile.EndColumn, tile.EndRow) { }
+    public Sides(in PixelRect tile) : this(tile.Column, tile.Row, tile.EndColumn, tile.EndRow) { }
 
     public int Left => numbers[0];
 

@@ -14,7 +14,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
 
     private readonly int[] packets = new int[MaxListed], members = new int[MaxListed];
     private readonly double[] farthest = new double[Cells]; // the greatest t of the nearest hits in each cell
-    private Tile tile;
+    private PixelRect tile;
     private Sides sides;
     private int count;
     private uint touched; // the cells whose farthest hit may have changed
@@ -22,7 +22,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     /// <summary>Its rays, and the nearest hits so far.</summary>
     public RayStream Rays { get; } = new(camera, Side * Side);
 
-    public void Enter(in Tile tile)
+    public void Enter(in PixelRect tile)
     {
         touched = (1u << Cells) - 1; // until Refresh, nothing is known of any cell
         (this.tile, sides) = (tile, new(tile));

@@ -4,7 +4,7 @@ namespace RayCaster.Engine;
 internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : struct, IPacket<N>
 {
     private readonly Columns columns = new(camera, Tile.MaxStrip);
-    private Tile part;
+    private PixelRect part;
     private bool isNear;
     private double[] t = [];
     private int first, step;

@@ -25,7 +25,7 @@ internal sealed class DepthOrder
 
     /// <summary>Sorts those members of the ranges that may show in a part.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void Sort(ReadOnlySpan<BatchItem> members, in Tile part)
+    public void Sort(ReadOnlySpan<BatchItem> members, in PixelRect part)
     {
         count = 0;
         foreach (var (first, end) in Ranges.Items) Add(members, first, end, part);
@@ -33,7 +33,7 @@ internal sealed class DepthOrder
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ReadOnlySpan<BatchItem> members, int first, int end, in Tile part)
+    private void Add(ReadOnlySpan<BatchItem> members, int first, int end, in PixelRect part)
     {
         if (listed.Length < count + end - first)
         {

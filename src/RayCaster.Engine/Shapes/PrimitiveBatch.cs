@@ -39,14 +39,14 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
     public IReadOnlyList<int> Others { get; }
 
     /// <summary>Whether members may show in a tile.</summary>
-    public bool Shows(in Tile tile, DepthOrder order)
+    public bool Shows(in PixelRect tile, DepthOrder order)
     {
         grid.Find(tile, order.Ranges);
         return order.Ranges.Count > 0;
     }
 
     /// <summary>Sorts the members that may show in a part of the picture.</summary>
-    public void Sort(in Tile part, DepthOrder order)
+    public void Sort(in PixelRect part, DepthOrder order)
     {
         grid.Find(part, order.Ranges);
         order.Sort(members.Items, part);

@@ -66,7 +66,7 @@ internal sealed class ScreenBins
     }
 
     /// <summary>Finds ranges that hold all members that may show in a tile, and others.</summary>
-    public void Find(in Tile tile, PooledList<(int First, int End)> ranges)
+    public void Find(in PixelRect tile, PooledList<(int First, int End)> ranges)
     {
         ranges.Clear();
         foreach (ref readonly var level in levels.AsSpan())

@@ -5,8 +5,8 @@ internal abstract class ShapeView<N>(Bounds? bounds, Camera camera) : ModelView 
 {
     private readonly ClipRange clip = camera.ClipRange;
 
-    public sealed override Tile ShowsIn { get; } =
-        bounds is { } known ? new ScreenBounds(camera).TileOf(known) : Tile.Everywhere;
+    public sealed override PixelRect ShowsIn { get; } =
+        bounds is { } known ? new ScreenBounds(camera).TileOf(known) : PixelRect.Everywhere;
 
     public sealed override bool IsShape => true;
 

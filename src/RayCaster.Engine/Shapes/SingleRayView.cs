@@ -3,8 +3,8 @@ namespace RayCaster.Engine;
 /// <summary>A scalar shape, which is intersected ray by ray.</summary>
 internal sealed class SingleRayView(Model model, Camera camera) : ModelView
 {
-    public override Tile ShowsIn { get; } =
-        model.Bounds is { } bounds ? new ScreenBounds(camera).TileOf(bounds) : Tile.Everywhere;
+    public override PixelRect ShowsIn { get; } =
+        model.Bounds is { } bounds ? new ScreenBounds(camera).TileOf(bounds) : PixelRect.Everywhere;
 
     public override void Intersect(RayStream rays, int index) => rays.IntersectOneByOne(model, index);
 }

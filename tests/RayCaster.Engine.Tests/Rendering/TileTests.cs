@@ -19,7 +19,7 @@ public class TileTests
             var box = new Aabb(new(-1, edge, -1), new(-1, edge + 0.1, 1));
             if (ScalarRenderer.Cast(new Scene(camera, [Model.Of(box)]), column, 0).HitModel is null) continue;
             hits++;
-            var pixel = new Tile(column, 0, 1, 1);
+            var pixel = new PixelRect(column, 0, 1, 1);
             if (!new ScreenBounds(camera).TileOf(box.Bounds).Overlaps(pixel)) lost++;
             if (!InACrowd(box, camera).Overlaps(pixel)) lost++;
             if (!new ScreenBounds(camera, margin: double.Epsilon).TileOf(box.Bounds).Overlaps(pixel)) lostWithoutMargin++;
@@ -39,7 +39,7 @@ public class TileTests
     public void SmallPicturesAreCutIntoNarrowerStripsForManyThreads(int width, int height, int threads, int expected) =>
         Assert.Equal(expected, Tile.StripWidth(width, Tile.TilesOf(height), threads));
 
-    private static Tile InACrowd(Aabb box, Camera camera)
+    private static PixelRect InACrowd(Aabb box, Camera camera)
     {
         var bounds = new ScreenBounds(camera);
         bounds.Project<Packet>([box.Bounds]);

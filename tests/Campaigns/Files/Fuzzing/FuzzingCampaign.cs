@@ -14,6 +14,9 @@ public class FuzzingCampaign
     [Fact]
     public void SpoiltPicturesDoNoHarm() => Campaign.Run("picture", 5000, random => new Mutation(random, Corpus.Pictures).Next(), Reading.OfPicture);
 
+    [Fact]
+    public void AFlippedByteOfATrueColourPngIsNoticed() => new Pictures.BrokenPictureTests().AFlippedByteOfAPngIsNoticed("rgb-8.netpbm-paeth.png");
+
     /// <summary>A file that is always refused at its first byte tests nothing.</summary>
     [Fact]
     public void ManySpoiltFilesAreStillRead()

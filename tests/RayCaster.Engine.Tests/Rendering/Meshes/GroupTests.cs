@@ -10,7 +10,7 @@ public class GroupTests
     {
         const int length = TriangleCluster.Length;
         var (vertices, indices) = Specks(length);
-        var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
+        var (screen, tile) = (new ScreenSpace(camera), new PixelRect(320, 192, 64, 64));
         var corners = new MeshCorners<Packet>(screen, vertices, indices);
         var inGroups = new ScreenTriangles<Packet>(screen, corners, null, new TriangleBoxes(vertices, indices, 1), null, 1);
         var oneByOne = new ScreenTriangles<Packet>(screen, corners, null, null, null, 1);
@@ -23,7 +23,7 @@ public class GroupTests
     public void AGroupHasTheGreatestInverseDepthOfItsTriangles()
     {
         var (vertices, indices) = Specks(TriangleCluster.Length);
-        var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
+        var (screen, tile) = (new ScreenSpace(camera), new PixelRect(320, 192, 64, 64));
         var corners = new MeshCorners<Packet>(screen, vertices, indices);
         var groups = new ScreenTriangles<Packet>(screen, corners, null, new TriangleBoxes(vertices, indices, 1), null, 1);
         var most = vertices.Max(p => screen.Unit / screen.ToCamera(p).Z);

@@ -258,7 +258,7 @@ public class MarginTests
         {
             for (var row = 0; row < camera.Height; row += Tile.MaxSide)
             {
-                var tile = new Tile(column, row, Math.Min(Tile.MaxSide, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row));
+                var tile = new PixelRect(column, row, Math.Min(Tile.MaxSide, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row));
                 var range = view.Enter(tile, new(0, double.PositiveInfinity));
                 span.Enter<Packet>(column, tile.Width);
                 for (var r = row; r < tile.EndRow; r++)

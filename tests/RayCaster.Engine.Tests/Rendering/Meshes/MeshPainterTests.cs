@@ -55,7 +55,7 @@ public class MeshPainterTests
         var (wrong, sure) = (0, 0);
         for (var i = 0; i < 200; i++)
         {
-            var tile = new Tile(random.Next(camera.Width - 64), random.Next(camera.Height - 64), 57 + random.Next(8), 64);
+            var tile = new PixelRect(random.Next(camera.Width - 64), random.Next(camera.Height - 64), 57 + random.Next(8), 64);
             for (var pixel = 0; pixel < Pixels; pixel++)
             {
                 front[pixel] = (float)(0.4 + 3 * random.NextDouble());
