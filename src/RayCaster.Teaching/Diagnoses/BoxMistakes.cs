@@ -39,7 +39,7 @@ internal static class BoxMistakes
             Slabs((lo, hi, P) => ((lo - P) * endless, (hi - P) * endless)),
             "A box lacks a line one pixel wide, at its edge or right through it.",
             "What is 0 · (1 / 0) in doubles?",
-            "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0.")
+            "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; test that where d = 0.")
             .Or("box: a ray along a slab, d = 0, misses it", Slabs((_, _, _) => (double.NaN, double.NaN)))
             .Or("box: a ray along a slab, d = 0, is always in it", Slabs((_, _, _) => (-endless, endless))),
         new Mistake("slab-inside", Affects.Boxes, Slides.BoxTest, "box: t_min or none, so that it is not seen from inside",

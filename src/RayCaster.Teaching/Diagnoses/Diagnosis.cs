@@ -138,5 +138,5 @@ public sealed class Diagnosis
     /// </summary>
     private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Affects & Affects.Camera) == 0
         && mistake.Variants.Any(variant => ((double[])[0.1, 1]).All(share =>
-            strict.Misfit(new Lab(prepared.Scene, variant), share).Unexplained <= Judgement.Foreign * strict.WrongCount));
+            strict.Misfit(new Lab(prepared.Scene, variant), share).Unexplained <= Judgement.MaxLeft * strict.WrongCount));
 }

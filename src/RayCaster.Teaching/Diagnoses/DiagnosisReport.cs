@@ -221,7 +221,7 @@ public static class DiagnosisReport
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
                 $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} " +
-                "the same picture; \"check\" tells which scene would tell them apart.");
+                "the same picture; \"check\" shows which scene would distinguish them.");
     }
 
     private static void AppendNotTried(StringBuilder text, Diagnosis diagnosis)

@@ -89,7 +89,7 @@ internal static class HitMistakes
             }),
             "A near thing that is cut away leaves a hole where what is behind it should show.",
             "A hit before zNear: may it hide another one?",
-            "Ask each crossing whether it counts before it may become the nearest.")
+            "Test whether a crossing counts before it may become the nearest.")
             .Or("zNear tested only after the nearest hit was chosen", lab => lab.Near.Becomes(near =>
             {
                 lab.Kept.Is(near);
@@ -120,7 +120,7 @@ internal static class HitMistakes
             lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),
             "A sphere or a box that the near plane cuts has a hole through it.",
             "If the first crossing is cut away, what of the second?",
-            "The first crossing that counts is the hit; ask both."),
+            "The first crossing that counts is the hit; test both."),
     ];
 
     private static Action<Lab> Both => lab => lab.OffersBoth = true;

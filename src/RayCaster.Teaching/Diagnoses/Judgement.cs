@@ -26,9 +26,9 @@ internal sealed class Judgement(
 
     /// <summary>A mistake that leaves a greater share of the wrong pixels fits only by chance; several mistakes may leave less, but more if they
     /// leave at most a third of what one leaves. A mistake whose pixels may lie anywhere leaves more.</summary>
-    public const double Foreign = 0.1;
+    public const double MaxLeft = 0.1;
 
-    private const double ForeignPair = 0.05, ForeignApart = 0.08, Third = 1 / 3.0, Scattered = 0.18;
+    private const double MaxLeftByPair = 0.05, MaxLeftByBetterPair = 0.08, Third = 1 / 3.0, MaxLeftIfScattered = 0.18;
 
     /// <summary>If an unfinished program leaves at most this share of the wrong pixels, the rest is right; more with rays through the other sample
     /// point of each pixel. If a mistake leaves more than the first share, other numbers of the scene are tried.</summary>
@@ -48,7 +48,7 @@ internal sealed class Judgement(
     private const int Shown = 3;
 
     /// <summary>How many of the best are examined, and how many of them are named.</summary>
-    private const int Looked = 12, MaxNamed = 5;
+    private const int Examined = 12, MaxNamed = 5;
 
     private readonly SuspectFinder suspects = new(prepared, evidence);
 
@@ -90,8 +90,8 @@ internal sealed class Judgement(
     }
 
     /// <summary>What a candidate may leave unexplained, in pixels.</summary>
-    private double MayLeave(WrongProgram candidate) => wrong * (candidate.Variants is [{ Id: "tri-area" }] ? Scattered
-        : IsOne(candidate) ? Foreign : candidate.Misfit.Unexplained <= Third * leftByOne ? ForeignApart : ForeignPair);
+    private double MayLeave(WrongProgram candidate) => wrong * (candidate.Variants is [{ Id: "tri-area" }] ? MaxLeftIfScattered
+        : IsOne(candidate) ? MaxLeft : candidate.Misfit.Unexplained <= Third * leftByOne ? MaxLeftByBetterPair : MaxLeftByPair);
 
     private static bool IsOne(WrongProgram candidate) => candidate.Variants.Count + candidate.Base.Kinds.Count() < 2;
 
@@ -135,7 +135,7 @@ internal sealed class Judgement(
                 return new(rest.Finding) { NotYet = [.. missing, .. rest.NotYet], Suspects = rest.Suspects, Likely = rest.Likely };
         }
         var named = ranked.Where(candidate => candidate.Named.Count > 0 && candidate.Misfit.Unexplained <= MayLeave(candidate))
-            .DistinctBy(candidate => candidate.Id).Take(Looked).Select(ranking.WithoutIdle).Prepend(best)
+            .DistinctBy(candidate => candidate.Id).Take(Examined).Select(ranking.WithoutIdle).Prepend(best)
             .Where(candidate => candidate.Named.Count > 0);
         if (best.Named.Count == 0) // what may have lost those shapes, if they are written already
             named = named.Where(candidate =>

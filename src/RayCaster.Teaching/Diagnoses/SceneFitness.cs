@@ -17,11 +17,11 @@ public sealed class SceneFitness
     /// <summary>A smaller picture of the same shape is judged in place of a larger one.</summary>
     private const int MaxPixels = 1_000_000;
 
-    /// <summary>How many pixels of each picture distinguish most mistakes; the others need a second look.</summary>
+    /// <summary>How many pixels of each picture are enough for most mistakes; the others need more.</summary>
     private const int Samples = 4096;
 
-    /// <summary>How many pixels the second look compares for a mistake, and for each of its other variants.</summary>
-    private const int SecondLook = 60_000, ThirdLook = 15_000;
+    /// <summary>How many pixels are compared for the other mistakes, and for each of their other variants.</summary>
+    private const int MoreSamples = 60_000, VariantSamples = 15_000;
 
     /// <summary>How many triangles are tried in all if each ray must try every triangle of a mesh.</summary>
     private const int MaxTests = 10_000_000;
@@ -76,7 +76,7 @@ public sealed class SceneFitness
     {
         tested ??= MistakeCatalog.All;
         Scene[] judged = [.. scenes.Select(Judged)];
-        var (known, views) = Look(judged, tested, threads, budget);
+        var (known, views) = TryAll(judged, tested, threads, budget);
         var hidden = HiddenOf(known, views);
         Mistake[] seen = [.. known.Except(hidden)];
         return new()
@@ -97,7 +97,7 @@ public sealed class SceneFitness
     }
 
     /// <returns>The mistakes that were tried, and what they show.</returns>
-    private static (Mistake[] Known, View[] Views) Look(
+    private static (Mistake[] Known, View[] Views) TryAll(
         IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> tested, int? threads, SearchBudget? budget)
     {
         Mistake[] known = [.. tested.Where(mistake => scenes.All(scene => !new Lab(scene, mistake).TakesTooLong))];
@@ -107,7 +107,7 @@ public sealed class SceneFitness
         Parallel.ForEach(Partitioner.Create(known, loadBalance: true), options, mistake =>
         {
             if (budget?.IsSpent() == true) return;
-            foreach (var view in views) view.Look(mistake);
+            foreach (var view in views) view.Try(mistake);
             tried.Add(mistake);
         });
         return ([.. known.Intersect(tried)], views);
@@ -119,7 +119,7 @@ public sealed class SceneFitness
     internal static IReadOnlyList<Mistake> HiddenIn(
         Scene scene, int? threads, SearchBudget? budget = null, IReadOnlyList<Mistake>? tested = null)
     {
-        var (known, views) = Look([Judged(scene)], tested ?? [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads, budget);
+        var (known, views) = TryAll([Judged(scene)], tested ?? [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads, budget);
         return HiddenOf(known, views);
     }
 
@@ -172,14 +172,14 @@ public sealed class SceneFitness
         public bool ShowsByALevel(Mistake mistake) => samples[mistake].Index().Any(sample => sample.Item != right.At(places[sample.Index]));
 
         /// <summary>Draws samples of the picture, and more of it if they do not show the mistake.</summary>
-        public void Look(Mistake mistake)
+        public void Try(Mistake mistake)
         {
             var lab = new Lab(scene, mistake);
             var drawn = samples[mistake] = [.. Enumerable.Range(0, Math.Min(lab.RaysWithin(MaxTests, Samples), count)).Select(k => lab[places[k]])];
             shownFirst[mistake] = HasOtherSize(lab) || Differ(drawn.Length, LeastPixels, k => (drawn[k], right.At(places[k])))
-                || (mistake.Touches(scene) && Changes(mistake, SecondLook));
+                || (mistake.Touches(scene) && Changes(mistake, MoreSamples));
             shown[mistake] = shownFirst[mistake]
-                || (mistake.Touches(scene) && mistake.Variants.Skip(1).Any(variant => Changes(variant, ThirdLook)));
+                || (mistake.Touches(scene) && mistake.Variants.Skip(1).Any(variant => Changes(variant, VariantSamples)));
         }
 
         /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>

@@ -120,7 +120,7 @@ internal sealed class BatchArithmetic(int pixels)
 
     /// <summary>
     /// The least. A ray in a face of a box gets 0 / 0 for that face and ±∞ for the other; the face belongs to the box, so the ray is in this slab
-    /// from −∞ on. Other numbers that are none are ignored.
+    /// from −∞ on. Any other NaN is ignored.
     /// </summary>
     private static Vector<double> Min(Vector<double> a, Vector<double> b)
     {
