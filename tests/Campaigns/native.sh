@@ -14,6 +14,7 @@ cd "$work"
 publish() { dotnet publish "$OLDPWD/src/RayCaster.Cli" -v quiet -o "$@" >publish.txt || { cat publish.txt; exit 1; }; }
 publish built
 publish native -p:PublishAot=true
+dotnet publish "$OLDPWD/src/RayCaster.Live" -v quiet -o native -p:UseAppHost=false >publish.txt # a hand-out has the live page, too
 
 drawn=0
 for scene in "$OLDPWD"/scenes/*.json "$OLDPWD"/scenes/*/*.json; do
