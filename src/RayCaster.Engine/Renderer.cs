@@ -116,7 +116,7 @@ public sealed class Renderer
             for (var column = 0; column < hits.Width; column++)
             {
                 var ray = ScalarRenderer.Cast(scene, column, hits.Height - 1 - line);
-                hits[column, line] = (ray.HitParameter, ray.HitModel is null ? -1 : scene.Models.TakeWhile(model => model != ray.HitModel).Count());
+                hits[column, line] = (ray.HitParameter, scene.IndexOf(ray.HitModel));
             }
         }
     }

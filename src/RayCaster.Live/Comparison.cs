@@ -34,9 +34,7 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
     public async Task<string> DiagnoseAsync(HintLevel level, CancellationToken cancellation)
     {
         if (Result is null || Scene is null) return "";
-        var (width, height) = (Scene.Camera.Width, Scene.Camera.Height);
-        var size = (Result.Mine.Width, Result.Mine.Height);
-        if (size != (width, height) && size != (height, width)) return "The picture must have the scene's size to be diagnosed.";
+        if (!SceneDiagnosis.CanJudge(Scene, Result.Mine)) return "The picture must have the scene's size to be diagnosed.";
         await turn.WaitAsync(cancellation);
         try
         {

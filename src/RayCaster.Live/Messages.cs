@@ -70,7 +70,7 @@ internal static class Messages
             Column = column,
             Line = line,
             Row = scene.Camera.Height - 1 - line,
-            Model = ray.HitModel is { } hit ? ModelName.Plain(scene, scene.Models.TakeWhile(model => model != hit).Count()) : ModelName.Background,
+            Model = ModelName.Plain(scene, scene.IndexOf(ray.HitModel)),
             T = ray.HitParameter,
             Depth = ray.HitParameter * -(ray.Direction * scene.Camera.W),
             Bytes = (int[])[r, g, b],

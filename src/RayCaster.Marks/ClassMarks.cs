@@ -21,7 +21,7 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
         var submissions = Submission.In(folder, rubric);
         RefuseInside(folder);
         var decisions = TeacherTable.Read(Path.Combine(output, Table), [.. submissions.Select(submission => submission.Student)]);
-        TellWhatElse(folder, decisions.Keys);
+        ReportFilesAndDecisions(folder, decisions.Keys);
 
         Directory.CreateDirectory(output); // or fails before the work
         var marks = new StudentMarks[submissions.Count];
@@ -47,7 +47,7 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
             throw new ProblemException($"the marks cannot go to {output}, which is in the folder of submissions: name a folder outside it");
     }
 
-    private void TellWhatElse(string folder, IReadOnlyCollection<string> decided)
+    private void ReportFilesAndDecisions(string folder, IReadOnlyCollection<string> decided)
     {
         if (Submission.LooseFiles(folder) is [var loose, .. var more])
             notice?.Invoke($"a submission is a folder, so {PrintableText.Of(Path.Combine(folder, loose))}" +

@@ -44,9 +44,13 @@ internal static class ClassPage
         return $"{Page.Image(program.Draw(clearest.Scene).Render(), $"{clearest.Name} with {id}")} " +
             Page.Image(clearest.Right, $"{clearest.Name}, right");
 
-        double Change(Scene scene) => (Renderer.Render(scene), program.Draw(scene).Render()) is var (right, wrong)
-            && (wrong.Width, wrong.Height) != (right.Width, right.Height) ? byte.MaxValue
-            : new PictureDifference(wrong, right).MeanAbsoluteError;
+        double Change(Scene scene)
+        {
+            var right = Renderer.Render(scene);
+            var wrong = program.Draw(scene).Render();
+            return (wrong.Width, wrong.Height) != (right.Width, right.Height)
+                ? byte.MaxValue : new PictureDifference(wrong, right).MeanAbsoluteError;
+        }
     }
 
     private static string[] SamePictures(IReadOnlyList<StudentMarks> marks) =>

@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using System.Text.Unicode;
 
 namespace RayCaster.Marks;
 
@@ -7,16 +8,13 @@ internal static class Csv
 {
     private const int MaxBytes = 1 << 26;
 
-    /// <summary>The characters 80 to 9F of Windows-1252; the others are those of Latin-1.</summary>
-    private const string From80To9F = "€\u0081‚ƒ„…†‡ˆ‰Š‹Œ\u008DŽ\u008F\u0090‘’“”•–—˜™š›œ\u009DžŸ";
-
     /// <summary>The rows with their cells; empty rows, too, so that they count as in a spreadsheet.</summary>
     /// <exception cref="ProblemException">The file cannot be read.</exception>
     public static List<List<string>> Read(string path)
     {
         try
         {
-            return Rows(Text(InputFile.Read(path, "table", MaxBytes)).TrimStart('\uFEFF'));
+            return Rows(Text([.. InputFile.Read(path, "table", MaxBytes)]));
         }
         catch (ProblemException e)
         {
@@ -24,13 +22,12 @@ internal static class Csv
         }
     }
 
-    private static string Text(ReadOnlySpan<byte> bytes) => bytes switch
+    private static string Text(byte[] bytes)
     {
-        [0xFF, 0xFE, ..] or [not 0, 0, ..] => Encoding.Unicode.GetString(bytes),
-        [0xFE, 0xFF, ..] or [0, not 0, ..] => Encoding.BigEndianUnicode.GetString(bytes),
-        _ when System.Text.Unicode.Utf8.IsValid(bytes) => Encoding.UTF8.GetString(bytes),
-        _ => string.Concat(Encoding.Latin1.GetString(bytes).Select(c => c is >= '\u0080' and <= '\u009F' ? From80To9F[c - '\u0080'] : c)),
-    };
+        var encoding = Utf8.IsValid(bytes) ? Encoding.UTF8 : CodePagesEncodingProvider.Instance.GetEncoding(1252)!;
+        using var reader = new StreamReader(new MemoryStream(bytes), encoding); // a byte order mark says UTF-16
+        return reader.ReadToEnd();
+    }
 
     /// <summary>The first separator in the text is the one of the table.</summary>
     private static List<List<string>> Rows(string text)

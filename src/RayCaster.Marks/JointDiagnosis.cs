@@ -4,7 +4,7 @@ namespace RayCaster.Marks;
 internal sealed record JointDiagnosis
 {
     /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
-    private const double Helpless = 0.5;
+    private const double MayLeave = 0.5;
 
     /// <summary>A program is near the pictures if it leaves less than this share of what is wrong.</summary>
     private const double Near = 0.8;
@@ -12,8 +12,8 @@ internal sealed record JointDiagnosis
     /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
     private const double OneKind = 0.9;
 
-    /// <summary>How many pictures are diagnosed by themselves where no program explains all.</summary>
-    private const int Consulted = 2;
+    /// <summary>How many wrong pictures are also diagnosed one by one, if no program explains all of them.</summary>
+    private const int DiagnosedAlone = 2;
 
     /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
     private const double Slight = 0.05;
@@ -48,8 +48,8 @@ internal sealed record JointDiagnosis
     /// <summary>Where nothing explains the pictures but only the light is wrong, the steps of which one must be wrong; otherwise null.</summary>
     public IReadOnlyCollection<SectionKind>? Steps { get; private init; }
 
-    /// <summary>What the teacher should know of these steps.</summary>
-    public string? Says { get; private init; }
+    /// <summary>What the teacher should know about these steps.</summary>
+    public string? Note { get; private init; }
 
     /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
     public bool TellsNothing { get; private init; }
@@ -74,13 +74,13 @@ internal sealed record JointDiagnosis
                 IsGuess = unexplained.Any(picture => IsHardlyExplained(found.Verdict, picture)),
             };
         }
-        var (steps, says) = OnlyLight(wrong);
+        var (steps, note) = OnlyLight(wrong);
         return new()
         {
             Unexplained = [.. wrong.Select(picture => picture.Scene)],
             Nearest = found.Verdict.Misfit.Unexplained < Near * wrong.Length ? found.Verdict : null,
             Steps = steps,
-            Says = says,
+            Note = note,
         };
     }
 
@@ -99,7 +99,7 @@ internal sealed record JointDiagnosis
         var ranked = search.Run();
         // Pairs of mistakes that change whole pictures are tried on few pixels, so what single pictures are diagnosed with is tried, too.
         if (!wrong.All(picture => picture.Evidence.IsExplainedBy(ranked[0])))
-            ranked = search.With([.. wrong.Take(Consulted).SelectMany(NamedFor)], ranked);
+            ranked = search.With([.. wrong.Take(DiagnosedAlone).SelectMany(NamedFor)], ranked);
         var verdict = search.Ranking.WithoutIdle(ranked[0]);
         WrongProgram[] alike = [.. ranked.Where(other => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike)];
         return new()
@@ -134,14 +134,15 @@ internal sealed record JointDiagnosis
 
     private static bool IsHardlyExplained(WrongProgram program, SubmittedPicture picture)
     {
-        var (left, all) = (picture.Evidence.Misfit(program.Draw(picture.Scene.Scene)), picture.Evidence.Misfit(right.Draw(picture.Scene.Scene)));
-        return left != all && left.Weight > Helpless * all.Weight;
+        var left = picture.Evidence.Misfit(program.Draw(picture.Scene.Scene));
+        var all = picture.Evidence.Misfit(right.Draw(picture.Scene.Scene));
+        return left != all && left.Weight > MayLeave * all.Weight;
     }
 
     /// <summary>
     /// The steps where all outlines are right and only the light is not. If it is wrong on one kind of shape, this one's formula may be the reason.
     /// </summary>
-    private static (IReadOnlyCollection<SectionKind>? Steps, string? Says) OnlyLight(SubmittedPicture[] wrong)
+    private static (IReadOnlyCollection<SectionKind>? Steps, string? Note) OnlyLight(SubmittedPicture[] wrong)
     {
         var kinds = wrong.Select(picture => LikelyCause.InAnotherLight(picture.Evidence, new Renderer(picture.Scene.Scene).CastHits().Model))
             .TakeWhile(kinds => kinds.Count > 0).ToList();

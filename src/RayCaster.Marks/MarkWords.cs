@@ -6,9 +6,9 @@ internal static class MarkWords
     public static string Symptom(string because, IReadOnlyList<string> typical) =>
         MistakeCatalog.Named(because) is not { } mistake ? NotDrawn(because) : typical.Contains(because) ? mistake.Hint.Symptom : "";
 
-    /// <summary>The question that leads to a mistake; for a missing shape that to a mistake which loses it, or empty.</summary>
-    public static string Question(string because, IReadOnlyList<string> losing) => MistakeCatalog.Named(because)?.Hint.Question
-        ?? (losing.Select(id => MistakeCatalog.Named(id)!).FirstOrDefault(mistake => mistake.Affects == Mistake.KindOf(because)) is { } mistake
+    /// <summary>The question that leads to a mistake; for a missing shape the question of a mistake that hides it, or an empty text.</summary>
+    public static string Question(string because, IReadOnlyList<string> hiding) => MistakeCatalog.Named(because)?.Hint.Question
+        ?? (hiding.Select(id => MistakeCatalog.Named(id)!).FirstOrDefault(mistake => mistake.Affects == Mistake.KindOf(because)) is { } mistake
             ? $"If they are written: {mistake.Hint.Question}" : "");
 
     public static string NotDrawn(string part) => part == Diagnosis.Attenuation

@@ -52,14 +52,15 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <summary>An item's points by its pictures and the tests of its step.</summary>
-    /// <param name="isUntouched">Whether the pictures tell nothing, since the first steps draw none.</param>
+    /// <param name="isUntouched">Whether the pictures show nothing, since the first steps draw none.</param>
     private static ItemMarks WithTests(RubricItem item, ItemMarks pictures, bool isUntouched,
         IReadOnlyDictionary<int, StepResult> all, List<string> lookYourself)
     {
         var tests = all.GetValueOrDefault(item.Step);
-        var (isFull, isOpen) = (pictures.Points == item.Points, isUntouched || item.Evidence == ItemEvidence.Tests || pictures.Undecided > 0);
+        var isFull = pictures.Points == item.Points;
+        var isOpen = isUntouched || item.Evidence == ItemEvidence.Tests || pictures.Undecided > 0;
         var marks = pictures with { Tests = tests?.ToString() };
-        if (tests?.IsTelling(all) != true)
+        if (tests?.IsConclusive(all) != true)
         {
             if (item.Evidence == ItemEvidence.Both) return marks;
             if (tests is not null) lookYourself.Add($"{item.Name}: {tests}, but tests of an earlier step, which it uses, fail too");
@@ -72,7 +73,7 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
-    private static List<MarkedScene> Told(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
+    private static List<MarkedScene> UnderstoodScenes(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
     [
         .. pictures.Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess)
             .Select(picture => picture.Scene).Except(diagnosis.Unexplained),
@@ -81,8 +82,9 @@ internal sealed class Marker(Rubric rubric)
     private List<ItemMarks> Items(JointDiagnosis diagnosis, List<SubmittedPicture> pictures)
     {
         var items = new List<ItemMarks>();
-        var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Scene));
-        var isAllTold = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
+        var understood = UnderstoodScenes(pictures, diagnosis);
+        var judged = pictures.ConvertAll(picture => picture.Scene);
+        var isAllUnderstood = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
         SectionKind[] steps =
         [
             .. Edits(diagnosis).SelectMany(edit => edit.Place!.Section.Split(", ")).Select(step => Enum.Parse<SectionKind>(step, ignoreCase: true)),
@@ -91,16 +93,18 @@ internal sealed class Marker(Rubric rubric)
         foreach (var item in rubric.Items)
         {
             var (lost, because) = Cost(item, diagnosis.Verdict);
-            var (least, most) = (lost, lost);
+            var least = lost;
+            var most = lost;
             foreach (var alternative in diagnosis.Alternatives)
             {
                 var (other, otherwise) = Cost(item, alternative);
-                (least, most) = (Math.Min(least, other), Math.Max(most, other));
+                least = Math.Min(least, other);
+                most = Math.Max(most, other);
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
-            var mayBeAtFault = steps.Any(step => Concerns(item, step)) || (diagnosis.Steps is not null ? !Tells(judged, item)
+            var mayBeAtFault = steps.Any(step => Concerns(item, step)) || (diagnosis.Steps is not null ? !Decide(judged, item)
                 : IsOutOfSight(item, diagnosis, pictures)
-                    || !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item))));
+                    || !isAllUnderstood && (!Decide(understood, item) || (2 * understood.Count <= judged.Count && !IsOfShapes(item))));
             if (mayBeAtFault) most = item.Points;
             if (diagnosis.IsGuess) least = 0;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
@@ -111,13 +115,13 @@ internal sealed class Marker(Rubric rubric)
     /// <summary>
     /// Whether some scenes decide an item as well as all scenes do: each of its mistakes and parts that shows in any scene shows in one of these.
     /// </summary>
-    private bool Tells(List<MarkedScene> told, RubricItem item)
+    private bool Decide(List<MarkedScene> some, RubricItem item)
     {
-        return told.Count > 0
-            && item.Mistakes.All(mistake => TellWhat(scene => scene.Shows(mistake)))
-            && item.Undone.All(part => TellWhat(scene => scene.Needs(part)));
+        return some.Count > 0
+            && item.Mistakes.All(mistake => ShowAsMuchAsAll(scene => scene.Shows(mistake)))
+            && item.Undone.All(part => ShowAsMuchAsAll(scene => scene.Needs(part)));
 
-        bool TellWhat(Predicate<MarkedScene> shows) => told.Exists(shows) || !rubric.Scenes.Any(scene => shows(scene));
+        bool ShowAsMuchAsAll(Predicate<MarkedScene> shows) => some.Exists(shows) || !rubric.Scenes.Any(scene => shows(scene));
     }
 
     /// <summary>Whether an item is about formulas of shapes. A fault that no mistake explains may be in any of the others, unless most pictures
@@ -133,7 +137,7 @@ internal sealed class Marker(Rubric rubric)
     private static IEnumerable<Mistake> Edits(JointDiagnosis diagnosis) =>
         diagnosis.Alternatives.Prepend(diagnosis.Verdict).SelectMany(program => program.Mistakes).Where(mistake => mistake.Place is not null);
 
-    /// <summary>Whether an item is about a step: its shape is asked for, or a mistake in its formulas or in its effect.</summary>
+    /// <summary>Whether an item is about a step: it needs its shape, or has a mistake in its formulas or in their effect.</summary>
     private static bool Concerns(RubricItem item, SectionKind step) =>
         item.Undone.Contains(step is SectionKind.Light ? Diagnosis.Attenuation : step.ToString().ToLowerInvariant())
         || item.Mistakes.Select(mistake => MistakeCatalog.Named(mistake)!).Any(mistake => step is SectionKind.Light or SectionKind.Bytes
@@ -154,8 +158,8 @@ internal sealed class Marker(Rubric rubric)
             : picture.Evidence.IsRight ? SceneVerdict.Right
             : diagnosis.Unexplained.Contains(picture.Scene) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
-        var isTelling = verdict is SceneVerdict.Explained or SceneVerdict.Unexplained && !picture.Picture!.IsOneColor && !picture.IsUntouched;
-        return new(picture.Scene.Name, verdict, picture.Problem) { Digest = isTelling ? picture.Digest : null };
+        var isDistinctive = verdict is SceneVerdict.Explained or SceneVerdict.Unexplained && !picture.Picture!.IsOneColor && !picture.IsUntouched;
+        return new(picture.Scene.Name, verdict, picture.Problem) { Digest = isDistinctive ? picture.Digest : null };
     }
 
     private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
@@ -170,7 +174,7 @@ internal sealed class Marker(Rubric rubric)
         string[] unexplained = [.. diagnosis.Unexplained.Select(scene => scene.Name).Except(repeated.SelectMany(scenes => scenes))];
         if (!diagnosis.TellsNothing && unexplained.Length > 0)
             yield return $"{string.Join(", ", unexplained)}: " +
-                (diagnosis.Says is { } says ? $"no known mistake explains this, but {says}"
+                (diagnosis.Note is { } note ? $"no known mistake explains this, but {note}"
                     : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
         foreach (var cause in Edits(diagnosis).Select(edit => edit.Cause).Distinct())
             yield return $"no known mistake explains the pictures, but a slip in {cause}";

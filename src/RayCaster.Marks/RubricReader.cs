@@ -1,6 +1,6 @@
 namespace RayCaster.Marks;
 
-/// <summary>Makes a <see cref="Rubric"/> of a file, JSON as in a scene file, or says all that is wrong with it.</summary>
+/// <summary>Makes a <see cref="Rubric"/> of a file, JSON as in a scene file, or reports all that is wrong with it.</summary>
 public static class RubricReader
 {
     /// <summary>The most pixels that a scene may have: mistakes show in small pictures, and there are many of them.</summary>

@@ -36,7 +36,7 @@ internal sealed record ItemMarks(string Name, double Of, double Points, double U
 /// <param name="Problem">What is unusual about the picture, in words; null if nothing is.</param>
 internal sealed record SceneMarks(string Name, SceneVerdict Verdict, string? Problem)
 {
-    /// <summary>A hash of a wrong picture, the same for two students only if every byte is; null where that says nothing.</summary>
+    /// <summary>A hash of a wrong picture, the same for two students only if every byte is; null where equal pictures prove nothing.</summary>
     public string? Digest { get; init; }
 }
 

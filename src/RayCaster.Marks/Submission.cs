@@ -6,8 +6,8 @@ namespace RayCaster.Marks;
 /// <param name="Folder">The folder, as a full path.</param>
 internal sealed record Submission(string Folder)
 {
-    /// <summary>How many files are told where a picture is missing, and how many are looked at.</summary>
-    private const int MaxTold = 3, MaxLookedAt = 10_000;
+    /// <summary>How many other files a message names if a picture is missing, and how many files are searched.</summary>
+    private const int MaxNamed = 3, MaxSearched = 10_000;
 
     private const string Name = "{name}";
 
@@ -30,8 +30,8 @@ internal sealed record Submission(string Folder)
         if (!all.Any(submission => submission.HasPicture(rubric))) RefuseWrongFolder(folder, whole, all, rubric);
         if (all.FirstOrDefault(submission => !submission.Student.All(PrintableText.IsPrintable)) is { } odd)
             throw new ProblemException($"the submission '{PrintableText.Of(odd.Student)}' has an invisible character in its name: rename it");
-        foreach (var (submission, like) in all.Select(submission => (submission, submission.NamesLikeIt())))
-            if (all.FirstOrDefault(other => other != submission && like.IsMatch(other.Student)) is { } other)
+        foreach (var (submission, equivalent) in all.Select(submission => (submission, submission.EquivalentNames())))
+            if (all.FirstOrDefault(other => other != submission && equivalent.IsMatch(other.Student)) is { } other)
                 throw new ProblemException($"the submissions '{submission.Student}' and '{other.Student}' differ only " +
                     (submission.Student.Length == other.Student.Length ? "by case" : "in how accents are encoded") +
                     ": on some systems their pages would be the same file, so rename one");
@@ -45,11 +45,11 @@ internal sealed record Submission(string Folder)
             .Order(StringComparer.Ordinal),
     ];
 
-    /// <summary>The pictures, one for each scene of the rubric: each is a picture, or says why there is none.</summary>
+    /// <summary>The pictures, one for each scene of the rubric: each is a picture, or the reason why there is none.</summary>
     public IReadOnlyList<SubmittedPicture> Pictures(Rubric rubric)
     {
         if (LinkIn(Folder) is not null) return None(rubric, "the student's folder is a link, which may lead to another student's");
-        var missing = new Lazy<string>(() => Instead(rubric));
+        var missing = new Lazy<string>(() => MissingPicture(rubric));
         return [.. rubric.Scenes.Select(scene => Read(scene))];
 
         SubmittedPicture Read(MarkedScene scene)
@@ -80,7 +80,7 @@ internal sealed record Submission(string Folder)
 
     /// <summary>The names that some systems take for this one: they differ only by case, or where this one has a letter and an accent, they have a
     /// letter beyond ASCII. (Without ICU the runtime does not normalise texts.)</summary>
-    private Regex NamesLikeIt() => new($"^{Regex.Replace(Regex.Escape(Student), @"\P{M}\p{M}+", @"[^\0-\x7F]")}$",
+    private Regex EquivalentNames() => new($"^{Regex.Replace(Regex.Escape(Student), @"\P{M}\p{M}+", @"[^\0-\x7F]")}$",
         RegexOptions.IgnoreCase | RegexOptions.CultureInvariant);
 
     /// <summary>No submission has a picture. Perhaps another folder was meant.</summary>
@@ -116,16 +116,16 @@ internal sealed record Submission(string Folder)
             .FirstOrDefault(part => new FileInfo(Path.TrimEndingDirectorySeparator(Path.GetFullPath(part, Folder))).LinkTarget is not null);
     }
 
-    /// <summary>Says that a picture is missing, and which files may be meant for it.</summary>
-    private string Instead(Rubric rubric)
+    /// <summary>The message that a picture is missing, with the files that may be meant for it.</summary>
+    private string MissingPicture(Rubric rubric)
     {
         string[] files =
-            [.. Directory.EnumerateFiles(Folder, "*", withoutLinks).Take(MaxLookedAt).Select(path => Path.GetRelativePath(Folder, path))];
+            [.. Directory.EnumerateFiles(Folder, "*", withoutLinks).Take(MaxSearched).Select(path => Path.GetRelativePath(Folder, path))];
         if (files.Length == 0) return "the student's folder is empty";
         string[] others = [.. files.Except(rubric.Scenes.Select(scene => PathOf(scene, rubric)))
             .Where(file => likeAPicture.Contains(Path.GetExtension(file).ToLowerInvariant())).Order(StringComparer.Ordinal)];
-        var more = others.Length > MaxTold ? $" and {others.Length - MaxTold} more" : "";
+        var more = others.Length > MaxNamed ? $" and {others.Length - MaxNamed} more" : "";
         return $"no picture {rubric.Pictures.Replace(Name, "SCENE")}" + (others.Length == 0 ? ""
-            : $"; there {(others.Length == 1 ? "is" : "are")} {string.Join(", ", others.Take(MaxTold))}{more}");
+            : $"; there {(others.Length == 1 ? "is" : "are")} {string.Join(", ", others.Take(MaxNamed))}{more}");
     }
 }

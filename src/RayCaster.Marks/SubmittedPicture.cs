@@ -15,14 +15,14 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
 
     private const int Pixels = 3000;
 
-    /// <summary>Whether its size is the scene's, or the scene's with width and height swapped, as some mistakes do.</summary>
-    public bool CanBeJudged => Picture is not null && HasSizeOf(Scene, Picture);
+    /// <summary>Whether it has a size in which it can be judged (<see cref="SceneDiagnosis.CanJudge"/>).</summary>
+    public bool CanBeJudged => Picture is not null && SceneDiagnosis.CanJudge(Scene.Scene, Picture);
 
     /// <summary>Whether it is what the hand-out draws before anything is written.</summary>
-    public bool IsUntouched => CanBeJudged && LabSteps.Draw(Scene.Scene, 1) is var gradient && gradient.Width == Picture!.Width
-        && Enumerable.Range(0, gradient.Count).All(i => PictureJudge.IsNear(Picture.At(i), gradient.At(i)));
+    public bool IsUntouched => CanBeJudged && Picture!.Width == Scene.Right.Width
+        && new PictureDifference(Picture, LabSteps.Draw(Scene.Scene, 1)).Largest <= PictureJudge.Tolerance;
 
-    /// <summary>What the picture tells, if it can be judged.</summary>
+    /// <summary>The pixels by which the picture is judged, if it can be judged.</summary>
     public Evidence Evidence => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
 
     /// <summary>A hash of its size and bytes, if there is a picture.</summary>
@@ -41,7 +41,7 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
                     FormattableString.Invariant($"the picture file has {file.Length:N0} bytes, too many for the scene's {pixels:N0} pixels"));
             using var stream = file.OpenRead();
             var picture = PictureFile.Read(stream, 3 * SizeFactor * pixels);
-            return new(scene, picture, HasSizeOf(scene, picture) ? null
+            return new(scene, picture, SceneDiagnosis.CanJudge(scene.Scene, picture) ? null
                 : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels");
         }
         catch (Exception e) when (e is ProblemException || ProblemException.IsCausedByFile(e))
@@ -49,7 +49,4 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
             return new(scene, null, $"the picture cannot be read: {(e is ProblemException ? e.Message : ProblemException.Reason(e))}");
         }
     }
-
-    private static bool HasSizeOf(MarkedScene scene, Picture picture) => (picture.Width, picture.Height) is var (width, height)
-        && ((width, height) == (scene.Right.Width, scene.Right.Height) || (height, width) == (scene.Right.Width, scene.Right.Height));
 }

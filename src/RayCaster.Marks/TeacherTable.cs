@@ -6,7 +6,7 @@ internal sealed record TeacherDecision(double? Points, string Comment);
 /// <summary>Reads the table of the last run, into which a teacher has entered points and comments.</summary>
 internal static class TeacherTable
 {
-    /// <summary>How many wrong rows are told, and how many folders are named for each.</summary>
+    /// <summary>How many wrong rows a message lists, and how many folders it names for each.</summary>
     private const int MaxRows = 5, MaxNearest = 3;
 
     /// <summary>What the teacher has entered, by student; empty if there is no table yet.</summary>
@@ -15,8 +15,9 @@ internal static class TeacherTable
     public static Dictionary<string, TeacherDecision> Read(string path, IReadOnlyCollection<string> students)
     {
         if (!File.Exists(path) || Csv.Read(path) is not [var head, .. var rows]) return [];
-        var (name, points, comment) = (head.IndexOf(MarksTable.StudentColumn), head.IndexOf(MarksTable.PointsColumn),
-            head.IndexOf(MarksTable.CommentColumn));
+        var name = head.IndexOf(MarksTable.StudentColumn);
+        var points = head.IndexOf(MarksTable.PointsColumn);
+        var comment = head.IndexOf(MarksTable.CommentColumn);
         if (name < 0 || points < 0 || comment < 0)
             throw new ProblemException($"{path} has no column \"{MarksTable.StudentColumn}\", \"{MarksTable.PointsColumn}\" or " +
                 $"\"{MarksTable.CommentColumn}\": rename or delete it, and it is written anew");

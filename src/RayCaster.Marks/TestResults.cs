@@ -9,8 +9,8 @@ internal sealed record StepResult(int Step, int Passed, int Count)
 {
     public bool IsPassed => Passed == Count;
 
-    /// <summary>Whether the tests say something about their step: they fail, too, where a step fails that they use.</summary>
-    public bool IsTelling(IReadOnlyDictionary<int, StepResult> all) =>
+    /// <summary>Whether the result is about this step: tests fail, too, if a step fails that they use.</summary>
+    public bool IsConclusive(IReadOnlyDictionary<int, StepResult> all) =>
         IsPassed || !Enumerable.Range(1, Step is 4 or 5 ? 3 : 2).Any(used => used < Step && all.GetValueOrDefault(used) is { IsPassed: false });
 
     public override string ToString() => $"{Passed} of {Count} tests of step {Step} pass";

@@ -21,6 +21,7 @@ public static class ModelName
         scene.Models[model].Name is { Length: > 0 } name ? name : $"models[{model}] ({scene.Models[model].Kind})";
 
     /// <summary>For a text that also has the type: the name, or the path.</summary>
+    /// <param name="model">The model's index; −1 for the background.</param>
     public static string Plain(Scene scene, int model) =>
-        scene.Models[model].Name is { Length: > 0 } name ? name : $"models[{model}]";
+        model < 0 ? Background : scene.Models[model].Name is { Length: > 0 } name ? name : $"models[{model}]";
 }

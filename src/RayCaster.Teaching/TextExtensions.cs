@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What texts for people share.</summary>
+/// <summary>Helpers for texts that people read.</summary>
 internal static class TextExtensions
 {
     extension(Enum value)
@@ -15,7 +15,8 @@ internal static class TextExtensions
     /// <param name="hang">How far all lines but the first are indented; as long as the head if left out.</param>
     public static void Wrap(this StringBuilder text, string head, string words, int? hang = null, int width = 96)
     {
-        var (line, start) = (new StringBuilder(head), head.Length);
+        var line = new StringBuilder(head);
+        var start = head.Length;
         foreach (var word in words.Split(' '))
         {
             if (line.Length + word.Length > width && line.Length > start)

@@ -46,7 +46,7 @@ internal sealed class CheckCommand() : Command("check", "<scene>...", "Finds err
             throw new ProblemException($"a scene has more than {SceneFitness.MaxModels:N0} models: too many to try mistakes on");
         var mistakes = MistakeCatalog.All.Where(mistake => line.Get(shapes) is not { } some || mistake.Touches(some));
         var fitness = SceneFitness.Of(scenes, line.Get(Option.Threads), [.. mistakes], line.Budget());
-        var absent = required.Where(id => fitness.Asked.All(mistake => mistake.Id != id)
+        var absent = required.Where(id => fitness.Tested.All(mistake => mistake.Id != id)
             || fitness.Hidden.Concat(fitness.NotTried).Any(mistake => mistake.Id == id)).ToArray();
         if (!quiet) StandardStreams.WriteOutput(FitnessReport.Text(fitness));
         if (absent.Length == 0) return ExitCode.Done;

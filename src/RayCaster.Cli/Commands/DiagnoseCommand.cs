@@ -48,7 +48,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         var scene = SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true);
         var picture = PictureFile.Read(picturePath, StandardStreams.WriteError);
         var size = (scene.Camera.Width, scene.Camera.Height);
-        var hasOtherSize = (picture.Width, picture.Height) != size && (picture.Height, picture.Width) != size;
+        var hasOtherSize = !SceneDiagnosis.CanJudge(scene, picture);
         if (hasOtherSize)
         {
             StandardStreams.WriteError(

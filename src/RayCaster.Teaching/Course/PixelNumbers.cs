@@ -10,7 +10,7 @@ public sealed class PixelNumbers
     /// <summary>Much longer than any body takes for one ray.</summary>
     private static readonly TimeSpan limit = TimeSpan.FromSeconds(5);
 
-    /// <summary>Of more models only those are told that the ray hits.</summary>
+    /// <summary>If there are more models, only those that the ray hits are listed.</summary>
     private const int ManyModels = 12;
 
     private const string Analytical = "analytical";
@@ -70,7 +70,8 @@ public sealed class PixelNumbers
         }
         var row = height - 1 - line;
         output.WriteLine($"Column {column}, line {line} from the top: c = {column}, r = {row}");
-        var (foundWrong, last) = (false, "");
+        var foundWrong = false;
+        var last = "";
         foreach (var (name, slide, mine, rightly) in new PixelNumbers(scene, column, row, bodies(column, row), notes).Lines())
         {
             if (mine == null && slide == last) continue;
@@ -139,7 +140,7 @@ public sealed class PixelNumbers
             if (OfAnalytical(model, i) is { } analytical) yield return analytical;
         }
         var hit = right.HitModel;
-        yield return Of("hit", Slides.Ray, new Hit(hit == null ? -1 : scene.Models.TakeWhile(model => model != hit).Count(), right.HitParameter));
+        yield return Of("hit", Slides.Ray, new Hit(scene.IndexOf(hit), right.HitParameter));
         if (hit != null) yield return Of("attenuation", Slides.Shading, scene.Attenuation<Scalar>(right.HitParameter).Value);
         var color = hit != null && unwritten.Contains(Slides.Shading) ? hit.Color : scene.Shade(right.HitParameter, hit);
         yield return Of("bytes", Slides.RayCasting, color.ToBytes());
@@ -148,7 +149,8 @@ public sealed class PixelNumbers
     /// <summary>Which t the model has, and whether one counts that should not, or the other way.</summary>
     private IEnumerable<Line> OfModel(Model model, int index)
     {
-        var (name, slide) = ($"t of {ModelName.Typed(scene, index)}", Slides.OfShape(model.Kind) ?? model.Kind);
+        var name = $"t of {ModelName.Typed(scene, index)}";
+        var slide = Slides.OfShape(model.Kind) ?? model.Kind;
         var rightly = model.Intersect(right) ?? double.PositiveInfinity;
         if (!IsWritten(model) || yours.GetValueOrDefault($"{index}") is not (double T, bool Counts)[] calls)
         {
@@ -169,7 +171,8 @@ public sealed class PixelNumbers
     {
         var slide = Slides.SphereAnalytical;
         if (unwritten.Contains(slide) || !yours.TryGetValue($"{index} {Analytical}", out var mine)) return null;
-        var (name, rightly) = ($"t of {ModelName.Typed(scene, index)} by AnalyticalSolution", model.Intersect(right) ?? double.PositiveInfinity);
+        var name = $"t of {ModelName.Typed(scene, index)} by AnalyticalSolution";
+        var rightly = model.Intersect(right) ?? double.PositiveInfinity;
         if (mine is not (double T, bool Counts)[] calls) return new(name, slide, Text(mine), HitText(rightly));
         var t = NearestOf(calls);
         return IsSame(t, rightly) ? null : new(name, slide, HitText(t), HitText(rightly));

@@ -39,7 +39,7 @@ internal static class BoxMistakes
             Slabs((lo, hi, P) => ((lo - P) * endless, (hi - P) * endless)),
             "A box lacks a line one pixel wide, at its edge or right through it.",
             "What is 0 · (1 / 0) in doubles?",
-            "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0.")
+            "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; test that where d = 0.")
             .Or("box: a ray along a slab, d = 0, misses it", Slabs((_, _, _) => (double.NaN, double.NaN)))
             .Or("box: a ray along a slab, d = 0, is always in it", Slabs((_, _, _) => (-endless, endless))),
         new Mistake("slab-inside", Affects.Boxes, Slides.BoxTest, "box: t_min or none, so that it is not seen from inside",
@@ -63,13 +63,15 @@ internal static class BoxMistakes
         Func<double, double, double, double>? lastIn = null, int[]? axesOfD = null) => lab => lab.Box.Is((box, d) =>
     {
         var (x, y, z) = (SlabOf(0), SlabOf(1), SlabOf(2));
-        var (t_min, t_max) = (lastIn?.Invoke(x.In, y.In, z.In) ?? Math.Max(Math.Max(x.In, y.In), z.In), Least(x.Out, y.Out, z.Out));
+        var t_min = lastIn?.Invoke(x.In, y.In, z.In) ?? Math.Max(Math.Max(x.In, y.In), z.In);
+        var t_max = Least(x.Out, y.Out, z.Out);
         return t_min <= t_max ? new(t_min, t_max) : None;
 
         (double In, double Out) SlabOf(int axis)
         {
             var (lo, hi, P) = (box.Min.At(axis), box.Max.At(axis), lab.P.At(axis));
-            var (t0, t1) = d.At(axesOfD?[axis] ?? axis) is not 0 and var b ? ((lo - P) / b, (hi - P) / b)
+            var b = d.At(axesOfD?[axis] ?? axis);
+            var (t0, t1) = b != 0 ? ((lo - P) / b, (hi - P) / b)
                 : along is not null ? along(lo, hi, P)
                 : lo <= P && P <= hi ? (-endless, endless) : (double.NaN, double.NaN);
             return isSorted ? (Math.Min(t0, t1), Math.Max(t0, t1)) : (t0, t1);

@@ -100,7 +100,7 @@ internal sealed class CandidateRanking(IReadOnlyList<Evidence> pictures, int? th
     }
 
     /// <summary>The candidates that a few pixels do not rule out.</summary>
-    public List<WrongProgram> Those(Func<WrongProgram, bool> may, IEnumerable<WrongProgram> candidates) =>
+    public List<WrongProgram> Plausible(Func<WrongProgram, bool> may, IEnumerable<WrongProgram> candidates) =>
     [
         .. candidates.TakeWhile(_ => Budget?.IsSpent() != true)
             .AsParallel().AsOrdered().WithDegreeOfParallelism(threads ?? Environment.ProcessorCount).Where(may),

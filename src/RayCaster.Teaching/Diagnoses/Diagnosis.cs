@@ -30,7 +30,8 @@ public sealed class Diagnosis
     internal Diagnosis(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Mistake>? likely)
     {
         this.prepared = prepared;
-        var (scene, right) = (prepared.Scene, prepared.Right);
+        var scene = prepared.Scene;
+        var right = prepared.Right;
         evidence = new(scene, right, picture, Pixels, !TooManyModels);
         if (evidence.WrongCount < evidence.OutlineCount && evidence.OutlineCount > SceneFitness.LeastPixels)
         {
@@ -39,7 +40,8 @@ public sealed class Diagnosis
         }
         if (prepared.Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
         {
-            (answer, Missing) = (new(Finding.Cropped), crop.Missing);
+            answer = new(Finding.Cropped);
+            Missing = crop.Missing;
             return;
         }
         if (WrongCount == 0 || (TooManyModels && evidence.IsOnlyOutlines))
@@ -47,7 +49,7 @@ public sealed class Diagnosis
             answer = new(Finding.Matches);
             return;
         }
-        var plain = PlainPicture.Says(scene, picture, right);
+        var plain = PlainPicture.Describe(scene, picture, right);
         var tellsNothing = new Answer(Finding.TellsNothing) { Likely = plain is null ? [] : [plain] };
         if (plain is not null && (TooManyModels || !PlainPicture.IsOneShade(scene, picture)))
         {
@@ -98,7 +100,7 @@ public sealed class Diagnosis
     /// <inheritdoc cref="PictureDifference.Shift"/>
     public int? Shift => evidence.Shift;
 
-    /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches says little.</summary>
+    /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches proves nothing.</summary>
     public bool ProvesNothing => prepared.Right.IsOneColor;
 
     /// <summary>The result.</summary>
@@ -136,5 +138,5 @@ public sealed class Diagnosis
     /// </summary>
     private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Affects & Affects.Camera) == 0
         && mistake.Variants.Any(variant => ((double[])[0.1, 1]).All(share =>
-            strict.Misfit(new Lab(prepared.Scene, variant), share).Unexplained <= Judgement.Foreign * strict.WrongCount));
+            strict.Misfit(new Lab(prepared.Scene, variant), share).Unexplained <= Judgement.MaxLeft * strict.WrongCount));
 }

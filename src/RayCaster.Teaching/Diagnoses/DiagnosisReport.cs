@@ -1,8 +1,20 @@
+using System.Buffers;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using System.Text.Json.Nodes;
+
 namespace RayCaster.Teaching;
 
 /// <summary>A <see cref="Diagnosis"/> in words for students, and as JSON for other programs.</summary>
 public static class DiagnosisReport
 {
+    private static readonly JsonWriterOptions options = new()
+    {
+        Indented = true,
+        NewLine = "\n",
+        Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping, // letters of all languages stay
+    };
+
     /// <summary>Lines of text.</summary>
     public static string Text(Diagnosis diagnosis, string picture, string scene, HintLevel level = HintLevel.Question)
     {
@@ -122,54 +134,76 @@ public static class DiagnosisReport
     /// <param name="hidden">The mistakes that the scene cannot show.</param>
     /// <param name="warning">Why all of it may be wrong; left out if null.</param>
     public static string Json(
-        Diagnosis diagnosis, (int Width, int Height) picture, (int Width, int Height) scene, IReadOnlyList<Mistake> hidden, string? warning) =>
-        JsonText.Of(new
+        Diagnosis diagnosis, (int Width, int Height) picture, (int Width, int Height) scene, IReadOnlyList<Mistake> hidden, string? warning)
+    {
+        var suspects = diagnosis.Suspects
+            .Select((suspect, i) => Json(suspect, i == 0 ? "likely" : suspect.SamePicture ? "as likely" : "less likely"))
+            .Concat(diagnosis.Nearest.Select(nearest => Json(nearest, "nearest, explains too little")));
+        return TextOf(new()
         {
-            Warning = warning,
-            Finding = diagnosis.Finding.Words,
-            Mine = new { picture.Width, picture.Height },
-            Scene = new { scene.Width, scene.Height },
-            Pixels = diagnosis.PixelCount,
-            Wrong = diagnosis.WrongCount,
-            DarkerByOne = diagnosis.DarkerShare,
-            Missing = diagnosis.MissingModel ?? diagnosis.Missing,
-            diagnosis.NotYet,
-            diagnosis.Likely,
-            CannotShow = hidden.Select(mistake => mistake.Id),
-            Suspects = diagnosis.Suspects
-                .Select((suspect, i) => Json(suspect, i == 0 ? "likely" : suspect.SamePicture ? "as likely" : "less likely"))
-                .Concat(diagnosis.Nearest.Select(nearest => Json(nearest, "nearest, explains too little"))),
+            ["warning"] = warning,
+            ["finding"] = diagnosis.Finding.Words,
+            ["mine"] = Json(picture),
+            ["scene"] = Json(scene),
+            ["pixels"] = diagnosis.PixelCount,
+            ["wrong"] = diagnosis.WrongCount,
+            ["darkerByOne"] = diagnosis.DarkerShare,
+            ["missing"] = diagnosis.MissingModel ?? diagnosis.Missing,
+            ["notYet"] = Json(diagnosis.NotYet),
+            ["likely"] = Json(diagnosis.Likely),
+            ["cannotShow"] = Json(hidden.Select(mistake => mistake.Id)),
+            ["suspects"] = new JsonArray([.. suspects]),
         });
+    }
 
     /// <summary>The same object if nothing could be diagnosed, with the reason.</summary>
-    public static string Json(string error) => JsonText.Of(new { Finding = "could not tell", Error = error });
+    public static string Json(string error) => TextOf(new() { ["finding"] = "could not tell", ["error"] = error });
 
-    private static object Json(Suspect suspect, string rank) => new
+    private static JsonObject Json((int Width, int Height) size) => new() { ["width"] = size.Width, ["height"] = size.Height };
+
+    private static JsonArray Json(IEnumerable<string> texts) => new([.. texts.Select(text => (JsonNode)text)]);
+
+    private static JsonObject Json(Suspect suspect, string rank) => new()
     {
-        Rank = rank,
-        Mistakes = suspect.Mistakes.Select(mistake => new
-        {
-            mistake.Id,
-            mistake.Cause,
-            Symptom = suspect.HasSymptoms ? mistake.Hint.Symptom : null,
-            mistake.Hint.Question,
-            mistake.Hint.Answer,
-            mistake.Slide,
-            mistake.Place?.Section,
-            mistake.Place?.Step,
-            mistake.Place?.Formula,
-        }),
-        Unexplained = Math.Round(suspect.Unexplained),
-        suspect.OtherSample,
-        suspect.SamePicture,
-        Twins = suspect.Twins.Select(twin => twin.Id),
-        suspect.NotYet,
+        ["rank"] = rank,
+        ["mistakes"] = new JsonArray([.. suspect.Mistakes.Select(mistake => Json(mistake, suspect.HasSymptoms))]),
+        ["unexplained"] = Math.Round(suspect.Unexplained),
+        ["otherSample"] = suspect.OtherSample,
+        ["samePicture"] = suspect.SamePicture,
+        ["twins"] = Json(suspect.Twins.Select(twin => twin.Id)),
+        ["notYet"] = Json(suspect.NotYet),
     };
+
+    private static JsonObject Json(Mistake mistake, bool hasSymptom) => WithoutNulls(new()
+    {
+        ["id"] = mistake.Id,
+        ["cause"] = mistake.Cause,
+        ["symptom"] = hasSymptom ? mistake.Hint.Symptom : null,
+        ["question"] = mistake.Hint.Question,
+        ["answer"] = mistake.Hint.Answer,
+        ["slide"] = mistake.Slide,
+        ["section"] = mistake.Place?.Section,
+        ["step"] = mistake.Place?.Step,
+        ["formula"] = mistake.Place?.Formula,
+    });
+
+    private static JsonObject WithoutNulls(JsonObject o)
+    {
+        foreach (var (name, _) in o.Where(property => property.Value is null).ToArray()) o.Remove(name);
+        return o;
+    }
+
+    private static string TextOf(JsonObject o)
+    {
+        var text = new ArrayBufferWriter<byte>();
+        using (var json = new Utf8JsonWriter(text, options)) WithoutNulls(o).WriteTo(json);
+        return Encoding.UTF8.GetString(text.WrittenSpan) + "\n";
+    }
 
     private static void AppendSuspect(StringBuilder text, Diagnosis diagnosis, Suspect suspect, HintLevel level)
     {
-        var (isUnwritten, shown) = (IsOnlyUnwritten(suspect), Shown(suspect));
-        text.AppendLine((isUnwritten ? "If that is written already, most likely: " : "Most likely: ") + Names(suspect)
+        var shown = Shown(suspect);
+        text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely: " : "Most likely: ") + Names(suspect)
             + (shown.Count switch { 1 => "", 2 => ", both at once", _ => ", all at once" }));
         foreach (var mistake in shown)
         {
@@ -187,7 +221,7 @@ public static class DiagnosisReport
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
                 $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} " +
-                "the same picture; \"check\" tells which scene would tell them apart.");
+                "the same picture; \"check\" shows which scene would distinguish them.");
     }
 
     private static void AppendNotTried(StringBuilder text, Diagnosis diagnosis)

@@ -210,8 +210,8 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         return [.. singles.Where(candidate => !candidate.OtherSample || candidate.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
     }
 
-    /// <summary>The best candidates with one of their mistakes in another variant; pairs also with rays through the other place of
-    /// each pixel.</summary>
+    /// <summary>The best candidates with one of their mistakes in another variant; pairs also with rays through the other sample
+    /// point of each pixel.</summary>
     private static List<WrongProgram> InOtherVariants(List<WrongProgram> candidates, int most) =>
     [
         .. from candidate in candidates.DistinctBy(candidate => candidate.Id).Take(most)

@@ -1,18 +1,18 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Where in the slides' formulas an edit lies that makes a picture, as far as the picture tells.</summary>
+/// <summary>The place of an edit in the slides' formulas, as far as the picture shows it.</summary>
 /// <param name="Section">The step, as its formulas' text calls it; several with commas.</param>
 /// <param name="Step">The name that the edited formula computes; null if several do.</param>
 /// <param name="Formula">That formula as the slides have it; null if there are several.</param>
 public sealed record EditPlace(string Section, string? Step, string? Formula);
 
-/// <summary>Says of small edits of formulas what a known mistake's hints say: first what one sees, at last what was written.</summary>
+/// <summary>Gives small edits of formulas hints like those of known mistakes: first the symptom, at last what was written.</summary>
 internal static class EditNaming
 {
     /// <summary>The id of all edits that are not in the catalogue.</summary>
     public const string Id = "edit";
 
-    /// <summary>Of edits that draw the same, those that cost more than the likeliest by this are not thought of.</summary>
+    /// <summary>Of edits that draw the same, those that cost more than the likeliest by this are ignored.</summary>
     private const double Likely = 0.25;
 
     /// <summary>Most names that are listed where a picture cannot tell formulas apart.</summary>
@@ -25,20 +25,20 @@ internal static class EditNaming
         FormulaEdit[] likely = [.. group.Edits.Where(edit => edit.Cost <= group.Cost + Likely)];
         void Deviate(Lab lab) => lab.Follow(first.In(FormulaProgram.For(lab.Camera)));
         if (Array.Find(likely, edit => edit.Label is not null) is { } known)
-            return MistakeCatalog.Named(known.Label!)!.Worded($"{SectionOf(known.Section.Kind)}: {Says(known)}", Deviate);
+            return MistakeCatalog.Named(known.Label!)!.Worded($"{SectionOf(known.Section.Kind)}: {Describe(known)}", Deviate);
 
         SectionKind[] kinds = [.. likely.Select(edit => edit.Section.Kind).Distinct()];
         var isOneStep = kinds.Length == 1;
-        // Other styles have other formulas: what is said is said in the likeliest one's.
+        // Other styles have other formulas: the texts use those of the likeliest style.
         Formula?[] formulas = [.. likely.Where(edit => edit.Right == first.Right).Select(edit => edit.Formula).Distinct()];
         var formula = isOneStep && formulas.Length == 1 ? formulas[0] : null;
         var section = string.Join(", ", kinds.Select(SectionOf));
-        return new(Id, AffectsOf(first.Section.Kind), first.Section.Slide, $"{section}: {Says(first)}", Deviate,
+        return new(Id, AffectsOf(first.Section.Kind), first.Section.Slide, $"{section}: {Describe(first)}", Deviate,
             isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
             formula is not null ? $"Look at {formula.Computed}. {EditOperators.QuestionOf(first.Operator)}"
                 : isOneStep ? $"Something is wrong in the formulas of the step \"{section}\"; this scene cannot tell {NamesOf(formulas)} apart."
                 : $"Something is wrong in one of these steps: {section}. This scene cannot tell them apart.",
-            $"{(formula is null ? "For example, it" : "It")} looks as if {Says(first)}.")
+            $"{(formula is null ? "For example, it" : "It")} looks as if {Describe(first)}.")
         {
             Place = new(section, formula?.Computed, formula?.ToString()),
         };
@@ -46,7 +46,7 @@ internal static class EditNaming
 
     private static string SectionOf(SectionKind kind) => kind.ToString().ToLowerInvariant();
 
-    private static string Says(FormulaEdit edit)
+    private static string Describe(FormulaEdit edit)
     {
         var where = edit.Formula is { } formula ? $"in {formula}" : "in the whole formula";
         return edit.Operator switch

@@ -19,7 +19,7 @@ internal sealed class EditSample
         int[] places = [.. evidence.WrongPixels[..wrong], .. evidence.OtherPixels[..other]];
         var width = evidence.Picture.Width;
         evaluator = new(scene, [.. places.Select(place => (place % width, place / width))], right);
-        shown = [.. places.SelectMany<int, byte>(place => evidence.Picture.At(place) is var (r, g, b) ? [r, g, b] : [])];
+        shown = [.. places.SelectMany(place => evidence.Picture.Rgb.AsSpan(3 * place, 3).ToArray())];
         perWrong = 1.0 / Math.Max(1, wrong);
         perOther = (double)(evidence.PixelCount - evidence.WrongCount) / Math.Max(1, evidence.WrongCount) / Math.Max(1, other);
     }
@@ -29,7 +29,8 @@ internal sealed class EditSample
     /// <summary>How many pixels what was drawn leaves unexplained, as a share of the wrong ones.</summary>
     public double Unexplained(byte[] drawn)
     {
-        var (inWrong, inOther) = (0, 0);
+        var inWrong = 0;
+        var inOther = 0;
         for (var i = 0; i < drawn.Length / 3; i++)
         {
             if (IsNear(drawn, shown, i)) continue;

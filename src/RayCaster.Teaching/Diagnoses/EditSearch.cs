@@ -127,7 +127,7 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
         other => other.Operator == edit.Operator && other.Formula?.Name == edit.Formula!.Name && other.Meant == edit.Meant.Replace("Q", point)
             && other.Written == edit.Written.Replace("Q", point))?.Section;
 
-    /// <summary>Whether a style computes what the scene asks for.</summary>
+    /// <summary>Whether a style computes what the scene needs.</summary>
     private bool IsPossible(FormulaSection section) => section.Kind switch
     {
         SectionKind.File => section == right[SectionKind.File],
@@ -162,15 +162,16 @@ internal sealed class EditSearch(Evidence evidence, Unfinished way, bool otherSa
     /// <summary>An edit with each shape and the rule in the style in which it explains most; null if that is no better.</summary>
     private (double, FormulaEdit)? InStyles(EditSample sample, FormulaEdit edit)
     {
-        var (best, beside) = (sample.Unexplained(sample.Draw(edit)), edit.Beside);
+        var best = sample.Unexplained(sample.Draw(edit));
+        var beside = edit.Beside;
         foreach (var kind in shapes.Concat([SectionKind.Rule, SectionKind.Light]))
         {
             foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(section => section != right[kind] && IsPossible(section)))
             {
                 budget?.ThrowIfSpent();
                 var other = beside.Add(section);
-                if (sample.Unexplained(sample.Draw(edit with { Beside = other })) is var left && left < best - AlmostAsGood)
-                    (best, beside) = (left, other);
+                var left = sample.Unexplained(sample.Draw(edit with { Beside = other }));
+                if (left < best - AlmostAsGood) (best, beside) = (left, other);
             }
         }
         return beside != edit.Beside ? (best, edit with { Beside = beside, Cost = edit.Cost + 0.3 }) : null;

@@ -32,7 +32,7 @@ internal sealed class Evidence
     public Evidence(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true)
     {
         (Scene, Picture, Right) = (scene, picture, right);
-        most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // the time stays
+        most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
         var difference = HasRightSize ? new PictureDifference(picture, right) : null;
         var judge = new PictureJudge(right, scene);
         List<int> wrong = [], other = [];
@@ -56,8 +56,9 @@ internal sealed class Evidence
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
         ILookup<bool, int> isExplained = whole.wrongPixels.Take(Affordable(most, first)).Concat(whole.otherPixels.Take(Affordable(most, first)))
-            .ToLookup(pixel => At(pixel) is var (x, y) && PictureJudge.IsNear(first[x, y], Picture[x, y]));
-        (wrongPixels, otherPixels) = ([.. isExplained[false]], [.. isExplained[true]]);
+            .ToLookup(pixel => IsDrawnBy(first, pixel));
+        wrongPixels = [.. isExplained[false]];
+        otherPixels = [.. isExplained[true]];
         WrongCount = (int)whole.Misfit(first).Unexplained;
     }
 
@@ -115,7 +116,7 @@ internal sealed class Evidence
     /// <summary>Whether it is the scene's picture, but for rounding and single pixels on outlines.</summary>
     public bool IsRight => WrongCount == 0 || IsOnlyOutlines;
 
-    /// <summary>The fewest pixels that count: as many as a visible mistake changes, or as one compared pixel stands for.</summary>
+    /// <summary>The fewest pixels that count: as many as a visible mistake changes, or as one compared pixel represents.</summary>
     public double LeastPixels => Math.Max(SceneFitness.LeastPixels, (double)WrongCount / most);
 
     /// <summary>Draws the pixels of the evidence, for comparison with several labs.</summary>
@@ -125,7 +126,10 @@ internal sealed class Evidence
         foreach (var pixels in (ReadOnlySpan<int[]>)[wrongPixels, otherPixels])
         {
             foreach (var pixel in pixels.AsSpan(0, Affordable(pixels.Length, lab)))
-                if (At(pixel) is var (x, y) && x < lab.Width && y < lab.Height) colors.Add((pixel, lab[x, y]));
+            {
+                var (x, y) = At(pixel);
+                if (x < lab.Width && y < lab.Height) colors.Add((pixel, lab[x, y]));
+            }
         }
         return new(lab.Width, lab.Height, colors);
     }
@@ -137,7 +141,11 @@ internal sealed class Evidence
         var step = Math.Max(1, one.Colors.Count / Math.Max(1, Affordable(one.Colors.Count, lab)));
         var left = one.Colors.Count / step / 2000;
         for (var k = 0; k < one.Colors.Count; k += step)
-            if (At(one.Colors[k].Pixel) is var (x, y) && !PictureJudge.IsNear(one.Colors[k].Color, lab[x, y]) && --left < 0) return false;
+        {
+            var (pixel, color) = one.Colors[k];
+            var (x, y) = At(pixel);
+            if (!PictureJudge.IsNear(color, lab[x, y]) && --left < 0) return false;
+        }
         return true;
     }
 
@@ -158,7 +166,7 @@ internal sealed class Evidence
     }
 
     /// <summary>Whether a program draws one of the first few wrong pixels right.</summary>
-    public bool IsHelpedBy(Lab lab) => CanDraw(lab) && wrongPixels.Take(ProbePixels).Any(pixel => IsDrawnBy(lab, pixel));
+    public bool IsImprovedBy(Lab lab) => CanDraw(lab) && wrongPixels.Take(ProbePixels).Any(pixel => IsDrawnBy(lab, pixel));
 
     /// <summary>A misfit on a scale for several pictures: 0 if nothing is left, 1 if all that is wrong is left, or more.</summary>
     public double Loss(Misfit misfit) => Math.Min(1,
@@ -180,7 +188,8 @@ internal sealed class Evidence
     {
         var count = Affordable(Math.Min(pixels.Length, (int)Math.Ceiling(most * share)), lab, share);
         if (count == 0) return default;
-        var (unexplained, error) = (0.0, 0.0);
+        var unexplained = 0.0;
+        var error = 0.0;
         for (var k = 0; k < count; k++)
         {
             var (x, y) = At(pixels[k]);
@@ -207,7 +216,11 @@ internal sealed class Evidence
 
     private bool CanDraw(Lab lab) => (lab.Width, lab.Height) == (Picture.Width, Picture.Height) && !lab.TakesTooLong;
 
-    private bool IsDrawnBy(Lab lab, int pixel) => At(pixel) is var (x, y) && PictureJudge.IsNear(lab[x, y], Picture[x, y]);
+    private bool IsDrawnBy(Lab lab, int pixel)
+    {
+        var (x, y) = At(pixel);
+        return PictureJudge.IsNear(lab[x, y], Picture[x, y]);
+    }
 
     /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
     private static int[] Spread(List<int> all, int most)

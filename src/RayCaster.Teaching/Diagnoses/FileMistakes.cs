@@ -76,14 +76,22 @@ internal static class FileMistakes
     {
         lab.SwapSides();
         var (width, height) = (lab.Width, lab.Height);
-        lab.Shown.Becomes(shown => (x, y) => place(x, y, width, height) is var from ? shown(from.X, from.Y) : default);
+        lab.Shown.Becomes(shown => (x, y) =>
+        {
+            var from = place(x, y, width, height);
+            return shown(from.X, from.Y);
+        });
     };
 
     /// <summary>The file has the picture's columns one after another.</summary>
     private static Action<Lab> ByColumns(bool down) => lab => lab.Shown.Becomes(shown =>
     {
         var (width, height) = (lab.Camera.Width, lab.Camera.Height);
-        return (x, y) => Math.DivRem(y * width + x, height) is var (column, place) ? shown(column, down ? place : height - 1 - place) : default;
+        return (x, y) =>
+        {
+            var (column, place) = Math.DivRem(y * width + x, height);
+            return shown(column, down ? place : height - 1 - place);
+        };
     });
 
     /// <summary>Lines that begin height pixels after one another and cover each other in the order in which they are written.</summary>
@@ -93,8 +101,8 @@ internal static class FileMistakes
         return (x, y) =>
         {
             var place = y * width + x;
-            var (first, last) = (Math.Max(0, (place - width) / height + 1), Math.Min(place / height, height - 1)); // the lines that reach there
-            if (place < width) first = 0;
+            var first = place < width ? 0 : Math.Max(0, (place - width) / height + 1); // of the lines that reach there
+            var last = Math.Min(place / height, height - 1);
             return first <= last ? shown(place - (fromTop ? last : first) * height, fromTop ? last : first) : default;
         };
     });

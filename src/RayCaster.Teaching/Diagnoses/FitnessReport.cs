@@ -48,8 +48,8 @@ public static class FitnessReport
         var text = new StringBuilder();
         var one = fitness.Scenes.Count == 1;
         text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {fitness.Scenes.Count} scenes together show")} " +
-            $"{Shown(fitness)} of the {fitness.Asked.Count} known mistakes.");
-        if (fitness.Reduced) text.AppendLine("A large picture was judged by a smaller one of the same shape.");
+            $"{Shown(fitness)} of the {fitness.Tested.Count} known mistakes.");
+        if (fitness.IsReduced) text.AppendLine("A large picture was judged by a smaller one of the same shape.");
         var hidden = fitness.Hidden.Except(fitness.WithinRounding).ToArray();
         if (hidden.Length > 0)
         {
@@ -86,7 +86,7 @@ public static class FitnessReport
         return text.ToString();
     }
 
-    private static int Shown(SceneFitness fitness) => fitness.Asked.Count - fitness.Hidden.Count - fitness.NotTried.Count;
+    private static int Shown(SceneFitness fitness) => fitness.Tested.Count - fitness.Hidden.Count - fitness.NotTried.Count;
 
     private static string ReasonFor(Mistake mistake, SceneFitness fitness)
     {

@@ -89,7 +89,7 @@ internal static class HitMistakes
             }),
             "A near thing that is cut away leaves a hole where what is behind it should show.",
             "A hit before zNear: may it hide another one?",
-            "Ask each crossing whether it counts before it may become the nearest.")
+            "Test whether a crossing counts before it may become the nearest.")
             .Or("zNear tested only after the nearest hit was chosen", lab => lab.Near.Becomes(near =>
             {
                 lab.Kept.Is(near);
@@ -120,7 +120,7 @@ internal static class HitMistakes
             lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),
             "A sphere or a box that the near plane cuts has a hole through it.",
             "If the first crossing is cut away, what of the second?",
-            "The first crossing that counts is the hit; ask both."),
+            "The first crossing that counts is the hit; test both."),
     ];
 
     private static Action<Lab> Both => lab => lab.OffersBoth = true;
@@ -131,10 +131,10 @@ internal static class HitMistakes
         lab.Near.Is((_, _) => true);
     };
 
-    /// <summary>The background for a ray with a first crossing, of those that are asked, that does not count.</summary>
-    private static Action<Lab> EndsRay(Func<Lab, double, bool> isAsked) => lab =>
+    /// <summary>The background for a ray with a first crossing, of those that are tested, that does not count.</summary>
+    private static Action<Lab> EndsRay(Func<Lab, double, bool> isTested) => lab =>
     {
-        lab.First.Becomes(first => (crossed, d) => double.IsFinite(crossed.Near) && isAsked(lab, crossed.Near) && !lab.Counts(crossed.Near, d)
+        lab.First.Becomes(first => (crossed, d) => double.IsFinite(crossed.Near) && isTested(lab, crossed.Near) && !lab.Counts(crossed.Near, d)
             ? double.NegativeInfinity // no hit is nearer
             : first(crossed, d));
         lab.Kept.Is((t, _) => t > double.NegativeInfinity);
@@ -150,7 +150,7 @@ internal static class HitMistakes
     private static (string, Action<Lab>)[] Either(string what, Action<Lab> deviate) =>
         [(what, deviate), (what + "; both crossings of a sphere or a box are hits", Both + deviate)];
 
-    /// <summary>Another question for one kind of shape, for the two that have an inside, and for the flat ones.</summary>
+    /// <summary>Another test for one kind of shape, for the two that have an inside, and for the flat ones.</summary>
     private static IEnumerable<(string, Action<Lab>)> OfSome(string what, Func<Lab, double, double, bool> counts) =>
         from some in (IEnumerable<(string Many, Affects Shapes)>)
         [
@@ -160,7 +160,7 @@ internal static class HitMistakes
         ]
         select ($"{what} for {some.Many}", Counted(some.Shapes, counts));
 
-    /// <summary>Another question, with t and depth, whether a crossing of such shapes counts.</summary>
+    /// <summary>Another test, by t and depth, of whether a crossing of such shapes counts.</summary>
     private static Action<Lab> Counted(Affects shapes, Func<Lab, double, double, bool> counts) => lab => lab.Hit.Becomes(hit => (model, d) =>
     {
         if ((Mistake.KindOf(model) & shapes) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);

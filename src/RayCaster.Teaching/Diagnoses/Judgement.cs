@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What is said of a picture; see the members of <see cref="Diagnosis"/>.</summary>
+/// <summary>The result for a picture; see the members of <see cref="Diagnosis"/>.</summary>
 internal sealed record Answer(Finding Finding)
 {
     public IReadOnlyList<string> NotYet { get; init; } = [];
@@ -12,7 +12,7 @@ internal sealed record Answer(Finding Finding)
     public IReadOnlyList<Suspect> Nearest { get; init; } = [];
 }
 
-/// <summary>Decides which of the candidates that a search has compared are named, and what is said if none is.</summary>
+/// <summary>Decides which of the candidates that a search has compared are named, and which sentences the answer has if none is.</summary>
 /// <param name="done">What the program certainly draws.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
 /// <param name="byModels">The picture, model by model; null if it has another size.</param>
@@ -26,12 +26,12 @@ internal sealed class Judgement(
 
     /// <summary>A mistake that leaves a greater share of the wrong pixels fits only by chance; several mistakes may leave less, but more if they
     /// leave at most a third of what one leaves. A mistake whose pixels may lie anywhere leaves more.</summary>
-    public const double Foreign = 0.1;
+    public const double MaxLeft = 0.1;
 
-    private const double ForeignPair = 0.05, ForeignApart = 0.08, Third = 1 / 3.0, Scattered = 0.18;
+    private const double MaxLeftByPair = 0.05, MaxLeftByBetterPair = 0.08, Third = 1 / 3.0, MaxLeftIfScattered = 0.18;
 
-    /// <summary>If an unfinished program leaves at most this share of the wrong pixels, the rest is right; more with rays through the other place of
-    /// each pixel. If a mistake leaves more than the first share, other numbers of the scene are tried.</summary>
+    /// <summary>If an unfinished program leaves at most this share of the wrong pixels, the rest is right; more with rays through the other sample
+    /// point of each pixel. If a mistake leaves more than the first share, other numbers of the scene are tried.</summary>
     private const double Nearly = 0.001, NearlyOtherSample = 0.01;
 
     /// <summary>Another number of the scene is named in place of one mistake, or of two, if it leaves less than this share of what they leave.
@@ -48,7 +48,7 @@ internal sealed class Judgement(
     private const int Shown = 3;
 
     /// <summary>How many of the best are examined, and how many of them are named.</summary>
-    private const int Looked = 12, MaxNamed = 5;
+    private const int Examined = 12, MaxNamed = 5;
 
     private readonly SuspectFinder suspects = new(prepared, evidence);
 
@@ -64,13 +64,13 @@ internal sealed class Judgement(
         leftByOne = ranked.Where(IsOne).Select(candidate => candidate.Misfit.Unexplained).DefaultIfEmpty(0).Min();
         var best = search.Ranking.WithoutIdle(Best(ranked));
         var isEnough = IsEnough(best);
-        var (says, isBetter) = OtherCause(best, isEnough);
-        if (isEnough && !isBetter) return Naming(best, ranked, search.Ranking, says);
+        var (sentences, isBetter) = OtherCause(best, isEnough);
+        if (isEnough && !isBetter) return Naming(best, ranked, search.Ranking, sentences);
 
         if (evidence.IsOnlyOutlines) return new(Finding.Matches);
         if (leftByMissingModel is not null) return new(Finding.NoneOfThese);
-        if (says.Count == 0 && LikelyCause.OfTheWhole(evidence) is { } whole) says = [whole];
-        return new(Finding.NoneOfThese) { Likely = says, Nearest = isBetter ? [] : NearestOf(ranked, best) };
+        if (sentences.Count == 0 && LikelyCause.OfTheWhole(evidence) is { } whole) sentences = [whole];
+        return new(Finding.NoneOfThese) { Likely = sentences, Nearest = isBetter ? [] : NearestOf(ranked, best) };
     }
 
     private WrongProgram Best(List<WrongProgram> ranked)
@@ -90,13 +90,13 @@ internal sealed class Judgement(
     }
 
     /// <summary>What a candidate may leave unexplained, in pixels.</summary>
-    private double MayLeave(WrongProgram candidate) => wrong * (candidate.Variants is [{ Id: "tri-area" }] ? Scattered
-        : IsOne(candidate) ? Foreign : candidate.Misfit.Unexplained <= Third * leftByOne ? ForeignApart : ForeignPair);
+    private double MayLeave(WrongProgram candidate) => wrong * (candidate.Variants is [{ Id: "tri-area" }] ? MaxLeftIfScattered
+        : IsOne(candidate) ? MaxLeft : candidate.Misfit.Unexplained <= Third * leftByOne ? MaxLeftByBetterPair : MaxLeftByPair);
 
     private static bool IsOne(WrongProgram candidate) => candidate.Variants.Count + candidate.Base.Kinds.Count() < 2;
 
-    /// <summary>What is to be said of another cause, and whether it explains the picture better than the best candidate.</summary>
-    private (IReadOnlyList<string> Says, bool IsBetter) OtherCause(WrongProgram best, bool isEnough)
+    /// <summary>The sentences about another cause, and whether it explains the picture better than the best candidate.</summary>
+    private (IReadOnlyList<string> Sentences, bool IsBetter) OtherCause(WrongProgram best, bool isEnough)
     {
         // Two mistakes of the camera may make the picture of another angle of view, or by chance nearly so: the more exact of both is named.
         var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Affects == Affects.Camera);
@@ -122,7 +122,7 @@ internal sealed class Judgement(
     }
 
     /// <summary>Names the best candidate, and others that also explain the picture.</summary>
-    private Answer Naming(WrongProgram best, List<WrongProgram> ranked, CandidateRanking ranking, IReadOnlyList<string> says)
+    private Answer Naming(WrongProgram best, List<WrongProgram> ranked, CandidateRanking ranking, IReadOnlyList<string> sentences)
     {
         string[] missing = [.. best.Base.Kinds];
         if (best.Variants.Count == 0 && missing.Length > 0
@@ -135,7 +135,7 @@ internal sealed class Judgement(
                 return new(rest.Finding) { NotYet = [.. missing, .. rest.NotYet], Suspects = rest.Suspects, Likely = rest.Likely };
         }
         var named = ranked.Where(candidate => candidate.Named.Count > 0 && candidate.Misfit.Unexplained <= MayLeave(candidate))
-            .DistinctBy(candidate => candidate.Id).Take(Looked).Select(ranking.WithoutIdle).Prepend(best)
+            .DistinctBy(candidate => candidate.Id).Take(Examined).Select(ranking.WithoutIdle).Prepend(best)
             .Where(candidate => candidate.Named.Count > 0);
         if (best.Named.Count == 0) // what may have lost those shapes, if they are written already
             named = named.Where(candidate =>
@@ -147,7 +147,7 @@ internal sealed class Judgement(
         return new(best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished)
         {
             NotYet = best.Base.NotYet,
-            Likely = says,
+            Likely = sentences,
             Suspects =
             [
                 .. first.Take(1).Concat(first.Skip(1).OrderBy(candidate => candidate.Misfit.Unexplained))

@@ -4,18 +4,20 @@ namespace RayCaster.Teaching;
 
 /// <summary>
 /// The definition of a picture as replaceable steps, in pipeline order. Each step is the definition's own until a
-/// <see cref="Mistake"/> changes it; without a mistake every byte is that of <see cref="ScalarRenderer"/>. After its construction a lab
-/// no longer changes, so several threads may ask it for pixels.
+/// <see cref="Mistake"/> changes it; without a mistake every byte is that of <see cref="ScalarRenderer"/>. Several threads may draw
+/// with a lab, unless one of them sets <see cref="IsUnaffected"/>.
 /// </summary>
 internal sealed partial class Lab
 {
     /// <summary>Sets up the program of a student who has made these mistakes, in this order; none for the definition.</summary>
     public Lab(Scene scene, params ReadOnlySpan<Mistake> mistakes)
     {
-        (Scene, models) = (scene, [.. scene.Models]);
-        var camera = Camera;
-        (P, T, Width, Height) = (camera.Position, camera.Target, camera.Width, camera.Height);
-        (clip, half) = (camera.ClipRange, camera.Sample == RayCaster.PixelSample.Center ? 0.5 : 0);
+        Scene = scene;
+        models = [.. scene.Models];
+        (P, T) = (Camera.Position, Camera.Target);
+        (Width, Height) = (Camera.Width, Camera.Height);
+        clip = Camera.ClipRange;
+        half = Camera.Sample == PixelSample.Center ? 0.5 : 0;
 
         foreach (var mistake in mistakes)
         {
@@ -114,7 +116,7 @@ internal sealed partial class Lab
     public (byte R, byte G, byte B) this[int x, int y] => Read.Do(x, y);
 
     /// <summary>The same by its place in reading order.</summary>
-    public (byte R, byte G, byte B) this[int place] => Math.DivRem(place, Width) is var (y, x) ? this[x, y] : default;
+    public (byte R, byte G, byte B) this[int place] => this[place % Width, place / Width];
 
     /// <summary>The whole file.</summary>
     public Picture Render(int? threads = null)
@@ -158,7 +160,8 @@ internal sealed partial class Lab
         var (c, r) = Sample.Do(column, row);
         var d = Direction.Do(Towards.Do(Uc.Do(c), Ur.Do(r)));
         Model? hit = null;
-        var (best, shown) = (Start.Do(), double.NaN);
+        var best = Start.Do();
+        var shown = double.NaN;
         for (var i = 0; i < models.Length; i++)
         {
             if (Hit.Do(models[i], d) is not { } t) continue;

@@ -11,18 +11,20 @@ internal static class LikelyCause
 
     /// <summary>A certain cause: one number of the scene is another, or one model is missing or has another colour.</summary>
     /// <returns>What it leaves unexplained, and a sentence; null for no cause.</returns>
-    public static (Misfit Misfit, string? Says) Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence)
+    public static (Misfit Misfit, string? Sentence) Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence)
     {
         if (ModelsText.Meant(byModels) is [{ IsExplained: true }])
             return (default, ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault());
-        var (misfit, says) = OtherNumber.Find(prepared.Scene, byModels, evidence, prepared.Threads);
-        return misfit.Unexplained <= Explained * evidence.WrongCount ? (misfit, says) : default;
+        var (misfit, sentence) = OtherNumber.Find(prepared.Scene, byModels, evidence, prepared.Threads);
+        return misfit.Unexplained <= Explained * evidence.WrongCount ? (misfit, sentence) : default;
     }
 
     /// <summary>Other hints.</summary>
     public static IEnumerable<string> Hints(SceneDifference byModels, Evidence evidence)
     {
-        var (scene, picture, right) = (evidence.Scene, evidence.Picture, evidence.Right);
+        var scene = evidence.Scene;
+        var picture = evidence.Picture;
+        var right = evidence.Right;
         if (Unwritten(picture, right) is { } unwritten)
         {
             yield return unwritten;
@@ -60,10 +62,12 @@ internal static class LikelyCause
     /// <summary>What is wrong with the whole picture: its colours, its outlines, or their places; null if that is not known.</summary>
     public static string? OfTheWhole(Evidence evidence)
     {
-        var (scene, picture) = (evidence.Scene, evidence.Picture);
+        var scene = evidence.Scene;
+        var picture = evidence.Picture;
         var background = scene.Background.ToBytes();
         var count = picture.Count;
-        var (strange, looked) = (0, Math.Min(4000, count));
+        var strange = 0;
+        var looked = Math.Min(4000, count);
         var places = new GoldenSteps(count);
         for (var k = 0; k < looked; k++)
         {
@@ -87,7 +91,8 @@ internal static class LikelyCause
     /// <summary>Whether most wrong pixels have a neighbour of another colour in the right picture.</summary>
     private static bool IsWrongOnlyOnOutlines(Picture picture, Picture right)
     {
-        var (wrong, outlines) = (0, 0);
+        var wrong = 0;
+        var outlines = 0;
         for (var y = 1; y < right.Height - 1; y++)
         {
             for (var x = 1; x < right.Width - 1; x++)
@@ -110,8 +115,13 @@ internal static class LikelyCause
     /// <param name="models">The model that each pixel should show, by its place in reading order; −1 for the background.</param>
     public static IReadOnlyDictionary<string, int> InAnotherLight(Evidence evidence, IReadOnlyList<int> models)
     {
-        var (scene, picture, right) = (evidence.Scene, evidence.Picture, evidence.Right);
-        var (wrong, edges, count, none) = (0, 0, new Dictionary<string, int>(), new Dictionary<string, int>());
+        var scene = evidence.Scene;
+        var picture = evidence.Picture;
+        var right = evidence.Right;
+        var wrong = 0;
+        var edges = 0;
+        var count = new Dictionary<string, int>();
+        var none = new Dictionary<string, int>();
         if (!evidence.HasRightSize) return none;
         for (var i = 0; i < models.Count; i++)
         {
@@ -131,11 +141,12 @@ internal static class LikelyCause
         return count.Values.Sum() >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong) ? count : none;
     }
 
-    /// <summary>Whether bytes are a colour in a light so bright that channels are clamped; the brightest of the others tells the light.</summary>
+    /// <summary>Whether bytes are a colour in a light so bright that channels are clamped; the brightest of the others gives the light.</summary>
     private static bool IsTooBrightShadeOf((byte R, byte G, byte B) bytes, Color color)
     {
         ReadOnlySpan<(byte Byte, double Channel)> channels = [(bytes.R, color.R), (bytes.G, color.G), (bytes.B, color.B)];
-        var (light, most) = (double.MaxValue, 0.0); // all clamped: any light from some brightness on
+        var light = double.MaxValue; // all clamped: any light from some brightness on
+        var most = 0.0;
         foreach (var (shown, channel) in channels)
             if (shown < byte.MaxValue && channel > most) (light, most) = (shown / channel, channel);
         foreach (var (shown, channel) in channels)
@@ -146,23 +157,24 @@ internal static class LikelyCause
     /// <summary>A sentence if the picture's upper or lower lines are black but should not be; otherwise null.</summary>
     private static string? Unwritten(Picture picture, Picture right)
     {
-        var (top, bottom) = (0, picture.Height);
+        var top = 0;
+        var bottom = picture.Height;
         while (top < bottom && IsBlack(picture, top)) top++;
         while (top < bottom && IsBlack(picture, bottom - 1)) bottom--;
         while (top > 0 && IsBlack(right, top - 1)) top--;
         while (bottom < picture.Height && IsBlack(right, bottom)) bottom++;
         var difference = new PictureDifference(picture, right);
-        var (first, rest) = (top * picture.Width, (bottom - top) * picture.Width);
-        if (Enumerable.Range(first, rest).Count(i => difference.LevelsAt(i) > PictureJudge.Tolerance) > Explained * rest) return null;
+        var rest = (bottom - top) * picture.Width;
+        if (Enumerable.Range(top * picture.Width, rest).Count(i => difference.LevelsAt(i) > PictureJudge.Tolerance) > Explained * rest) return null;
         return (top, picture.Height - bottom) switch
         {
-            ( >= LeastLines, 0) => Says($"Its {top} upper lines are black"),
-            (0, >= LeastLines and var lines) => Says($"Its {lines} lower lines are black"),
+            ( >= LeastLines, 0) => Sentence($"Its {top} upper lines are black"),
+            (0, >= LeastLines and var lines) => Sentence($"Its {lines} lower lines are black"),
             _ => null,
         };
 
         static bool IsBlack(Picture picture, int y) => !picture.Rgb.AsSpan(3 * picture.Width * y, 3 * picture.Width).ContainsAnyExcept((byte)0);
 
-        static string Says(string lines) => lines + ": did the program draw them, and write them all?";
+        static string Sentence(string lines) => lines + ": did the program draw them, and write them all?";
     }
 }

@@ -86,7 +86,7 @@ public sealed class Mistake
         return this;
     }
 
-    /// <summary>The same mistake in other words.</summary>
+    /// <summary>The same mistake with another cause and another change of the lab.</summary>
     internal Mistake Worded(string cause, Action<Lab> deviate) => new(Id, Affects, Slide, cause, deviate, Hint);
 
     internal Mistake Or(IEnumerable<(string Cause, Action<Lab> Deviate)> family)

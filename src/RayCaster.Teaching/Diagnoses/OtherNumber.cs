@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>One number of the scene or of the camera's plane that may be different in a picture.</summary>
 /// <param name="Draw">The scene with another number: x is its difference, or the logarithm of its ratio, to the right one.</param>
 /// <param name="Tries">The x that are tried first.</param>
-internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double> Tries, Func<double, string> Says)
+internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double> Tries, Func<double, string> Sentence)
 {
     /// <summary>A model of another size or place shows, or should show, at least this share of the wrong pixels.</summary>
     private const double Own = 0.3;
@@ -15,7 +15,7 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
 
     /// <summary>The number that explains a picture best.</summary>
     /// <returns>How far it is from explaining the picture, and a sentence about it.</returns>
-    public static (Misfit Misfit, string Says) Find(Scene scene, SceneDifference byModels, Evidence evidence, int? threads)
+    public static (Misfit Misfit, string Sentence) Find(Scene scene, SceneDifference byModels, Evidence evidence, int? threads)
     {
         var places = from model in byModels.Models
                      where model.Model >= 0
@@ -29,16 +29,18 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
         int[] best = [.. Enumerable.Range(0, all.Length).OrderBy(i => found[i].Misfit).Take(Closer)];
         Parallel.ForEach(best, options, i => found[i] = all[i].Closest(found[i].X, evidence));
         var first = best.MinBy(i => found[i].Misfit);
-        return (found[first].Misfit, all[first].Says(found[first].X));
+        return (found[first].Misfit, all[first].Sentence(found[first].X));
     }
 
     /// <summary>Steps to either side of an x while that is better; otherwise halves the step.</summary>
     private (Misfit, double) Closest(double x, Evidence evidence)
     {
         var best = evidence.Misfit(Draw(x), 0.2);
-        for (var (step, k) = (Math.Abs(x) / 3, 0); k < Steps; k++)
+        var step = Math.Abs(x) / 3;
+        for (var k = 0; k < Steps; k++)
         {
-            var (less, more) = (evidence.Misfit(Draw(x - step), 0.2), evidence.Misfit(Draw(x + step), 0.2));
+            var less = evidence.Misfit(Draw(x - step), 0.2);
+            var more = evidence.Misfit(Draw(x + step), 0.2);
             var isLess = less.CompareTo(more) < 0;
             if ((isLess ? less : more).CompareTo(best) < 0) (best, x) = isLess ? (less, x - step) : (more, x + step);
             else step /= 2;
@@ -78,8 +80,8 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
                     $"the scene says {Number(of(c.Target))}.");
         }
 
-        OtherNumber Of(Action<Lab, double> edit, Func<double, string> says) =>
-            new(x => new(scene, Mistake.Unnamed(lab => edit(lab, x))), times, says);
+        OtherNumber Of(Action<Lab, double> edit, Func<double, string> sentence) =>
+            new(x => new(scene, Mistake.Unnamed(lab => edit(lab, x))), times, sentence);
 
         Scene With(Vector3 P, Vector3 T, double? zNear = null, double? zFar = null) => scene with
         {

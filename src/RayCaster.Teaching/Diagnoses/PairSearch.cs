@@ -69,7 +69,7 @@ internal sealed class PairSearch(
     private List<WrongProgram> WithSeconds(WrongProgram first)
     {
         var left = pictures.Select(picture => new Evidence(picture, first.Draw(picture.Scene))).ToArray();
-        var seconds = ranking.Those(candidate => left.Any(picture => picture.IsHelpedBy(candidate.Draw(picture.Scene))),
+        var seconds = ranking.Plausible(candidate => left.Any(picture => picture.IsImprovedBy(candidate.Draw(picture.Scene))),
             from other in known
             where other.Id != first.Variants[0].Id && !(first.OtherSample && other == WrongProgram.Center)
             from variant in other.Variants
@@ -109,7 +109,8 @@ internal sealed class PairSearch(
     /// <summary>All pairs of some single mistakes, because neither of the two may be near alone.</summary>
     private List<WrongProgram> AllPairs(WrongProgram[] singles)
     {
-        var pairs = ranking.Those(candidate => pictures.Any(picture => !picture.IsRight && picture.MayBeExplainedBy(candidate.Draw(picture.Scene))),
+        var pairs = ranking.Plausible(
+            candidate => pictures.Any(picture => !picture.IsRight && picture.MayBeExplainedBy(candidate.Draw(picture.Scene))),
             from i in Enumerable.Range(0, singles.Length)
             from k in Enumerable.Range(0, i)
             where singles[i].Id != singles[k].Id
@@ -117,7 +118,7 @@ internal sealed class PairSearch(
         return [.. ranking.Measured(pairs, CandidateRanking.Screening).Take(Closer)];
     }
 
-    /// <summary>A candidate, and the same with rays through the scene's place of each pixel: a second mistake may move outlines otherwise.</summary>
+    /// <summary>A candidate, and the same with rays through the scene's own sample points: a second mistake may move outlines otherwise.</summary>
     private static WrongProgram[] Resampled(WrongProgram candidate) =>
         candidate.OtherSample ? [candidate, candidate with { OtherSample = false }] : [candidate];
 }

@@ -7,7 +7,7 @@ internal static class PlainPicture
     private const double Hardly = 0.005, Enough = 0.05;
 
     /// <summary>What such a picture shows, and where to look; null if the picture shows more, or the right one shows as little.</summary>
-    public static string? Says(Scene scene, Picture picture, Picture right)
+    public static string? Describe(Scene scene, Picture picture, Picture right)
     {
         if (IsOneShade(scene, picture)) return $"Every pixel has the same colour, {picture[0, 0]}: do the rays of two pixels differ?";
         var background = scene.Background.ToBytes();

@@ -20,7 +20,10 @@ public sealed class SceneDiagnosis
         (int Width, int Height)? size = null)
     {
         this.size = size;
-        (Scene, Threads, Possible, Budget) = (scene, threads, possible, budget);
+        Scene = scene;
+        Threads = threads;
+        Possible = possible;
+        Budget = budget;
         Right = Renderer.Render(scene, threads);
         var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
             && possible?.Invoke(mistake) != false).ToArray();
@@ -58,6 +61,11 @@ public sealed class SceneDiagnosis
     internal Picture? Whole(Picture picture) => size is var (width, height) && Crop.IsPossible(picture, width, height)
         ? Renderer.Render(Scene.WithSize(width, height), Threads) : null;
 
+    /// <summary>Whether a picture has the scene's size, or the scene's with width and height swapped, as some mistakes do.</summary>
+    public static bool CanJudge(Scene scene, Picture picture) =>
+        (picture.Width, picture.Height) == (scene.Camera.Width, scene.Camera.Height)
+        || (picture.Height, picture.Width) == (scene.Camera.Width, scene.Camera.Height);
+
     /// <summary>Judges a picture.</summary>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
     /// <param name="done">
@@ -67,9 +75,9 @@ public sealed class SceneDiagnosis
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public Diagnosis Judge(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Mistake>? likely = null)
     {
-        var (width, height) = (Scene.Camera.Width, Scene.Camera.Height);
-        if ((picture.Width, picture.Height) != (width, height) && (picture.Width, picture.Height) != (height, width))
-            throw new ArgumentException($"a picture of {picture.Width} x {picture.Height} for a scene of {width} x {height}", nameof(picture));
+        if (!CanJudge(Scene, picture))
+            throw new ArgumentException(
+                $"a picture of {picture.Width} x {picture.Height} for a scene of {Scene.Camera.Width} x {Scene.Camera.Height}", nameof(picture));
         return new(this, picture, done ?? [], likely);
     }
 }

@@ -6,23 +6,7 @@ namespace RayCaster.Teaching;
 /// How good a scene is as a test: which mistakes of the catalogue its picture cannot show, which it cannot distinguish, and how many of its pixels
 /// depend on the last bits. Several scenes are judged as a set: one may show what another hides.
 /// </summary>
-/// <param name="Asked">The mistakes that the scenes were judged for.</param>
-/// <param name="Scenes">The scenes, in the sizes in which they were judged.</param>
-/// <param name="Reduced">Whether a smaller picture was judged in place of a large one.</param>
-/// <param name="Hidden">The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</param>
-/// <param name="HiddenAtFirst">The mistakes that show, but not in the catalogue's first variant: a program with that variant may draw the right
-/// picture.</param>
-/// <param name="WithinRounding">The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</param>
-/// <param name="NotTried">The mistakes that take too long to try, because a scene has too many triangles or the time is over.</param>
-/// <param name="IsCut">Whether the time was over before all mistakes were tried.</param>
-/// <param name="Twins">Groups of visible mistakes that draw the same pictures.</param>
-/// <param name="ShowsNothing">Whether every picture is of one colour.</param>
-/// <param name="FragilePixels">How many pixels show another model when a number of the camera is moved by its last bit.</param>
-/// <param name="PixelCount">How many pixels the pictures have together.</param>
-public sealed record SceneFitness(
-    IReadOnlyList<Mistake> Asked, IReadOnlyList<Scene> Scenes, bool Reduced, IReadOnlyList<Mistake> Hidden,
-    IReadOnlyList<Mistake> HiddenAtFirst, IReadOnlyList<Mistake> WithinRounding, IReadOnlyList<Mistake> NotTried,
-    IReadOnlyList<IReadOnlyList<Mistake>> Twins, bool ShowsNothing, int FragilePixels, long PixelCount, bool IsCut)
+public sealed class SceneFitness
 {
     /// <summary>A mistake is visible if it changes so many pixels.</summary>
     public const int LeastPixels = 20;
@@ -33,50 +17,97 @@ public sealed record SceneFitness(
     /// <summary>A smaller picture of the same shape is judged in place of a larger one.</summary>
     private const int MaxPixels = 1_000_000;
 
-    /// <summary>How many pixels of each picture distinguish most mistakes; the others need a second look.</summary>
+    /// <summary>How many pixels of each picture are enough for most mistakes; the others need more.</summary>
     private const int Samples = 4096;
 
-    /// <summary>How many pixels the second look compares for a mistake, and for each of its other variants.</summary>
-    private const int SecondLook = 60_000, ThirdLook = 15_000;
+    /// <summary>How many pixels are compared for the other mistakes, and for each of their other variants.</summary>
+    private const int MoreSamples = 60_000, VariantSamples = 15_000;
 
     /// <summary>How many triangles are tried in all if each ray must try every triangle of a mesh.</summary>
     private const int MaxTests = 10_000_000;
 
+    private SceneFitness()
+    {
+    }
+
+    /// <summary>The mistakes that the scenes were tested for.</summary>
+    public required IReadOnlyList<Mistake> Tested { get; init; }
+
+    /// <summary>The scenes, in the sizes in which they were judged.</summary>
+    public required IReadOnlyList<Scene> Scenes { get; init; }
+
+    /// <summary>Whether a smaller picture was judged in place of a large one.</summary>
+    public required bool IsReduced { get; init; }
+
+    /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
+    public required IReadOnlyList<Mistake> Hidden { get; init; }
+
+    /// <summary>The mistakes that show, but not in the catalogue's first variant: a program with that variant may draw the right picture.</summary>
+    public required IReadOnlyList<Mistake> HiddenAtFirst { get; init; }
+
+    /// <summary>The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</summary>
+    public required IReadOnlyList<Mistake> WithinRounding { get; init; }
+
+    /// <summary>The mistakes that take too long to try, because a scene has too many triangles or the time is over.</summary>
+    public required IReadOnlyList<Mistake> NotTried { get; init; }
+
+    /// <summary>Whether the time was over before all mistakes were tried.</summary>
+    public required bool IsCut { get; init; }
+
+    /// <summary>Groups of visible mistakes that draw the same pictures.</summary>
+    public required IReadOnlyList<IReadOnlyList<Mistake>> Twins { get; init; }
+
+    /// <summary>Whether every picture is of one colour.</summary>
+    public required bool ShowsNothing { get; init; }
+
+    /// <summary>How many pixels show another model when a number of the camera is moved by its last bit.</summary>
+    public required int FragilePixels { get; init; }
+
+    /// <summary>How many pixels the pictures have together.</summary>
+    public required long PixelCount { get; init; }
+
     /// <summary>Judges a set of scenes.</summary>
     /// <param name="scenes">At least one; each passes <see cref="CanJudge"/>.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
-    /// <param name="asked">The mistakes that they should show; all of the catalogue if left out.</param>
+    /// <param name="tested">The mistakes that they should show; all of the catalogue if left out.</param>
     /// <param name="budget">How long it may take, in the order of the mistakes; any time if left out.</param>
     public static SceneFitness Of(
-        IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? asked = null, SearchBudget? budget = null)
+        IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? tested = null, SearchBudget? budget = null)
     {
-        asked ??= MistakeCatalog.All;
+        tested ??= MistakeCatalog.All;
         Scene[] judged = [.. scenes.Select(Judged)];
-        var (known, views) = Look(judged, asked, threads, budget);
+        var (known, views) = TryAll(judged, tested, threads, budget);
         var hidden = HiddenOf(known, views);
         Mistake[] seen = [.. known.Except(hidden)];
-        return new(asked, judged, Reduced: !judged.SequenceEqual(scenes), hidden,
-            HiddenAtFirst: [.. seen.Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))],
-            WithinRounding: [.. hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))],
-            NotTried: [.. asked.Except(known)],
-            Groups(views, [.. seen], budget),
-            ShowsNothing: views.All(view => view.IsOfOneColor),
-            views.Sum(view => FragilePixelsOf(view.Scene, threads)),
-            judged.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height), budget?.LeavesOut == true);
+        return new()
+        {
+            Tested = tested,
+            Scenes = judged,
+            IsReduced = !judged.SequenceEqual(scenes),
+            Hidden = hidden,
+            HiddenAtFirst = [.. seen.Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))],
+            WithinRounding = [.. hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))],
+            NotTried = [.. tested.Except(known)],
+            Twins = Groups(views, [.. seen], budget),
+            ShowsNothing = views.All(view => view.IsOfOneColor),
+            FragilePixels = views.Sum(view => FragilePixelsOf(view.Scene, threads)),
+            PixelCount = judged.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height),
+            IsCut = budget?.LeavesOut == true, // at last: the groups may be cut, too
+        };
     }
 
     /// <returns>The mistakes that were tried, and what they show.</returns>
-    private static (Mistake[] Known, View[] Views) Look(
-        IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads, SearchBudget? budget)
+    private static (Mistake[] Known, View[] Views) TryAll(
+        IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> tested, int? threads, SearchBudget? budget)
     {
-        Mistake[] known = [.. asked.Where(mistake => scenes.All(scene => !new Lab(scene, mistake).TakesTooLong))];
+        Mistake[] known = [.. tested.Where(mistake => scenes.All(scene => !new Lab(scene, mistake).TakesTooLong))];
         View[] views = [.. scenes.Select(scene => new View(scene))];
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
         var tried = new ConcurrentBag<Mistake>();
         Parallel.ForEach(Partitioner.Create(known, loadBalance: true), options, mistake =>
         {
             if (budget?.IsSpent() == true) return;
-            foreach (var view in views) view.Look(mistake);
+            foreach (var view in views) view.Try(mistake);
             tried.Add(mistake);
         });
         return ([.. known.Intersect(tried)], views);
@@ -86,9 +117,9 @@ public sealed record SceneFitness(
 
     /// <summary>The mistakes of the catalogue that a scene's picture cannot show.</summary>
     internal static IReadOnlyList<Mistake> HiddenIn(
-        Scene scene, int? threads, SearchBudget? budget = null, IReadOnlyList<Mistake>? asked = null)
+        Scene scene, int? threads, SearchBudget? budget = null, IReadOnlyList<Mistake>? tested = null)
     {
-        var (known, views) = Look([Judged(scene)], asked ?? [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads, budget);
+        var (known, views) = TryAll([Judged(scene)], tested ?? [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads, budget);
         return HiddenOf(known, views);
     }
 
@@ -98,7 +129,7 @@ public sealed record SceneFitness(
     private static Scene Judged(Scene scene)
     {
         var camera = scene.Camera;
-        var most = Math.Clamp(MaxPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MaxPixels); // the time stays
+        var most = Math.Clamp(MaxPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MaxPixels); // so that the time stays the same
         var shrink = Math.Sqrt((double)camera.Width * camera.Height / most);
         if (shrink <= 1) return scene;
         return scene.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink)));
@@ -141,22 +172,25 @@ public sealed record SceneFitness(
         public bool ShowsByALevel(Mistake mistake) => samples[mistake].Index().Any(sample => sample.Item != right.At(places[sample.Index]));
 
         /// <summary>Draws samples of the picture, and more of it if they do not show the mistake.</summary>
-        public void Look(Mistake mistake)
+        public void Try(Mistake mistake)
         {
             var lab = new Lab(scene, mistake);
             var drawn = samples[mistake] = [.. Enumerable.Range(0, Math.Min(lab.RaysWithin(MaxTests, Samples), count)).Select(k => lab[places[k]])];
             shownFirst[mistake] = HasOtherSize(lab) || Differ(drawn.Length, LeastPixels, k => (drawn[k], right.At(places[k])))
-                || (mistake.Touches(scene) && Changes(mistake, SecondLook));
+                || (mistake.Touches(scene) && Changes(mistake, MoreSamples));
             shown[mistake] = shownFirst[mistake]
-                || (mistake.Touches(scene) && mistake.Variants.Skip(1).Any(variant => Changes(variant, ThirdLook)));
+                || (mistake.Touches(scene) && mistake.Variants.Skip(1).Any(variant => Changes(variant, VariantSamples)));
         }
 
         /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
         public bool AreAlike(Mistake a, Mistake b)
         {
-            var (one, other) = (new Lab(scene, a), new Lab(scene, b));
+            var one = new Lab(scene, a);
+            var other = new Lab(scene, b);
             if ((one.Width, one.Height) != (other.Width, other.Height)) return false;
-            var (first, second, isSlow) = (samples[a], samples[b], one.TrianglesTried + other.TrianglesTried > 0);
+            var first = samples[a];
+            var second = samples[b];
+            var isSlow = one.TrianglesTried + other.TrianglesTried > 0;
             return !Differ(Math.Min(first.Length, second.Length), isSlow ? 1 : LeastPixels, k => (first[k], second[k]))
                 && (isSlow || !Differ(count, LeastPixels, i => (one[i], other[i])));
         }
@@ -177,7 +211,10 @@ public sealed record SceneFitness(
         private static bool Differ(int pairs, int least, Func<int, ((byte, byte, byte) A, (byte, byte, byte) B)> pair)
         {
             for (var k = 0; k < pairs && least > 0; k++)
-                if (pair(k) is var (a, b) && !PictureJudge.IsNear(a, b)) least--;
+            {
+                var (a, b) = pair(k);
+                if (!PictureJudge.IsNear(a, b)) least--;
+            }
             return least <= 0;
         }
     }

@@ -5,7 +5,7 @@ namespace RayCaster.Teaching;
 /// <param name="cancellation">If cancelled, the search ends in the same way.</param>
 public sealed class SearchBudget(TimeSpan processorTime, CancellationToken cancellation = default)
 {
-    /// <summary>What a user waits for without a question.</summary>
+    /// <summary>The limit if the user sets no other.</summary>
     public static readonly TimeSpan Usual = TimeSpan.FromSeconds(10);
 
     private readonly TimeSpan end = Environment.CpuUsage.TotalTime + processorTime;
@@ -16,7 +16,7 @@ public sealed class SearchBudget(TimeSpan processorTime, CancellationToken cance
     /// <summary>Whether the time is over; read before each piece of work that is then left out.</summary>
     internal bool IsSpent()
     {
-        // Once spent, always spent: several threads ask, and the system's clock of processor time may go back a little.
+        // Once spent, always spent: the system's clock of processor time may go back a little between two threads' calls.
         if (cancellation.IsCancellationRequested || Environment.CpuUsage.TotalTime > end) LeavesOut = true;
         return LeavesOut;
     }

@@ -2,7 +2,7 @@ namespace RayCaster.Teaching;
 
 /// <summary>A kind of shape on the slides.</summary>
 /// <param name="Name">What scene files call it.</param>
-/// <param name="Formula">Its formula, as a mistake's concern.</param>
+/// <param name="Formula">Its formula, among all that mistakes affect.</param>
 internal sealed record ShapeKind(string Name, string One, string Many, Affects Formula)
 {
     public static readonly ShapeKind[] All =

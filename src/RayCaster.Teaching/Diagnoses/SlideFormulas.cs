@@ -14,6 +14,6 @@ internal static class SlideFormulas
     /// <summary>The crossings, or none if the near one lies behind the camera.</summary>
     public static Crossed UnlessBehind(Crossed crossed) => (double)crossed.Near < 0 ? None : crossed;
 
-    /// <summary>The least of three; no number if one is none.</summary>
+    /// <summary>The least of three; NaN if one of them is NaN.</summary>
     public static double Least(double x, double y, double z) => Math.Min(Math.Min(x, y), z);
 }

@@ -14,12 +14,12 @@ internal static class SphereMistakes
             "Are both sides of your equation squares?",
             "t_hc = √(R² − D²)."),
         new Mistake("disc-nan", Affects.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
-            NoNumberHits((t, best) => !(t >= best)), // the same for numbers
+            NaNIsAHit((t, best) => !(t >= best)), // the same for numbers
             "Nearly all is black where a sphere is in the scene; only what is listed after it survives.",
             "What does Math.Sqrt give for −1, and what does NaN < 0 say?",
             "Return no hit where R² − D² < 0, before the root.")
             .Or("sphere: NaN passes for the first hit, and no t is less than that",
-                NoNumberHits((t, best) => double.IsPositiveInfinity(best) || t < best)),
+                NaNIsAHit((t, best) => double.IsPositiveInfinity(best) || t < best)),
         new("far-root", Affects.Spheres, Slides.Sphere, "sphere: the far root t = t_ca + t_hc is taken",
             lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Far)),
             "Spheres look hollow: you see the inside of their far half.",
@@ -39,7 +39,9 @@ internal static class SphereMistakes
         new("disc-2", Affects.Spheres, Slides.SphereAnalytical, "sphere: discriminant b² − a c, while b = 2 d·(P − C) has its 2",
             lab => lab.Sphere.Is((s, d) =>
             {
-                var (a, b, L) = (d * d, 2 * (d * (lab.P - s.Center)), lab.P - s.Center);
+                var L = lab.P - s.Center;
+                var a = d * d;
+                var b = 2 * (d * L);
                 var root = Math.Sqrt(b * b - a * (L * L - (double)s.Radius * s.Radius));
                 return new((-b - root) / (2 * a), (-b + root) / (2 * a));
             }),
@@ -50,7 +52,7 @@ internal static class SphereMistakes
             lab => lab.Sphere.Becomes(cross => (s, d) => (s.Center - lab.P) * d < 0 ? None : cross(s, d)),
             "From inside a sphere a part of it is missing: there the background shows.",
             "You are inside a sphere, its centre is behind you. What is the sign of t_ca, and is there a wall before you?",
-            "t_ca < 0 says only that the centre lies behind; ask t = t_ca + t_hc."),
+            "t_ca < 0 says only that the centre lies behind; test t = t_ca + t_hc."),
         new("d-nosq", Affects.Spheres, Slides.Sphere, "sphere: t_hc = √(R² − D), with the distance D where D² is meant",
             Roots((R, t_ca, t_hc) => Both(t_ca, Math.Sqrt(R * R - Math.Sqrt(Math.Max(0, R * R - t_hc * t_hc))))),
             "Spheres have a wrong size, or are dented: too flat or too deep.",
@@ -87,8 +89,8 @@ internal static class SphereMistakes
 
     private static Crossed Both(double t_ca, double t_hc) => new(t_ca - t_hc, t_ca + t_hc);
 
-    /// <summary>A ray that passes by a sphere hits it at NaN.</summary>
-    private static Action<Lab> NoNumberHits(Func<double, double, bool> better) => lab =>
+    /// <summary>A ray that misses a sphere hits it at t = NaN.</summary>
+    private static Action<Lab> NaNIsAHit(Func<double, double, bool> better) => lab =>
     {
         lab.Hit.Becomes(hit => (model, d) =>
             model is Model<Sphere> s && double.IsNaN(lab.Sphere.Do(s.Primitive, d).Near) ? double.NaN : hit(model, d));

@@ -80,7 +80,8 @@ internal static class SurfaceMistakes
     /// <summary>The areas of the triangles that X makes with the sides are in sum that of the triangle, where X is in it.</summary>
     private static Crossings<Scalar> ByAreas(Lab lab, Triangle triangle, Vector3 d)
     {
-        var (A, B, C, n) = (triangle.A, triangle.B, triangle.C, lab.NormalOf(triangle));
+        var (A, B, C) = (triangle.A, triangle.B, triangle.C);
+        var n = lab.NormalOf(triangle);
         var t = (A - lab.P) * n / (d * n);
         var X = lab.P + t * d;
         return Area(C - B, X - B) + Area(A - C, X - C) + Area(B - A, X - A) == lab.Length.Do(n) ? new(t) : None;

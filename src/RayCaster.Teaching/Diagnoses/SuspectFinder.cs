@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayCaster.Teaching;
 
-/// <summary>Finds out of a candidate which of its mistakes show, and which other mistakes draw the same picture.</summary>
+/// <summary>Finds which of a candidate's mistakes show, and which other mistakes draw the same picture.</summary>
 internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
 {
     /// <param name="likeliest">The picture of the first suspect.</param>
@@ -38,7 +38,7 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
                select candidate;
     }
 
-    /// <summary>A program's mistakes, but for one of zNear and zFar that are not written yet, if the picture does not show it.</summary>
+    /// <summary>A program's mistakes that show. Of zNear and zFar, which are not written yet, the picture may show only one.</summary>
     private Mistake[] Visible(WrongProgram candidate, Evidence.Drawn drawn)
     {
         var hidden = candidate.Named.Except(candidate.Variants).FirstOrDefault(part => candidate.Named.Count > 1 && evidence.AreAlike(drawn,

@@ -54,11 +54,12 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     public static IEnumerable<Unfinished> ByColors(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
         var kinds = KindsOf(pictures);
-        var (expected, seen) = (new int[kinds.Length], new int[kinds.Length]);
+        var expected = new int[kinds.Length];
+        var seen = new int[kinds.Length];
         foreach (var picture in pictures)
         {
-            Look(picture.Scene, picture.Right, kinds, expected);
-            Look(picture.Scene, picture.Picture, kinds, seen);
+            CountKinds(picture.Scene, picture.Right, kinds, expected);
+            CountKinds(picture.Scene, picture.Picture, kinds, seen);
         }
         string[] unseen = [.. kinds.Where((kind, i) => seen[i] <= expected[i] / 500 && !done.Contains(kind))];
         return from missing in Subsets(unseen).Reverse()
@@ -77,14 +78,15 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
         Enumerable.Range(0, 1 << all.Length).Select(bits => all.Where((_, i) => (bits >> i & 1) != 0).ToArray());
 
     /// <summary>Counts, in some thousand pixels, how many show a colour that only one kind has.</summary>
-    private static void Look(Scene scene, Picture picture, string[] kinds, int[] seen)
+    private static void CountKinds(Scene scene, Picture picture, string[] kinds, int[] seen)
     {
         var places = new GoldenSteps(picture.Count);
         for (var k = 0; k < Math.Min(8000, picture.Count); k++)
         {
             var (r, g, b) = picture.At(places[k]);
             if (Math.Max(r, Math.Max(g, b)) < Dark || (r, g, b) == scene.Background.ToBytes()) continue;
-            var (only, several) = (-1, false);
+            var only = -1;
+            var several = false;
             foreach (var model in scene.Models)
             {
                 if (!IsShadeOf((r, g, b), model.Color)) continue;

@@ -59,6 +59,8 @@ internal static class VectorMistakes
         },
         symptom, question, "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).");
 
+    private static double Square(double x) => x * x;
+
     private static Action<Lab> SquareLength => lab => lab.Length.Becomes(length => a => length(a) * length(a));
 
     /// <summary>A length is in several formulas at once, in each as it is written there: an edit in one style comes nowhere near.</summary>
@@ -66,24 +68,24 @@ internal static class VectorMistakes
     {
         get
         {
-            (string Says, Action<Lab> Sphere)[] spheres =
+            (string Words, Action<Lab> Sphere)[] spheres =
             [
                 ("", AllowAnyLength), (", while the sphere takes d·d = 1", Geometric((_, L, t_ca, _) => L * L - t_ca * t_ca)),
-                (", while the sphere takes D = |L − t_ca d|", Geometric((lab, L, t_ca, d) => lab.Length.Do(L - t_ca * d) is var D ? D * D : 0)),
+                (", while the sphere takes D = |L − t_ca d|", Geometric((lab, L, t_ca, d) => Square(lab.Length.Do(L - t_ca * d)))),
             ];
-            (string Says, Action<Lab> Light)[] lights =
+            (string Words, Action<Lab> Light)[] lights =
             [
                 ("", _ => { }), (", with 2 · |T − P| for |2 (T − P)|", DoubleReach),
                 (", with 2 · |T − P| for |2 (T − P)| and t = |X − P|", DoubleReach + (lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d)))),
             ];
-            (string Says, Action<Lab> Circle)[] circles = [("", _ => { }), (", while circles ask |X − C| ≤ R with it", CircleByLength)];
+            (string Words, Action<Lab> Circle)[] circles = [("", _ => { }), (", while circles test |X − C| ≤ R with it", CircleByLength)];
             return
             [
                 .. (from light in lights from sphere in spheres from circle in circles
-                    select ($"the length without its square root{light.Says}{sphere.Says}{circle.Says}",
+                    select ($"the length without its square root{light.Words}{sphere.Words}{circle.Words}",
                         SquareLength + sphere.Sphere + light.Light + circle.Circle)).Skip(1), // the first is the usual one
                 .. from sphere in spheres[..2]
-                   select ($"a vector is normalised by x² + y² + z²{sphere.Says}", sphere.Sphere + (lab => lab.Unit.Is(a => a / (a * a)))),
+                   select ($"a vector is normalised by x² + y² + z²{sphere.Words}", sphere.Sphere + (lab => lab.Unit.Is(a => a / (a * a)))),
             ];
         }
     }
@@ -119,7 +121,7 @@ internal static class VectorMistakes
     {
         var L = s.Center - lab.P;
         var t_ca = L * d;
-        var t_hc = Math.Sqrt((double)s.Radius * s.Radius - DSquare(lab, L, t_ca, d)); // no number where the ray passes by
+        var t_hc = Math.Sqrt((double)s.Radius * s.Radius - DSquare(lab, L, t_ca, d)); // NaN where the ray misses the sphere
         return new(t_ca - t_hc, t_ca + t_hc);
     });
 }

@@ -58,7 +58,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     /// <param name="wrong">All that is wrong, as <see cref="Misfit"/> counts it.</param>
     /// <param name="rounding">How much of it another program's rounding may leave: what is left below that says little.</param>
     public double Cost(double wrong, double rounding) =>
-        (Misfit.Unexplained + 0.02 * Misfit.Error + rounding * wrong)
+        (Misfit.Weight + rounding * wrong)
         * Math.Pow(PerMistake, Variants.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count)
         * Math.Pow(Unknown, Variants.Count(variant => variant.Place is not null));
 

@@ -57,7 +57,8 @@ public sealed class ExplanationText
 
     private void Ray()
     {
-        var (camera, ray) = (pixel.Scene.Camera, pixel.Ray);
+        var camera = pixel.Scene.Camera;
+        var ray = pixel.Ray;
         Section("Ray", camera.Sample == PixelSample.Corner ? "through the pixel's lower left corner" : "through the pixel's middle");
         Steps(2, pixel.RaySteps);
         Line(2, $"X(t) = P + t d = {Digits.Of(ray.Origin)} + t · {Digits.Of(ray.Direction)}");
@@ -68,7 +69,8 @@ public sealed class ExplanationText
 
     private void Models()
     {
-        var (others, count) = (pixel.Others, pixel.Scene.Models.Count);
+        var others = pixel.Others;
+        var count = pixel.Scene.Models.Count;
         Section("Models", others.Total > 0 ? $"{pixel.Models.Count} of {count}: what shows and what nearly does"
             : count == 0 ? "none" : "in the scene's order");
         foreach (var model in pixel.Models) Model(model);
@@ -153,7 +155,8 @@ public sealed class ExplanationText
     private void Reference(ReferenceExplanation reference)
     {
         Section("The other picture", "");
-        var ((r, g, b), difference) = (reference.Bytes, reference.Difference);
+        var (r, g, b) = reference.Bytes;
+        var difference = reference.Difference;
         var verdict = difference == (0, 0, 0) ? "the same" : reference.Agrees ? "the same but for rounding" : "different";
         Line(2, $"It has {r} {g} {b} here: {verdict}");
         if (difference != (0, 0, 0))

@@ -1,9 +1,9 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A step of a formula with the numbers of one pixel. Its properties are its fields in the JSON.</summary>
+/// <summary>A step of a formula with the numbers of one pixel.</summary>
 /// <param name="Name">Its name on the slide.</param>
 /// <param name="Formula">How it is computed, in the notation of the slides.</param>
-/// <param name="Numbers">The formula with this pixel's numbers; named steps before it stand as their values.</param>
+/// <param name="Numbers">The formula with this pixel's numbers; named steps before it are written as their values.</param>
 /// <param name="Value">The result: a double, a <see cref="Vector3"/>, or for a test a bool.</param>
 internal sealed record FormulaStep(string Name, string Formula, string Numbers, object Value)
 {
@@ -13,7 +13,8 @@ internal sealed record FormulaStep(string Name, string Formula, string Numbers, 
     /// <inheritdoc cref="LeadingTo(ReadOnlySpan{Derivation})"/>
     public static IReadOnlyList<FormulaStep> LeadingTo(TermText writer, params ReadOnlySpan<Derivation> results)
     {
-        var (found, seen) = (new List<StepName>(), new HashSet<object>(ReferenceEqualityComparer.Instance));
+        var found = new List<StepName>();
+        var seen = new HashSet<object>(ReferenceEqualityComparer.Instance);
         foreach (var result in results) Walk(result.Term);
         return [.. found.OrderBy(step => step.Number)
             .Select(step => new FormulaStep(step.Text, step.Formula, writer.Of(step.Terms), ValueOf(step.Terms)))];

@@ -8,12 +8,15 @@ internal sealed class ModelExplanation
     /// <param name="pixel">Its ray, its winner and its neighbours are known.</param>
     public ModelExplanation(PixelExplanation pixel, RayResult result)
     {
-        (this.pixel, Result, Shape) = (pixel, result, result.Shape);
+        this.pixel = pixel;
+        Result = result;
+        Shape = result.Shape;
         var ray = new Ray<Derivation>(
             ((Vector3<Derivation>)pixel.Ray.Origin).As("P", ""), ((Vector3<Derivation>)pixel.Ray.Direction).As("d", ""));
         if (Shape?.Intersect(ray) is { } derived)
         {
-            (var corners, Slabs) = (Corners(), SlabExplanation.Of(Shape, derived));
+            var corners = Corners();
+            Slabs = SlabExplanation.Of(Shape, derived);
             var writer = new TermText(
                 [.. corners.Select(step => step.Value).OfType<Vector3>().SelectMany(v => (double[])[v.X, v.Y, v.Z]),
                  .. Slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
@@ -58,7 +61,8 @@ internal sealed class ModelExplanation
     private string ReasonOfHit(double t)
     {
         if (Result.Outcome == Outcome.Shows) return "the nearest that counts: the pixel shows it";
-        var (shown, nearest) = (pixel.NameOf(pixel.Winner), pixel.Ray.HitParameter);
+        var shown = pixel.NameOf(pixel.Winner);
+        var nearest = pixel.Ray.HitParameter;
         if (t == nearest) return $"a tie: {shown} has the same t and stands earlier in the scene";
         var (a, b) = Digits.Apart(nearest, t);
         return $"hidden by {shown}, whose t = {a} < {b}";

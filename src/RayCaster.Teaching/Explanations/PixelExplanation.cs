@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// How one pixel gets its colour: the ray, each model's formula with this pixel's numbers, what becomes of each crossing, and the colour.
+/// How one pixel gets its colour: the ray, each model's formula with this pixel's numbers, the result of each crossing, and the colour.
 /// The code that draws computes it, so it agrees with the picture.
 /// </summary>
 public sealed class PixelExplanation
@@ -79,9 +79,9 @@ public sealed class PixelExplanation
     internal IReadOnlyList<string> Notes => PixelNotes.Of(this);
 
     /// <summary>A model's name, or its path in the scene file.</summary>
-    internal string NameOf(int? index) => index is { } i ? ModelName.Plain(Scene, i) : ModelName.Background;
+    internal string NameOf(int? index) => ModelName.Plain(Scene, index ?? -1);
 
-    private int? IndexOf(Model? hit) => hit is null ? null : Scene.Models.TakeWhile(model => model != hit).Count();
+    private int? IndexOf(Model? hit) => hit is null ? null : Scene.IndexOf(hit);
 
     private IEnumerable<Neighbour> FindNeighbours()
     {

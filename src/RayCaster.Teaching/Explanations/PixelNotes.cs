@@ -50,7 +50,8 @@ internal static class PixelNotes
 
     private static IEnumerable<string> Light(PixelExplanation pixel)
     {
-        var (t, fadeDistance) = (pixel.Ray.HitParameter, pixel.Scene.Camera.FadeDistance);
+        var t = pixel.Ray.HitParameter;
+        var fadeDistance = pixel.Scene.Camera.FadeDistance;
         if (pixel.Winner is not null && t >= fadeDistance)
             yield return $"all light is lost: {Reasons.Compare("t", t, "≥", "2 |T − P|", fadeDistance)}, so the attenuation is 0";
         if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })

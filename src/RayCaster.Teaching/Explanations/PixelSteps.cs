@@ -6,7 +6,9 @@ internal static class PixelSteps
     /// <summary>W, U, V, h and w, which are the same for all pixels.</summary>
     public static IReadOnlyList<FormulaStep> OfCamera(Camera camera)
     {
-        var (P, T, up) = (Digits.Of(camera.Position), Digits.Of(camera.Target), Digits.Of(camera.Up));
+        var P = Digits.Of(camera.Position);
+        var T = Digits.Of(camera.Target);
+        var up = Digits.Of(camera.Up);
         return
         [
             new("W", "−(T − P) normalised", $"−({T} − {P}) / {Digits.Of((camera.Target - camera.Position).Length)}", camera.W),
@@ -30,7 +32,8 @@ internal static class PixelSteps
     public static (IReadOnlyList<FormulaStep> Steps, Color Color) OfColor(Scene scene, Ray ray)
     {
         if (ray.HitModel is not { } model) return OfChannels("background", scene.Background.R, scene.Background.G, scene.Background.B);
-        var (attenuation, color) = (scene.Attenuation(((Derivation)ray.HitParameter).As("t", "")), model.Color);
+        var attenuation = scene.Attenuation(((Derivation)ray.HitParameter).As("t", ""));
+        var color = model.Color;
         return OfChannels("attenuation * color", attenuation * color.R, attenuation * color.G, attenuation * color.B);
     }
 

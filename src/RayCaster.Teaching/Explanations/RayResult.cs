@@ -28,7 +28,8 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
     {
         var tally = new Tally();
         var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
-        var (best, chosen) = ((IsRefused: true, Distance: double.PositiveInfinity), new RayResult(mesh, index, Outcome.Misses, double.NaN, tally));
+        var best = (IsRefused: true, Distance: double.PositiveInfinity);
+        var chosen = new RayResult(mesh, index, Outcome.Misses, double.NaN, tally);
         for (var i = 0; i < mesh.TriangleCount; i++)
         {
             double t = mesh[i].Intersect(along).Near;
@@ -55,7 +56,8 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
     private static Outcome JudgeMesh(Mesh mesh, Ray ray, out double t)
     {
         var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
-        var (refusal, closest) = (Outcome.Misses, double.NegativeInfinity);
+        var refusal = Outcome.Misses;
+        var closest = double.NegativeInfinity;
         var hit = mesh.Tree.Nearest(ray.Origin, ray.Direction, triangle =>
         {
             double crossing = mesh[triangle].Intersect(along).Near;

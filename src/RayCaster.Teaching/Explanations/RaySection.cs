@@ -15,7 +15,8 @@ public static class RaySection
     /// zNear and zFar are distances, whose sections are circles.</summary>
     public static object Of(PixelExplanation pixel)
     {
-        var (camera, d) = (pixel.Scene.Camera, pixel.Ray.Direction);
+        var camera = pixel.Scene.Camera;
+        var d = pixel.Ray.Direction;
         var v = camera.V;
         var across = d - d * v * v;
         var u = across.Length > 1e-9 ? across.Normalized : -1 * camera.W; // along V itself any direction will do
@@ -68,7 +69,9 @@ public static class RaySection
         public List<double[][]> Cut(Model model)
         {
             if (model is Mesh mesh) return Cut(mesh);
-            var (lines, near, far) = (new List<double[][]>(), new List<double[]>(), new List<double[]>());
+            var lines = new List<double[][]>();
+            var near = new List<double[]>();
+            var far = new List<double[]>();
             foreach (var angle in angles)
             {
                 var (sin, cos) = Math.SinCos(angle);
@@ -101,7 +104,8 @@ public static class RaySection
         /// <summary>A mesh may have a million triangles, so the plane cuts each triangle directly.</summary>
         private List<double[][]> Cut(Mesh mesh)
         {
-            var (n, lines) = (u % v, new List<double[][]>());
+            var n = u % v;
+            var lines = new List<double[][]>();
             for (var i = 0; i < mesh.TriangleCount && lines.Count < MaxLines; i++)
             {
                 var (a, b, c) = (mesh[i].A - origin, mesh[i].B - origin, mesh[i].C - origin);

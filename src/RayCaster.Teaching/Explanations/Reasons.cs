@@ -6,7 +6,8 @@ internal static class Reasons
     /// <summary>Why a crossing does not count.</summary>
     public static string Of(Outcome refusal, double t, PixelExplanation pixel)
     {
-        var (z, camera) = (t * pixel.Ray.DepthPerT, pixel.Scene.Camera);
+        var z = t * pixel.Ray.DepthPerT;
+        var camera = pixel.Scene.Camera;
         return refusal switch
         {
             Outcome.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",
@@ -55,7 +56,8 @@ internal static class Reasons
 
     private static string BesideSlabs(IReadOnlyList<SlabExplanation> slabs, double tMin, double tMax)
     {
-        var (entered, left) = (slabs.FirstOrDefault(slab => slab.Enters == tMin), slabs.FirstOrDefault(slab => slab.Leaves == tMax));
+        var entered = slabs.FirstOrDefault(slab => slab.Enters == tMin);
+        var left = slabs.FirstOrDefault(slab => slab.Leaves == tMax);
         return entered is null || left is null ? "the ray misses the box"
             : entered == left ? $"the ray runs beside the {entered.Axis} slab, never in it"
             : $"it leaves the {left.Axis} slab before it enters the {entered.Axis} slab";

@@ -2,8 +2,7 @@ using static RayCaster.Teaching.PictureJudge;
 
 namespace RayCaster.Teaching;
 
-/// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour. Its properties are its
-/// fields in the JSON.</summary>
+/// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour.</summary>
 /// <param name="Bytes">The other picture's bytes.</param>
 /// <param name="Difference">The other picture's bytes minus the pixel's.</param>
 /// <param name="Agrees">Whether each channel differs by at most 1, as by rounding.</param>
@@ -17,7 +16,8 @@ public sealed record ReferenceExplanation(
     /// <param name="reference">The other picture, of the same size.</param>
     public static ReferenceExplanation Of(PixelExplanation pixel, Picture reference)
     {
-        var (mine, other) = (pixel.Bytes, reference[pixel.Column, pixel.Line]);
+        var mine = pixel.Bytes;
+        var other = reference[pixel.Column, pixel.Line];
         var agrees = IsNear(mine, other);
         return new(other, (other.R - mine.R, other.G - mine.G, other.B - mine.B), agrees,
             agrees ? [] : [.. FindCauses(pixel, other).Take(MaxCauses).Select(cause => "the other picture's colour is " + cause)]);
@@ -35,7 +35,7 @@ public sealed record ReferenceExplanation(
             {
                 var t = crossing.Untested ?? crossing.T;
                 if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !IsNear(scene.Shade(t, result.Model).ToBytes(), other)) continue;
-                yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {FateOf(crossing)}";
+                yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {ResultOf(crossing)}";
             }
             if (IsNear(result.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
         }
@@ -45,7 +45,7 @@ public sealed record ReferenceExplanation(
                 yield return $"that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
     }
 
-    private static string FateOf(CrossingExplanation crossing) => crossing.Outcome switch
+    private static string ResultOf(CrossingExplanation crossing) => crossing.Outcome switch
     {
         Outcome.NotNeeded => "is not needed, for the one before it counts",
         Outcome.Hidden => $"is {crossing.Reason}",

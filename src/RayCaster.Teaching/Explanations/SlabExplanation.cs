@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A slab of a box: the space B0 ≤ coordinate ≤ B1. Its properties are its fields in the JSON.</summary>
+/// <summary>A slab of a box: the space B0 ≤ coordinate ≤ B1.</summary>
 /// <param name="Axis">x, y or z.</param>
 /// <param name="Lo">B0.</param>
 /// <param name="Hi">B1.</param>
@@ -29,7 +29,8 @@ internal sealed record SlabExplanation(char Axis, double Lo, double Hi, double T
         if ((steps["t0"].ToArray(), steps["t1"].ToArray()) is not
             ([double x0, double y0, double z0], [double x1, double y1, double z1])) return [];
         SlabExplanation[] slabs = [new('x', B0.X, B1.X, x0, x1), new('y', B0.Y, B1.Y, y0, y1), new('z', B0.Z, B1.Z, z0, z1)];
-        var (last, first) = (slabs.MaxBy(slab => slab.Enters), slabs.MinBy(slab => slab.Leaves));
+        var last = slabs.MaxBy(slab => slab.Enters);
+        var first = slabs.MinBy(slab => slab.Leaves);
         return Array.ConvertAll(slabs, slab => slab with { DecidesEntry = slab == last, DecidesExit = slab == first });
     }
 }

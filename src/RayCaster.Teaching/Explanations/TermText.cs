@@ -1,16 +1,16 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Writes a formula with its numbers; named steps stand as their values. Three terms of the same form are written as a vector,
+/// Writes a formula with its numbers; named steps are written as their values. Three terms of the same form are written as a vector,
 /// (20, 0, 0) + 15 · (−1, 0, 0), and a sum of three products as a dot product.
 /// </summary>
-/// <param name="known">Values that the reader has seen already; a part with such a value stands as the value.</param>
+/// <param name="known">Values that the reader has seen already; a part with such a value is written as the value.</param>
 internal sealed class TermText(HashSet<double>? known = null)
 {
     // An operator with higher precedence has a higher rank.
     private const int Condition = 0, Sum = 1, Product = 2, Sign = 3, Whole = 4;
 
-    /// <summary>Longer parts stand as their values: a formula without named steps may become very long.</summary>
+    /// <summary>Longer parts are written as their values: a formula without named steps may become very long.</summary>
     private const int LargestPart = 60;
 
     /// <summary>The formula of a number or a vector, with its numbers; for a step, the formula behind its name.</summary>
@@ -60,8 +60,11 @@ internal sealed class TermText(HashSet<double>? known = null)
 
     private static string Bracketed(string text, int own, int rank) => own < rank ? $"({text})" : text;
 
-    private static string Number(double value, bool leads) =>
-        Digits.Of(value) is var text && text.StartsWith('−') && !leads ? $"({text})" : text;
+    private static string Number(double value, bool leads)
+    {
+        var text = Digits.Of(value);
+        return text.StartsWith('−') && !leads ? $"({text})" : text;
+    }
 
     private static (Three A, Three B)? DotProduct(Three sum)
     {

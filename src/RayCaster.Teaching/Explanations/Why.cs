@@ -9,7 +9,7 @@ internal static class Why
     private static IEnumerable<string> Find(Term term) => !RuntimeHelpers.TryEnsureSufficientExecutionStack() ? [] : term.Operation switch
     {
         Operation.If when term.A.Value == 0 => FindFailure(term.A),
-        Operation.Constant => ["the formula says NaN"],
+        Operation.Constant => ["the formula gives NaN"],
         _ => term.Parts.FirstOrDefault(part => double.IsNaN(part.Value)) is { } part ? Find(part)
             : [$"{new TermText().Of(term)} is no number"],
     };

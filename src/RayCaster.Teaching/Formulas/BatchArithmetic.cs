@@ -44,10 +44,10 @@ internal sealed class BatchArithmetic(int pixels)
                 if (e.Operands.Length == 1)
                     return a.Y is null ? new(Map(e.Operator, a.X)) : new(Map(e.Operator, a.X), Map(e.Operator, a.Y), Map(e.Operator, a.Z!));
                 var b = Evaluate(e.Operands[1], frame);
-                if (e.Function >= 0 && !isInSum && Functions.Formulas[e.Function].Right is var edited && edited != slides.Formulas[e.Function].Right)
+                if (e.Function >= 0 && !isInSum && Functions.Formulas[e.Function].Right != slides.Formulas[e.Function].Right)
                 {
                     isInSum = true; // an edited sum may have a sum of vectors itself
-                    var sum = Evaluate(edited, [a, b]);
+                    var sum = Evaluate(Functions.Formulas[e.Function].Right, [a, b]);
                     isInSum = false;
                     return sum;
                 }
@@ -89,7 +89,9 @@ internal sealed class BatchArithmetic(int pixels)
     {
         var r = New(Math.Max(a.Length, b.Length));
         var size = Vector<double>.Count; // the length of what is the same in all pixels: it is read again and again
-        var (i, j, k, da, db) = (0, 0, 0, a.Length == size ? 0 : size, b.Length == size ? 0 : size);
+        var da = a.Length == size ? 0 : size;
+        var db = b.Length == size ? 0 : size;
+        int i = 0, j = 0, k = 0;
         switch (op)
         {
             case Operator.Add: for (; i < r.Length; i += size, j += da, k += db) (At(a, j) + At(b, k)).CopyTo(r, i); break;
@@ -118,7 +120,7 @@ internal sealed class BatchArithmetic(int pixels)
 
     /// <summary>
     /// The least. A ray in a face of a box gets 0 / 0 for that face and ±∞ for the other; the face belongs to the box, so the ray is in this slab
-    /// from −∞ on. Other numbers that are none are ignored.
+    /// from −∞ on. Any other NaN is ignored.
     /// </summary>
     private static Vector<double> Min(Vector<double> a, Vector<double> b)
     {

@@ -17,7 +17,7 @@ internal sealed class EditFactory
     /// <summary>What a formula costs that people are known to write.</summary>
     private const double Named = 1;
 
-    /// <summary>How deep in an expression a part may lie that stands instead of it.</summary>
+    /// <summary>How deep in an expression a part may lie that is written instead of it.</summary>
     private const int MaxDepth = 3;
 
     private static readonly Dictionary<FormulaSection, IReadOnlyList<FormulaEdit>> known = [];
@@ -46,7 +46,7 @@ internal sealed class EditFactory
             slips[place] = [.. SlipsIn(right, names, "")];
             foreach (var slip in slips[place]) Add(section.With(place, slip.Whole), place, slip, 0);
             foreach (var slip in Repeated(right, names)) Add(section.With(place, slip.Whole), place, slip, Everywhere);
-            if (right.Quantity.Kind == ValueKind.Truth) PutConditionsIn(place, scope.Values);
+            if (right.Quantity.Kind == ValueKind.Truth) AddConditions(place, scope.Values);
             scope[name] = Expression.Name(name, right.Quantity);
         }
         AddAlike(slips);
@@ -111,7 +111,10 @@ internal sealed class EditFactory
     {
         if (e.Operator == Operator.Name) return name(e);
         for (var i = 0; i < e.Operands.Length; i++)
-            if (Rebuilt(e.Operands[i], name) is var operand && operand != e.Operands[i]) e = e.With(i, operand)!;
+        {
+            var operand = Rebuilt(e.Operands[i], name);
+            if (operand != e.Operands[i]) e = e.With(i, operand)!;
+        }
         return e;
     }
 
@@ -120,7 +123,7 @@ internal sealed class EditFactory
         || FormulaBook.Slides.IsGiven(section.Kind, name.Symbol);
 
     /// <summary>One condition more: that a number is positive, or negative.</summary>
-    private void PutConditionsIn(int place, IEnumerable<Expression> scope)
+    private void AddConditions(int place, IEnumerable<Expression> scope)
     {
         var right = section.Formulas[place].Right;
         foreach (var test in SignsOf(scope.Where(IsOwn)))
@@ -139,7 +142,9 @@ internal sealed class EditFactory
     private void AddCrossings(Dictionary<Symbol, Expression> scope)
     {
         var formulas = section.Formulas;
-        var (near, far, when) = (section.Find(Formula.Near.Text), section.Find(Formula.Far.Text), section.Find(Formula.When.Text));
+        var near = section.Find(Formula.Near.Text);
+        var far = section.Find(Formula.Far.Text);
+        var when = section.Find(Formula.When.Text);
         if (when >= 0)
             Add(section.With(section.Formulas.RemoveAt(when)), when, $"{formulas[when].Right}", "no condition", MissingCondition, 1);
         else if (near >= 0)
@@ -179,7 +184,7 @@ internal sealed class EditFactory
 
     /// <param name="Whole">The formula with the slip.</param>
     /// <param name="Path">The place in the formula's tree.</param>
-    /// <param name="Detail">What tells it from others of its operator at that place.</param>
+    /// <param name="Detail">What distinguishes it from others of its operator at that place.</param>
     private sealed record Slip(
         Expression Whole, Expression Meant, Expression Written, EditOperator Operator, string Path, string Detail, double Cost)
     {
@@ -215,7 +220,7 @@ internal sealed class EditFactory
         }
     }
 
-    /// <summary>What may stand at a node instead of it; null or another kind of value where the operator does not fit.</summary>
+    /// <summary>What people may write instead of a node; null or another kind of value where the operator does not fit.</summary>
     private IEnumerable<(EditOperator Operator, Expression? Written, string Detail, double Cost)> At(Expression e, Expression[] names)
     {
         var parts = e.Operands;
@@ -366,7 +371,7 @@ internal sealed class EditFactory
     private static Expression? Without(Expression[] axes, int axis) =>
         Expression.Of(Operator.Vector, [.. axes.Select((coordinate, i) => i == axis ? Expression.Number(0) : coordinate)]);
 
-    /// <summary>Parts of an expression that may stand instead of it.</summary>
+    /// <summary>Parts of an expression that people may write instead of it.</summary>
     private static IEnumerable<(Expression Part, string Path)> PartsOf(Expression e, string path)
     {
         for (var i = 0; i < e.Operands.Length; i++)

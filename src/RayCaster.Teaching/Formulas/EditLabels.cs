@@ -6,31 +6,26 @@ internal static class EditLabels
     /// <summary>A line: either formulas that people write, or a pattern.</summary>
     /// <param name="Style">The only style in which it counts; null for each.</param>
     /// <param name="Written">A formula or several at once, each as name = expression; empty for a pattern.</param>
-    /// <param name="Subjects">A pattern's formulas by name, or what stands in them; what begins so, if it ends with *.</param>
+    /// <param name="Subjects">A pattern's formulas by name, or parts of them; a * at the end is for any text.</param>
     /// <param name="Operators">A pattern's operators; any if empty.</param>
-    private sealed record Label(string Id, SectionKind Kind, string? Style, (string Name, string Right)[] Written, string[] Subjects,
+    internal sealed record Label(string Id, SectionKind Kind, string? Style, (string Name, string Right)[] Written, string[] Subjects,
         EditOperator[] Operators);
 
-    private static readonly Label[] labels = [.. Read(FormulaBook.TextOf("Labels.txt"))];
+    /// <summary>All lines, in their order.</summary>
+    public static IReadOnlyList<Label> All { get; } = [.. Read(FormulaBook.TextOf("Labels.txt"))];
 
     /// <summary>The id of an edit that fits a pattern; null if none does.</summary>
-    public static string? IdOf(FormulaEdit edit) => Array.Find(labels, label => label.Written.Length == 0 && label.Kind == edit.Section.Kind
+    public static string? IdOf(FormulaEdit edit) => All.FirstOrDefault(label => label.Written.Length == 0 && label.Kind == edit.Section.Kind
         && (label.Style is null || label.Style == edit.Section.Style) && Fits(edit, label))?.Id;
 
     /// <summary>The formulas that have a label, in a section: some at once.</summary>
     public static IEnumerable<(string Id, (string Name, string Right)[] Written)> FormulasFor(FormulaSection section) =>
-        from label in labels
+        from label in All
         where label.Written.Length > 0 && label.Kind == section.Kind
             && (label.Style ?? FormulaBook.Slides.StylesOf(section.Kind)[0].Style) == section.Style
         select (label.Id, label.Written);
 
-    /// <summary>The patterns that fit none of some edits.</summary>
-    public static IEnumerable<string> Unused(IReadOnlyCollection<FormulaEdit> edits) =>
-        from label in labels
-        where label.Written.Length == 0 && !edits.Any(edit => edit.Section.Kind == label.Kind && Fits(edit, label))
-        select $"[{label.Id}] {label.Kind} {string.Join(" | ", label.Subjects)}";
-
-    private static bool Fits(FormulaEdit edit, Label label) =>
+    internal static bool Fits(FormulaEdit edit, Label label) =>
         (label.Operators.Length == 0 || label.Operators.Contains(edit.Operator)) && label.Subjects.Any(subject =>
             subject == edit.Meant || subject == edit.Formula?.Computed || subject == ComponentOf(edit)
             || (subject.EndsWith('*') && edit.Meant.StartsWith(subject[..^1], StringComparison.Ordinal)));

@@ -33,7 +33,7 @@ internal enum Operator
     Max,
 }
 
-/// <summary>A formula's tree; it never changes. Each node knows its kind and unit.</summary>
+/// <summary>A formula's tree; it never changes. Each node has a kind and a unit.</summary>
 internal sealed class Expression
 {
     private static readonly string[] functions = ["dot", "cross", "length", "normalize", "plus", "minus"]; // as the section has them

@@ -119,7 +119,8 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
 
     private void Expect(string token)
     {
-        if (Take() is var found && found != token) throw new FormatException($"'{found}' where '{token}' is expected");
+        var found = Take();
+        if (found != token) throw new FormatException($"'{found}' where '{token}' is expected");
     }
 
     private Expression Checked(Expression? made, string sign) => made switch

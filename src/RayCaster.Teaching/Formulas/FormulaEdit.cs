@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>A small edit of a section.</summary>
 /// <param name="Section">The section with the edit.</param>
 /// <param name="Place">Which of its formulas is edited; the first, if the same slip is in several; null if it is in all of them.</param>
-/// <param name="Meant">What should stand where <paramref name="Written"/> stands.</param>
+/// <param name="Meant">What should have been written instead of <paramref name="Written"/>.</param>
 /// <param name="Cost">The less, the likelier people make it.</param>
 internal sealed record FormulaEdit(FormulaSection Section, int? Place, string Meant, string Written, EditOperator Operator, double Cost)
 {

@@ -23,9 +23,11 @@ internal sealed class FormulaEvaluator
     /// <param name="program">The program that others are edits of.</param>
     public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program)
     {
-        (this.scene, shown) = (scene, pixels.Count);
+        this.scene = scene;
+        shown = pixels.Count;
         if (shown % Vector<double>.Count is > 0 and var over) pixels = [.. pixels, .. Enumerable.Repeat(pixels[^1], Vector<double>.Count - over)];
-        (count, arithmetic) = (pixels.Count, new(pixels.Count) { Keeps = true });
+        count = pixels.Count;
+        arithmetic = new(count) { Keeps = true };
         givens = GivensOf(scene.Camera);
         givens[Symbol.Of("x").Place] = new([.. pixels.Select(pixel => (double)pixel.X)]);
         givens[Symbol.Of("y").Place] = new([.. pixels.Select(pixel => (double)pixel.Y)]);
@@ -73,7 +75,8 @@ internal sealed class FormulaEvaluator
 
         var rule = program[SectionKind.Rule];
         var sameRule = IsSame(SectionKind.Rule);
-        var (hits, areNew) = (new double[parts.Length][], false);
+        var hits = new double[parts.Length][];
+        var areNew = false;
         for (var i = 0; i < parts.Length; i++)
         {
             var isSame = sameRule && (parts[i].Kind is { } kind ? IsSame(kind) : (changed & ray) == 0);
@@ -155,12 +158,15 @@ internal sealed class FormulaEvaluator
     private Batch[] RightFrame(int part, FormulaSection section, Batch[] camera)
     {
         if (rightFrames.TryGetValue((part, section), out var frame)) return frame;
-        var (keeps, functions) = (arithmetic.Keeps, arithmetic.Functions);
-        (arithmetic.Keeps, arithmetic.Functions) = (true, right.Program[SectionKind.Vectors]);
+        var keeps = arithmetic.Keeps;
+        var functions = arithmetic.Functions;
+        arithmetic.Keeps = true;
+        arithmetic.Functions = right.Program[SectionKind.Vectors];
         frame = FrameOf(part, camera, new Batch[Symbol.Max]);
         UInt128 changed = 0;
         Define(section, frame, null, null, ref changed);
-        (arithmetic.Keeps, arithmetic.Functions) = (keeps, functions);
+        arithmetic.Keeps = keeps;
+        arithmetic.Functions = functions;
         return rightFrames[(part, section)] = frame;
     }
 
@@ -193,7 +199,8 @@ internal sealed class FormulaEvaluator
         var hits = arithmetic.New(count);
         for (var i = 0; i < count; i++)
         {
-            var (origin, d) = (camera[Symbol.Of("P").Place].At(i), camera[Symbol.Of("d").Place].At(i));
+            var origin = camera[Symbol.Of("P").Place].At(i);
+            var d = camera[Symbol.Of("d").Place].At(i);
             hits[i] = double.IsNaN(d.X + d.Y + d.Z) ? double.NaN
                 : model is Mesh mesh ? mesh.Tree.Nearest(origin, d, triangle => Counts(mesh[triangle].Intersect(new Ray<Scalar>(origin, d)).Near, i))
                     ?? double.NaN
@@ -214,7 +221,8 @@ internal sealed class FormulaEvaluator
 
     private (int[] Nearest, double[] T) Nearest(double[][] hits)
     {
-        var (nearest, t) = (new int[count], arithmetic.New(count));
+        var nearest = new int[count];
+        var t = arithmetic.New(count);
         for (var i = 0; i < count; i++)
         {
             (nearest[i], t[i]) = (-1, double.PositiveInfinity);
@@ -227,9 +235,11 @@ internal sealed class FormulaEvaluator
     private byte[] BytesOf(FormulaProgram program, Batch[] camera, int[] nearest, double[] t)
     {
         var frame = Copied(camera, ofRule);
-        var (own, seen) = (arithmetic.NewVector(count), arithmetic.NewVector(count));
+        var own = arithmetic.NewVector(count);
+        var seen = arithmetic.NewVector(count);
         for (var i = 0; i < count; i++) own.Set(i, ColorOf(nearest[i]));
-        (frame[Symbol.Of("t").Place], frame[Symbol.Of("K").Place]) = (new(t), own);
+        frame[Symbol.Of("t").Place] = new(t);
+        frame[Symbol.Of("K").Place] = own;
         UInt128 changed = 0;
         Define(program[SectionKind.Light], frame, null, null, ref changed);
         var lit = frame[Symbol.Of("colour").Place];
@@ -239,16 +249,23 @@ internal sealed class FormulaEvaluator
         var rgb = frame[Symbol.Of("rgb").Place];
         var bytes = new byte[3 * shown];
         for (var i = 0; i < shown; i++)
-            if (rgb.At(i) is var shade) (bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]) = ((byte)shade.X, (byte)shade.Y, (byte)shade.Z);
+        {
+            var (r, g, b) = rgb.At(i);
+            (bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]) = ((byte)r, (byte)g, (byte)b);
+        }
         return bytes;
 
-        Vector3 ColorOf(int part) => (part < 0 ? scene.Background : parts[part].Model.Color) is var (r, g, b) ? new(r, g, b) : default;
+        Vector3 ColorOf(int part)
+        {
+            var (r, g, b) = part < 0 ? scene.Background : parts[part].Model.Color;
+            return new(r, g, b);
+        }
     }
 
     /// <summary>The step whose formulas cross a model; null for a shape of one's own.</summary>
     public static SectionKind? KindOf(Model model) => PartsOf(model).First().Kind;
 
-    /// <summary>A model as its section knows it; a small mesh is its triangles.</summary>
+    /// <summary>A model with the numbers that its section reads; a small mesh is its triangles.</summary>
     private static IEnumerable<Part> PartsOf(Model model) => model switch
     {
         Model<Plane> { Primitive: var plane } => [new(model, SectionKind.Plane, NumbersOf(plane))],

@@ -56,7 +56,7 @@ internal sealed class FormulaSection(
     /// <summary>As its text calls it.</summary>
     public string Name => $"{kind.ToString().ToLowerInvariant()} {style}".TrimEnd();
 
-    /// <summary>Where a formula stands; −1 for nowhere.</summary>
+    /// <summary>The place of a formula; −1 if no formula has the name.</summary>
     public int Find(string name)
     {
         for (var i = 0; i < formulas.Length; i++)

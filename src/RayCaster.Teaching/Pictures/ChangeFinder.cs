@@ -25,7 +25,8 @@ internal sealed class ChangeFinder(Picture mine, Picture reference, PictureDiffe
         // No change turns a picture of one colour into one of several.
         if (mine.IsOneColor || reference.IsOneColor) return null;
         var size = (reference.Width, reference.Height);
-        var (hasItsSize, hasItsSidesSwapped) = ((mine.Width, mine.Height) == size, (mine.Height, mine.Width) == size);
+        var hasItsSize = (mine.Width, mine.Height) == size;
+        var hasItsSidesSwapped = (mine.Height, mine.Width) == size;
         var shifts = Enumerable.Range(-MaxShift, 2 * MaxShift + 1).ToArray();
         var candidates =
             from turn in Enum.GetValues<Turn>()
@@ -76,7 +77,8 @@ internal sealed class ChangeFinder(Picture mine, Picture reference, PictureDiffe
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private int? Misses(in PixelMapping pixels, (int X, int Y)[] samples, int limit)
     {
-        var (misses, beside) = (0, 0);
+        var misses = 0;
+        var beside = 0;
         foreach (var (x, y) in samples)
         {
             if (pixels.At(x, y) is not { } changed)

@@ -46,7 +46,8 @@ public static class ComparisonText
 
     private static string Where(PictureComparison comparison, PictureDifference d, string mine)
     {
-        var ((x, y), area) = (d.WrongMiddle!.Value, d.WrongArea!.Value);
+        var (x, y) = d.WrongMiddle!.Value;
+        var area = d.WrongArea!.Value;
         var last = d.Mine.Height - 1;
         return $"  In the middle of the widest wrong area: column {x}, line {y} from the top (row {last - y} from the bottom): " +
             $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n" +

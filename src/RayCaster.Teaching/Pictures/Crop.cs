@@ -24,7 +24,8 @@ internal sealed record Crop(int Left, int Top, int Right, int Bottom)
     public static Crop? Find(Picture mine, Picture reference)
     {
         if (!IsPossible(mine, reference.Width, reference.Height)) return null;
-        var (columns, lines) = (reference.Width - mine.Width, reference.Height - mine.Height);
+        var columns = reference.Width - mine.Width;
+        var lines = reference.Height - mine.Height;
         var places = new GoldenSteps(mine.Count);
         (Crop Crop, int Wrong)? best = null;
         for (var top = 0; top <= lines; top++)

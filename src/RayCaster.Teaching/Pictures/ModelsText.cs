@@ -79,7 +79,8 @@ internal static class ModelsText
     /// <summary>The number by which one colour is multiplied to give the other; null if there is none.</summary>
     private static double? Factor(Color to, Color from)
     {
-        var (sumTo, sumFrom) = (to.R + to.G + to.B, from.R + from.G + from.B);
+        var sumTo = to.R + to.G + to.B;
+        var sumFrom = from.R + from.G + from.B;
         if (sumFrom == 0) return null;
         var factor = sumTo / sumFrom;
         return IsNear(to.R, from.R) && IsNear(to.G, from.G) && IsNear(to.B, from.B) ? factor : null;

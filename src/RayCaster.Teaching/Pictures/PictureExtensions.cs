@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What scenes, meshes and pictures know besides.</summary>
+/// <summary>More members of scenes, meshes and pictures.</summary>
 internal static class PictureExtensions
 {
     private static readonly ConditionalWeakTable<Mesh, TriangleTree> trees = [];

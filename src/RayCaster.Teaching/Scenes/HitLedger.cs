@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Counts for each model what becomes of a picture's rays: how many pixels show the model, and why other crossings do not count. The models'
+/// Counts the results of a picture's rays for each model: how many pixels show the model, and why other crossings do not count. The models'
 /// own formulas decide.
 /// </summary>
 public sealed class HitLedger
@@ -69,7 +69,8 @@ public sealed class HitLedger
     private void Judge(int column, int row)
     {
         var ray = Scene.Camera.RayThrough(column, row);
-        var (nearest, shown) = (double.PositiveInfinity, -1);
+        var nearest = double.PositiveInfinity;
+        var shown = -1;
         for (var i = 0; i < Models.Count; i++)
         {
             var outcome = RayResult.Judge(Scene.Models[i], ray, out var t);

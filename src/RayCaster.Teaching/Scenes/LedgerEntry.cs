@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What became of the rays, for one model. Each ray is counted once.</summary>
+/// <summary>The results of the rays for one model. Each ray is counted once.</summary>
 public sealed class LedgerEntry(string label) : Tally
 {
     /// <summary>The model's name, or its path in the scene file and its kind.</summary>

@@ -72,7 +72,8 @@ internal static class LedgerVerdict
 
     private static IEnumerable<string> OfLight(HitLedger ledger)
     {
-        var (camera, color) = (ledger.Scene.Camera, ledger.OnlyColor);
+        var camera = ledger.Scene.Camera;
+        var color = ledger.OnlyColor;
         if (ledger.Unlit > ledger.Hits / 2)
         {
             var of = ledger.Unlit == ledger.Hits ? "All" : $"{Digits.Number(ledger.Unlit)} of";

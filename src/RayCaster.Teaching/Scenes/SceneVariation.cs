@@ -64,12 +64,15 @@ public sealed class SceneVariation
     }
 
     /// <summary>What the scene shows in each variant: a symmetric scene may owe what it shows only in some to the last bits.</summary>
-    private static Mistake[] Shown(Scene scene, SearchBudget? budget) =>
-        SceneFitness.CanJudge(scene) && SceneFitness.Of([scene], budget: budget) is var fitness
-            ? [.. fitness.Asked.Except([.. fitness.Hidden, .. fitness.HiddenAtFirst, .. fitness.NotTried])] : [];
+    private static Mistake[] Shown(Scene scene, SearchBudget? budget)
+    {
+        if (!SceneFitness.CanJudge(scene)) return [];
+        var fitness = SceneFitness.Of([scene], budget: budget);
+        return [.. fitness.Tested.Except([.. fitness.Hidden, .. fitness.HiddenAtFirst, .. fitness.NotTried])];
+    }
 
     private static bool Shows(Scene scene, Mistake[] mistakes) =>
-        mistakes.Length == 0 || SceneFitness.HiddenIn(scene, null, asked: mistakes).Count == 0;
+        mistakes.Length == 0 || SceneFitness.HiddenIn(scene, null, tested: mistakes).Count == 0;
 
     private void MoveSchema(string folder, string newFolder)
     {

@@ -20,6 +20,9 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     /// <summary>How many shapes there are; each triangle of a mesh counts.</summary>
     public long ShapeCount => Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
 
+    /// <summary>Where a model is in <see cref="Models"/>, from 0; −1 for null.</summary>
+    public int IndexOf(Model? model) => model is null ? -1 : Models.TakeWhile(other => other != model).Count();
+
     /// <summary>The same scene in a picture of another size.</summary>
     public Scene WithSize(int width, int height) => this with { Camera = Camera.With(width: width, height: height) };
 }

@@ -11,7 +11,8 @@ public class EditLabelsTests
         Assert.All(edits.Select(edit => edit.Label).OfType<string>().Distinct(), id => Assert.NotNull(MistakeCatalog.Named(id)));
 
     [Fact]
-    public void EachLineFitsAnEdit() => Assert.Empty(EditLabels.Unused(edits));
+    public void EachPatternFitsAnEdit() => Assert.All(EditLabels.All.Where(label => label.Written.Length == 0),
+        label => Assert.Contains(edits, edit => edit.Section.Kind == label.Kind && EditLabels.Fits(edit, label)));
 
     [Theory]
     [InlineData("camera", "V = up × U", "v-up")] // written out

@@ -31,7 +31,7 @@ public class SearchBudgetTests
     {
         var fitness = SceneFitness.Of([room], budget: new(TimeSpan.Zero));
         Assert.True(fitness.IsCut);
-        Assert.Equal(fitness.Asked, fitness.NotTried);
+        Assert.Equal(fitness.Tested, fitness.NotTried);
         Assert.Contains("Not tried, since the time is over (--all tries them): ", FitnessReport.Text(fitness));
     }
 

@@ -40,8 +40,11 @@ internal sealed partial class Lab
         }
         if (Differs(SectionKind.File))
         {
-            Sample.Is((c, r) => Of(SectionKind.File, (x, Batch.Of(c)), (y, Batch.Of(Camera.Height - 1 - r))) is var frame
-                ? (frame[column.Place][0], frame[row.Place][0]) : default);
+            Sample.Is((c, r) =>
+            {
+                var frame = Of(SectionKind.File, (x, Batch.Of(c)), (y, Batch.Of(Camera.Height - 1 - r)));
+                return (frame[column.Place][0], frame[row.Place][0]);
+            });
         }
         if (Differs(Pixel))
         {
@@ -60,13 +63,18 @@ internal sealed partial class Lab
         if (Differs(Light))
         {
             Shaded.Is((t, d, color) =>
-                Of(Light, (parameter, Batch.Of(t)), (direction, Batch.Of(d)), (own, Batch.Of(VectorOf(color))))[colour.Place].At(0)
-                    is var (r, g, b) ? new(r, g, b) : default);
+            {
+                var (r, g, b) = Of(Light, (parameter, Batch.Of(t)), (direction, Batch.Of(d)), (own, Batch.Of(VectorOf(color))))[colour.Place].At(0);
+                return new(r, g, b);
+            });
         }
         if (Differs(SectionKind.Bytes))
         {
-            Encoded.Is(color => Of(SectionKind.Bytes, (colour, Batch.Of(VectorOf(color))))[bytes.Place].At(0)
-                is var (r, g, b) ? ((byte)r, (byte)g, (byte)b) : default);
+            Encoded.Is(color =>
+            {
+                var (r, g, b) = Of(SectionKind.Bytes, (colour, Batch.Of(VectorOf(color))))[bytes.Place].At(0);
+                return ((byte)r, (byte)g, (byte)b);
+            });
         }
 
         bool Differs(SectionKind kind) => program[Vectors] != right[Vectors] || program[kind] != right[kind];

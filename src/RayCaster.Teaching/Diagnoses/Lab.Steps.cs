@@ -92,7 +92,7 @@ internal sealed partial class Lab
     public Step<Func<Crossed, Vector3, double?>> First => field ??= new((crossed, d) =>
         Counts(crossed.Near, d) ? crossed.Near : Counts(crossed.Far, d) ? crossed.Far : null);
 
-    /// <summary>(model, d) → the t at which it is hit; null for none. A t that is no number is a hit too.</summary>
+    /// <summary>(model, d) → the t at which it is hit; null for none. A t of NaN is a hit, too.</summary>
     public Step<Func<Model, Vector3, double?>> Hit => field ??= new(HitOf);
 
     // ---- Which hit shows ----
@@ -134,7 +134,7 @@ internal sealed partial class Lab
     public Step<Func<double, double>> Clamp => field ??= new(channel => Math.Min(Math.Max(channel, 0), 1));
 
     /// <summary>That → its byte.</summary>
-    public Step<Func<double, byte>> Byte => field ??= new(channel => (byte)(channel * 255 + 0.5)); // no number becomes 0
+    public Step<Func<double, byte>> Byte => field ??= new(channel => (byte)(channel * 255 + 0.5)); // NaN becomes 0
 
     /// <summary>A colour → its bytes.</summary>
     public Step<Func<Color, (byte R, byte G, byte B)>> Encoded => field ??= new(color => (ToByte(color.R), ToByte(color.G), ToByte(color.B)));

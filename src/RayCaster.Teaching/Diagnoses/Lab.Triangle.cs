@@ -20,13 +20,16 @@ internal sealed partial class Lab
     /// <param name="inside">(u, v) → whether X is in the triangle; as before if null.</param>
     public void TriangleByShares(Func<Vector3, double>? whole = null, Func<double, double, bool>? inside = null)
     {
-        (this.whole, this.inside) = (whole ?? this.whole, inside ?? this.inside);
+        this.whole = whole ?? this.whole;
+        this.inside = inside ?? this.inside;
         TriangleIs((triangle, d) =>
         {
-            var (A, B, C, n) = (triangle.A, triangle.B, triangle.C, NormalOf(triangle));
+            var (A, B, C) = (triangle.A, triangle.B, triangle.C);
+            var n = NormalOf(triangle);
             var t = (A - P) * n / (d * n);
             if (!Counts(t, d)) return SlideFormulas.None; // only to be done sooner
-            var (X, all) = (P + t * d, this.whole(n));
+            var X = P + t * d;
+            var all = this.whole(n);
             return this.inside(Cross.Do(A - C, X - C) * n / all, Cross.Do(B - A, X - A) * n / all) ? new(t) : SlideFormulas.None;
         });
     }
