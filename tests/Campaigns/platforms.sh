@@ -85,7 +85,7 @@ unended() { comm -23 <(sed -n 's/ \[STARTING\].*//p' "$1" | sort -u) <(sed -nE '
 tests() { # system, project: each test that the program for x64 lists must have ended, or be left out by the list above
     local program=RayCaster.$2 log=$work/$1.$2 here=tests/RayCaster.$2/bin/Release/net10.0/RayCaster.$2 without=() system project methods reason
     [ -x "$here" ] || dotnet build "tests/$program" -v quiet >/dev/null
-    "$here" -noLogo -noColor -list tests | sed -nE "s/^($program[A-Za-z0-9_.+]*).*/\1/p" | sort -u >"$log.listed"
+    "$here" -noLogo -noColor -list tests | sed -nE 's/^([A-Za-z0-9_.+]*Tests\.[A-Za-z0-9_.+]+).*/\1/p' | sort -u >"$log.listed"
     touch "$log.left"
     while read -r system project methods reason; do
         [ "$system $project" = "$1 $2" ] || continue
