@@ -163,9 +163,7 @@ public sealed class SpoiltPictureTests : IDisposable
         { [.. "\r\n<!DOCTYPE html>\n"u8], "it is a web page (HTML), saved in place of the file" },
         { [.. "%PDF-1.7"u8], "it is a PDF" },
         { [.. "8BPS"u8, 0, 1], "it is a picture of Photoshop (PSD)" },
-        { [0x76, 0x2F, 0x31, 0x01, 2, 0], "it is an OpenEXR picture" },
-        { [.. "#?RADIANCE\n"u8], "it is a Radiance picture (HDR)" },
-        { [0, 0, 0, 0x1C, .. "ftypavif"u8, 0], "it is an AVIF" },
+        { [0, 0, 0, 0x18, .. "ftypheic"u8, 0], "it is an HEIC picture or a film" },
         { [.. "BM"u8, 1, 2, 3], "it is a BMP" },
         { [.. "GIF89a"u8], "it is a GIF" },
     };
