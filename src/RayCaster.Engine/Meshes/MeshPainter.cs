@@ -46,7 +46,7 @@ internal sealed class MeshPainter
     /// <summary>The positions of pixels whose bytes the last painting could not decide.</summary>
     public PooledList<int> Doubts { get; } = new();
 
-    /// <param name="occluderInverseDepth">The least inverse depth that a pixel's hit may have; rows are <see cref="TilePixels.Stride"/> long.</param>
+    /// <param name="occluderInverseDepth">The least inverse depth of a pixel's hit; rows are <see cref="TilePixels.Stride"/> long.</param>
     /// <param name="candidateInverseDepth">The greatest; 0 where there is no hit.</param>
     /// <param name="exactT">Less than +∞ where the formula has decided about a pixel; null if there is none.</param>
     /// <param name="first">The position of the lowest row's first pixel.</param>

@@ -39,7 +39,8 @@ public class ScreenBoundsTests
     public void IsHitInACrowd(string shape) => AssertIsHit(shape, companions: 100);
 
     /// <summary>A sample; .ci/run sets RAYCASTER_SCENES. Fewer would say nothing about the share of those that hit.</summary>
-    private static int Rays => int.TryParse(Environment.GetEnvironmentVariable("RAYCASTER_SCENES"), out var scenes) ? Math.Max(400, 5 * scenes) : 400;
+    private static int Rays =>
+        int.TryParse(Environment.GetEnvironmentVariable("RAYCASTER_SCENES"), out var scenes) ? Math.Max(400, 5 * scenes) : 400;
 
     private static void AssertIsHit(string shape, int companions)
     {
