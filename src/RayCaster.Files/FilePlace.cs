@@ -56,10 +56,13 @@ public static class FilePlace
     }
 
     /// <summary>The number by which this process has a place open: 1 for <c>/dev/stdout</c>; null for any other.</summary>
-    internal static int? DescriptorOf(string place) =>
-        IsOpen(place) && (place.StartsWith("/dev/", StringComparison.Ordinal) || Path.GetDirectoryName(place) == $"/proc/{Environment.ProcessId}/fd")
+    internal static int? DescriptorOf(string place)
+    {
+        var folder = Path.GetDirectoryName(place);
+        return IsOpen(place) && (folder == "/dev/fd" || folder == $"/proc/{Environment.ProcessId}/fd")
             ? int.Parse(Path.GetFileName(place), CultureInfo.InvariantCulture)
             : null;
+    }
 
     /// <summary>Whether a name is that of a device on Windows, in any folder and with any extension: <c>aux.png</c>.</summary>
     internal static bool IsDeviceOnWindows(string name) => name.Split('.')[0].TrimEnd(' ').ToUpperInvariant() switch

@@ -31,7 +31,7 @@ public static class Digits
     public static string Part(int part, int whole) => $"{Number(part)} of {Count(whole, "pixel")} ({Share(part, whole)})";
 
     /// <summary>"1 pixel", "1,000 pixels".</summary>
-    public static string Count(long number, string what) => $"{Number(number)} {what}{(number == 1 ? "" : "s")}";
+    public static string Count(long number, string what) => Plural.Of(number, what);
 
     /// <summary>"1,000".</summary>
     public static string Number(long number) => number.ToString("N0", CultureInfo.InvariantCulture);

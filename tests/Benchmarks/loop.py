@@ -31,8 +31,6 @@ def copy_project(target):
         if (ROOT / name).is_file():
             (target / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / name, target / name)
-    for command in (["init", "-q"], ["add", "-A"]):  # the tests of the pages ask git which there are
-        subprocess.run(["git", *command], cwd=target, check=True)
 
 
 def write_empty_projects(folder):

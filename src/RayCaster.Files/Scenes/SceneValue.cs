@@ -48,7 +48,7 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     {
         if (json.Kind == JsonTokenType.StartArray && Elements.Take(4).ToArray() is [var x, var y, var z])
             return new(x.Number(limits), y.Number(limits), z.Number(limits));
-        var found = json.Kind == JsonTokenType.StartArray ? $"has {Quantity.Of(json.Content.Count(), "element")}{DecimalComma()}"
+        var found = json.Kind == JsonTokenType.StartArray ? $"has {Plural.Of(json.Content.Count(), "element")}{DecimalComma()}"
             : $"is {json.InWords}";
         Report(true, $" must be {form}, but {found}");
         return NoVector;

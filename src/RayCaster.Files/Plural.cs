@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>A number of things, for messages.</summary>
-internal static class Quantity
+internal static class Plural
 {
     /// <summary><c>1 vertex</c>, <c>1,000 vertices</c>.</summary>
     public static string Of(long count, string what) =>
