@@ -130,12 +130,12 @@ internal sealed record JointDiagnosis
             Weight(less, picture) - Weight(program, picture) < Slight * Weight(right, picture)));
 
     private static double Weight(WrongProgram program, SubmittedPicture picture) =>
-        picture.Evidence.Misfit(program.Draw(picture.Scene.Scene)).Weight;
+        picture.Evidence.Misfit(program.For(picture.Scene.Scene)).Weight;
 
     private static bool IsHardlyExplained(WrongProgram program, SubmittedPicture picture)
     {
-        var left = picture.Evidence.Misfit(program.Draw(picture.Scene.Scene));
-        var all = picture.Evidence.Misfit(right.Draw(picture.Scene.Scene));
+        var left = picture.Evidence.Misfit(program.For(picture.Scene.Scene));
+        var all = picture.Evidence.Misfit(right.For(picture.Scene.Scene));
         return left != all && left.Weight > MayLeave * all.Weight;
     }
 

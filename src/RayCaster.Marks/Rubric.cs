@@ -39,7 +39,7 @@ public sealed class Rubric
     {
         var item = ItemOf(variant.Id);
         if (item is null || ShapesOf(item) == 0) return item;
-        var changed = new Lab(Scenes[0].Scene, variant).ChangedShapes;
+        var changed = variant.In(FormulaProgram.For(Scenes[0].Scene.Camera))?.ChangedShapes ?? 0;
         return (ShapesOf(item) & changed) != 0 ? item : Items.FirstOrDefault(other => (ShapesOf(other) & changed) != 0) ?? item;
     }
 

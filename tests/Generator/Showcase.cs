@@ -93,12 +93,12 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
     /// <summary>The tile, drawn with mistakes or without.</summary>
     public Picture Tile(params Mistake[] mistakes)
     {
-        var lab = new Lab(Scene, mistakes);
-        var (width, height) = (Math.Min(TileWidth, Zoom * (lab.Width - X)), Math.Min(TileHeight, Zoom * (lab.Height - Y)));
-        if (X == 0 && Y == 0 && Zoom == 1) (width, height) = (lab.Width, lab.Height); // the whole, which may be upright
+        var whole = MistakeCatalog.Draw(Scene, mistakes);
+        var (width, height) = (Math.Min(TileWidth, Zoom * (whole.Width - X)), Math.Min(TileHeight, Zoom * (whole.Height - Y)));
+        if (X == 0 && Y == 0 && Zoom == 1) return whole; // which may be upright
         var tile = new Picture(width, height);
         for (var y = 0; y < height; y++)
-            for (var x = 0; x < width; x++) tile[x, y] = lab[X + x / Zoom, Y + y / Zoom];
+            for (var x = 0; x < width; x++) tile[x, y] = whole[X + x / Zoom, Y + y / Zoom];
         return tile;
     }
 

@@ -27,8 +27,20 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
         var scene = SceneInput.Read(operands[0], line, cancellation, judges: true);
 
         var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!);
-        PictureOutput.Write(file, MistakeCatalog.Draw(scene, mistakes, line.Get(Option.Threads)), format, cancellation);
+        PictureOutput.Write(file, Draw(), format, cancellation);
         line.Tell($"{OutputFile.NameOf(file)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");
         return ExitCode.Done;
+
+        Picture Draw()
+        {
+            try
+            {
+                return MistakeCatalog.Draw(scene, mistakes, line.Get(Option.Threads));
+            }
+            catch (ArgumentException)
+            {
+                throw ProblemException.Usage($"{operands[1]}: two of these mistakes are in the same part of a formula, so no program has both");
+            }
+        }
     }
 }

@@ -95,8 +95,8 @@ internal sealed class CandidateRanking(IReadOnlyList<Evidence> pictures, int? th
     public Misfit Measure(WrongProgram candidate, double share, IReadOnlyList<Evidence>? left = null)
     {
         var among = left ?? pictures;
-        return among is [var only] ? only.Misfit(candidate.Draw(only.Scene), share)
-            : new(among.Sum(picture => picture.Loss(picture.Misfit(candidate.Draw(picture.Scene), share))), 0);
+        return among is [var only] ? only.Misfit(candidate.For(only.Scene), share)
+            : new(among.Sum(picture => picture.Loss(picture.Misfit(candidate.For(picture.Scene), share))), 0);
     }
 
     /// <summary>The candidates that a few pixels do not rule out.</summary>

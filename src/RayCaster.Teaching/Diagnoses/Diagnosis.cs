@@ -64,7 +64,8 @@ public sealed class Diagnosis
         if (byModels?.MissingModel is { } missing)
         {
             MissingModel = ModelName.Of(scene, missing);
-            leftByMissingModel = evidence.Misfit(new(scene with { Models = [.. scene.Models.Where((_, i) => i != missing)] })).Unexplained;
+            leftByMissingModel = evidence.Misfit(
+                scene with { Models = [.. scene.Models.Where((_, i) => i != missing)] }, FormulaProgram.For(scene.Camera)).Unexplained;
         }
         answer = new Judgement(prepared, evidence, done, likely, byModels, leftByMissingModel).Decide();
         if (plain is null) return;
@@ -138,5 +139,5 @@ public sealed class Diagnosis
     /// </summary>
     private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Affects & Affects.Camera) == 0
         && mistake.Variants.Any(variant => ((double[])[0.1, 1]).All(share =>
-            strict.Misfit(new Lab(prepared.Scene, variant), share).Unexplained <= Judgement.MaxLeft * strict.WrongCount));
+            strict.Misfit(variant.In(FormulaProgram.For(prepared.Scene.Camera)), share).Unexplained <= Judgement.MaxLeft * strict.WrongCount));
 }

@@ -88,7 +88,7 @@ public static class DiagnosisReport
         if (diagnosis.TooManyModels)
         {
             text.AppendLine(string.Create(CultureInfo.InvariantCulture,
-                $"The known mistakes were not tried: the scene has more than {Lab.MaxModels:N0} models. Make a smaller one."));
+                $"The known mistakes were not tried: the scene has more than {SceneFitness.MaxModels:N0} models. Make a smaller one."));
             return;
         }
         text.Wrap("", diagnosis.Likely.Count > 0

@@ -129,7 +129,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
         var mayBeOtherSample = MayBeOtherSample();
         Scene[] meshes = [.. pictures.Select(picture => picture.Scene).Where(scene => scene.Models.Any(model => model is Mesh))];
         var isSlow = Singles(Unfinished.Nothing, mayBeOtherSample ? [false, true] : [false])
-            .ToLookup(candidate => meshes.Any(scene => candidate.Draw(scene).TrianglesTried > 0));
+            .ToLookup(candidate => meshes.Any(scene => candidate.For(scene)?.TrianglesTried(scene) > 0));
         var all = Ranking.Measured([.. isSlow[false]], CandidateRanking.Screening);
         var nearest = Ranking.Best(all[..(all.Count / 3)]);
         if (isSlow[true].Any() && !Ranking.IsCertain(nearest)) // tried only where no quick one explains the picture
@@ -153,7 +153,7 @@ internal sealed class DiagnosisSearch(IReadOnlyList<Evidence> pictures, IReadOnl
     private List<WrongProgram> Edits(Unfinished way, WrongProgram? before = null)
     {
         var picture = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!;
-        if (before is not null) picture = new(picture, before.Draw(picture.Scene));
+        if (before?.For(picture.Scene) is { } first) picture = new(picture, first);
         bool[] samples = MayBeOtherSample() ? [true, false] : [false];
         var found = samples.Select(otherSample => (otherSample, Edits: new EditSearch(picture, way, otherSample, budget).Find())).ToArray();
         if (way.NotYet.Count == 0)

@@ -23,9 +23,8 @@ internal static class EditNaming
     {
         var first = group.Edits[0];
         FormulaEdit[] likely = [.. group.Edits.Where(edit => edit.Cost <= group.Cost + Likely)];
-        void Deviate(Lab lab) => lab.Follow(first.In(FormulaProgram.For(lab.Camera)));
         if (Array.Find(likely, edit => edit.Label is not null) is { } known)
-            return MistakeCatalog.Named(known.Label!)!.Worded($"{SectionOf(known.Section.Kind)}: {Describe(known)}", Deviate);
+            return MistakeCatalog.Named(known.Label!)!.Worded($"{SectionOf(known.Section.Kind)}: {Describe(known)}", first.On);
 
         SectionKind[] kinds = [.. likely.Select(edit => edit.Section.Kind).Distinct()];
         var isOneStep = kinds.Length == 1;
@@ -33,12 +32,12 @@ internal static class EditNaming
         Formula?[] formulas = [.. likely.Where(edit => edit.Right == first.Right).Select(edit => edit.Formula).Distinct()];
         var formula = isOneStep && formulas.Length == 1 ? formulas[0] : null;
         var section = string.Join(", ", kinds.Select(SectionOf));
-        return new(Id, AffectsOf(first.Section.Kind), first.Section.Slide, $"{section}: {Describe(first)}", Deviate,
+        return new(Id, Mistake.AffectedBy(first.Section.Kind), first.Section.Slide, $"{section}: {Describe(first)}", new(
             isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
             formula is not null ? $"Look at {formula.Computed}. {EditOperators.QuestionOf(first.Operator)}"
                 : isOneStep ? $"Something is wrong in the formulas of the step \"{section}\"; this scene cannot tell {NamesOf(formulas)} apart."
                 : $"Something is wrong in one of these steps: {section}. This scene cannot tell them apart.",
-            $"{(formula is null ? "For example, it" : "It")} looks as if {Describe(first)}.")
+            $"{(formula is null ? "For example, it" : "It")} looks as if {Describe(first)}."), first.On)
         {
             Place = new(section, formula?.Computed, formula?.ToString()),
         };
@@ -66,21 +65,12 @@ internal static class EditNaming
     private static string SymptomOf(SectionKind kind) => kind switch
     {
         SectionKind.Vectors => "All that is computed with products and lengths of vectors is wrong.",
-        SectionKind.Camera or SectionKind.File or SectionKind.Pixel => "Everything stands elsewhere or is deformed: the rays are wrong.",
-        SectionKind.Rule => "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
+        SectionKind.Camera or SectionKind.File or SectionKind.Sample or SectionKind.Pixel => "Everything stands elsewhere or is deformed: the rays are wrong.",
+        SectionKind.Rule or SectionKind.Nearest => "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
         SectionKind.Light => "All outlines are right, only the light is not.",
         SectionKind.Bytes => "All outlines are right, only the colours are not.",
         _ => $"Only {ShapeOf(kind).Many} are wrong; all else is right.",
     };
 
     private static ShapeKind ShapeOf(SectionKind kind) => ShapeKind.Of(kind.ToString().ToLowerInvariant())!;
-
-    internal static Affects AffectsOf(SectionKind kind) => kind switch
-    {
-        SectionKind.Vectors or SectionKind.Camera or SectionKind.Pixel => Affects.Camera,
-        SectionKind.File => Affects.File,
-        SectionKind.Rule => Affects.Hit,
-        SectionKind.Light or SectionKind.Bytes => Affects.Color,
-        _ => ShapeOf(kind).Formula,
-    };
 }

@@ -18,7 +18,7 @@ internal sealed class EditSample
         var other = Math.Min(pixels, evidence.OtherPixels.Length);
         int[] places = [.. evidence.WrongPixels[..wrong], .. evidence.OtherPixels[..other]];
         var width = evidence.Picture.Width;
-        evaluator = new(scene, [.. places.Select(place => (place % width, place / width))], right);
+        evaluator = new(scene, [.. places.Select(place => (place % width, place / width))], right, proposes: true);
         shown = [.. places.SelectMany(place => evidence.Picture.Rgb.AsSpan(3 * place, 3).ToArray())];
         perWrong = 1.0 / Math.Max(1, wrong);
         perOther = (double)(evidence.PixelCount - evidence.WrongCount) / Math.Max(1, evidence.WrongCount) / Math.Max(1, other);

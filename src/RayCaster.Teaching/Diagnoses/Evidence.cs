@@ -1,3 +1,5 @@
+using System.Collections.Concurrent;
+
 namespace RayCaster.Teaching;
 
 /// <summary>
@@ -24,6 +26,7 @@ internal sealed class Evidence
     /// </summary>
     private const double LeastShare = 0.002;
 
+    private readonly ConcurrentDictionary<(int Wrong, int Other), ConcurrentBag<FormulaEvaluator>> evaluators = []; // that no thread uses now
     private readonly int most;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
@@ -52,11 +55,11 @@ internal sealed class Evidence
     }
 
     /// <summary>The same pixels as evidence for a second mistake: those that a first one does not explain count as wrong.</summary>
-    public Evidence(Evidence whole, Lab first)
+    public Evidence(Evidence whole, FormulaProgram first)
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
-        ILookup<bool, int> isExplained = whole.wrongPixels.Take(Affordable(most, first)).Concat(whole.otherPixels.Take(Affordable(most, first)))
-            .ToLookup(pixel => IsDrawnBy(first, pixel));
+        var drawn = whole.Draw(first);
+        var isExplained = drawn.Colors.ToLookup(pixel => PictureJudge.IsNear(pixel.Color, Picture.At(pixel.Pixel)), pixel => pixel.Pixel);
         wrongPixels = [.. isExplained[false]];
         otherPixels = [.. isExplained[true]];
         WrongCount = (int)whole.Misfit(first).Unexplained;
@@ -119,108 +122,130 @@ internal sealed class Evidence
     /// <summary>The fewest pixels that count: as many as a visible mistake changes, or as one compared pixel represents.</summary>
     public double LeastPixels => Math.Max(SceneFitness.LeastPixels, (double)WrongCount / most);
 
-    /// <summary>Draws the pixels of the evidence, for comparison with several labs.</summary>
-    public Drawn Draw(Lab lab)
+    /// <summary>What a program draws in the pixels of the evidence.</summary>
+    public Drawn Draw(FormulaProgram program)
     {
+        var (wrong, other) = (Affordable(wrongPixels.Length, program), Affordable(otherPixels.Length, program));
+        var rgb = Draw(program, wrong, other);
         List<(int, (byte, byte, byte))> colors = [];
-        foreach (var pixels in (ReadOnlySpan<int[]>)[wrongPixels, otherPixels])
-        {
-            foreach (var pixel in pixels.AsSpan(0, Affordable(pixels.Length, lab)))
-            {
-                var (x, y) = At(pixel);
-                if (x < lab.Width && y < lab.Height) colors.Add((pixel, lab[x, y]));
-            }
-        }
-        return new(lab.Width, lab.Height, colors);
+        foreach (var (i, pixel) in wrongPixels[..wrong].Concat(otherPixels[..other]).Index())
+            colors.Add((pixel, (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2])));
+        return new(program.SizeOf(Scene.Camera), colors);
     }
 
-    /// <summary>Whether a lab draws the same picture as another, but for one pixel in two thousand.</summary>
-    public bool AreAlike(Drawn one, Lab lab)
+    /// <summary>Whether two programs draw the same picture, but for one pixel in two thousand.</summary>
+    public static bool AreAlike(Drawn one, Drawn other)
     {
-        if ((one.Width, one.Height) != (lab.Width, lab.Height)) return false;
-        var step = Math.Max(1, one.Colors.Count / Math.Max(1, Affordable(one.Colors.Count, lab)));
-        var left = one.Colors.Count / step / 2000;
-        for (var k = 0; k < one.Colors.Count; k += step)
-        {
-            var (pixel, color) = one.Colors[k];
-            var (x, y) = At(pixel);
-            if (!PictureJudge.IsNear(color, lab[x, y]) && --left < 0) return false;
-        }
+        if (one.Size != other.Size) return false;
+        var (fewer, more) = one.Colors.Count < other.Colors.Count ? (one, other) : (other, one);
+        var colors = fewer == more ? null : more.Colors.ToDictionary(pixel => pixel.Pixel, pixel => pixel.Color);
+        var left = fewer.Colors.Count / 2000;
+        foreach (var (pixel, color) in fewer.Colors)
+            if (colors!.TryGetValue(pixel, out var own) && !PictureJudge.IsNear(color, own) && --left < 0) return false;
         return true;
     }
 
     /// <param name="Colors">The pixels' places in the student's picture, and their colours.</param>
-    public sealed record Drawn(int Width, int Height, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
+    public sealed record Drawn((int Width, int Height) Size, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
 
     /// <summary>Whether a program may explain the picture: it draws a few pixels, except for one, as the picture shows them.</summary>
-    public bool MayBeExplainedBy(Lab lab)
+    public bool MayBeExplainedBy(FormulaProgram? program)
     {
-        if (!CanDraw(lab)) return false;
-        var off = 0;
-        for (var k = 0; k < ProbePixels && off < 2; k++)
-        {
-            if (k < wrongPixels.Length && !IsDrawnBy(lab, wrongPixels[k])) off++;
-            if (off < 2 && k < otherPixels.Length && !IsDrawnBy(lab, otherPixels[k])) off++;
-        }
-        return off < 2 || lab.Scatters;
+        if (program is null || !CanDraw(program)) return false;
+        return program.Scatters || Explained(program).Count(isExplained => !isExplained) < 2;
     }
 
     /// <summary>Whether a program draws one of the first few wrong pixels right.</summary>
-    public bool IsImprovedBy(Lab lab) => CanDraw(lab) && wrongPixels.Take(ProbePixels).Any(pixel => IsDrawnBy(lab, pixel));
+    public bool IsImprovedBy(FormulaProgram? program) =>
+        program is not null && CanDraw(program) && Explained(program).Take(Math.Min(ProbePixels, wrongPixels.Length)).Any(isExplained => isExplained);
+
+    /// <summary>Of a few wrong pixels, then of a few others, whether a program draws them as the picture shows them.</summary>
+    private IEnumerable<bool> Explained(FormulaProgram program)
+    {
+        var (wrong, other) = (Math.Min(ProbePixels, wrongPixels.Length), Math.Min(ProbePixels, otherPixels.Length));
+        var rgb = Draw(program, wrong, other);
+        return wrongPixels[..wrong].Concat(otherPixels[..other])
+            .Select((pixel, i) => PictureJudge.IsNear((rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]), Picture.At(pixel)));
+    }
 
     /// <summary>A misfit on a scale for several pictures: 0 if nothing is left, 1 if all that is wrong is left, or more.</summary>
     public double Loss(Misfit misfit) => Math.Min(1,
         Math.Log(1 + misfit.Weight / PixelCount / LeastShare) / Math.Log(1 + Math.Max((double)WrongCount / PixelCount, LeastShare) / LeastShare));
 
     /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
-    public bool IsExplainedBy(WrongProgram program) => Misfit(program.Draw(Scene)).Weight <= Math.Min(0.5 * WrongCount,
+    public bool IsExplainedBy(WrongProgram program) => Misfit(program.For(Scene)).Weight <= Math.Min(0.5 * WrongCount,
         Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LeastShare * PixelCount, 3 * LeastShare * PixelCount)));
 
-    /// <summary>An estimate of how many pixels a mistake leaves unexplained.</summary>
+    /// <summary>An estimate of how many pixels a program leaves unexplained; all of them for none.</summary>
     /// <param name="share">The share of the chosen pixels that is compared; few show that a mistake is far off.</param>
-    public Misfit Misfit(Lab lab, double share = 1)
+    public Misfit Misfit(FormulaProgram? program, double share = 1)
     {
-        if (!CanDraw(lab)) return new(PixelCount, PixelCount); // nothing is explained
-        return Misfit(lab, wrongPixels, WrongCount, share) + Misfit(lab, otherPixels, PixelCount - WrongCount, share);
+        if (program is null || !CanDraw(program)) return new(PixelCount, PixelCount); // nothing is explained
+        var (wrong, other) = (CountOf(wrongPixels), CountOf(otherPixels));
+        return MisfitOf(program, wrong, other, Draw(program, wrong, other), program.Scatters ? Draw(program with { Scatters = false }, wrong, other) : null);
+
+        int CountOf(int[] pixels) => Affordable(Math.Min(pixels.Length, (int)Math.Ceiling(most * share)), program, share);
     }
 
-    private Misfit Misfit(Lab lab, int[] pixels, int stoodFor, double share)
+    /// <summary>The same of a program that draws another scene than the one that is meant.</summary>
+    public Misfit Misfit(Scene scene, FormulaProgram program, double share = 1)
     {
-        var count = Affordable(Math.Min(pixels.Length, (int)Math.Ceiling(most * share)), lab, share);
-        if (count == 0) return default;
-        var unexplained = 0.0;
-        var error = 0.0;
-        for (var k = 0; k < count; k++)
-        {
-            var (x, y) = At(pixels[k]);
-            var difference = PictureDifference.Levels(lab[x, y], Picture[x, y]);
-            if (lab.Scatters)
-            {
-                lab.IsUnaffected = true;
-                var unaffected = PictureDifference.Levels(lab[x, y], Picture[x, y]);
-                lab.IsUnaffected = false;
-                if (unaffected > PictureJudge.Tolerance && difference <= PictureJudge.Tolerance) unexplained += Chance;
-                difference = Math.Min(difference, unaffected);
-            }
-            if (difference > PictureJudge.Tolerance) unexplained++;
-            error += difference / 255.0;
-        }
-        return new Misfit(unexplained, error) * ((double)stoodFor / count);
+        var (wrong, other) = (CountOf(wrongPixels), CountOf(otherPixels));
+        return MisfitOf(program, wrong, other, FormulaEvaluator.Draw(scene, program, PixelsOf(wrong, other)), null);
+
+        int CountOf(int[] pixels) => Math.Min(pixels.Length, (int)Math.Ceiling(most * share));
     }
+
+    /// <param name="rgb">What is drawn in the first wrong pixels and the first others.</param>
+    /// <param name="unaffected">What is drawn there if last bits spare a pixel; null if they do not matter.</param>
+    private Misfit MisfitOf(FormulaProgram program, int wrong, int other, byte[] rgb, byte[]? unaffected)
+    {
+        return Of(wrongPixels, 0, wrong, WrongCount) + Of(otherPixels, wrong, other, PixelCount - WrongCount);
+
+        Misfit Of(int[] pixels, int first, int count, int stoodFor)
+        {
+            if (count == 0) return default;
+            var unexplained = 0.0;
+            var error = 0.0;
+            for (var k = 0; k < count; k++)
+            {
+                var shown = Picture.At(pixels[k]);
+                var difference = PictureDifference.Levels(At(rgb, first + k), shown);
+                if (unaffected is not null)
+                {
+                    var spared = PictureDifference.Levels(At(unaffected, first + k), shown);
+                    if (spared > PictureJudge.Tolerance && difference <= PictureJudge.Tolerance) unexplained += Chance;
+                    difference = Math.Min(difference, spared);
+                }
+                if (difference > PictureJudge.Tolerance) unexplained++;
+                error += difference / 255.0;
+            }
+            return new Misfit(unexplained, error) * ((double)stoodFor / count);
+        }
+
+        static (byte, byte, byte) At(byte[] rgb, int i) => (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+    }
+
+    /// <summary>What a program draws in the first wrong pixels and in the first others.</summary>
+    private byte[] Draw(FormulaProgram program, int wrong, int other)
+    {
+        if (wrong + other == 0) return [];
+        if (program.MovedBytes != 0) return FormulaEvaluator.Draw(Scene, program, PixelsOf(wrong, other));
+        var idle = evaluators.GetOrAdd((wrong, other), _ => []);
+        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), FormulaProgram.For(Scene.Camera));
+        var rgb = evaluator.Draw(program);
+        idle.Add(evaluator);
+        return rgb;
+    }
+
+    private (int X, int Y)[] PixelsOf(int wrong, int other) =>
+        [.. wrongPixels[..wrong].Concat(otherPixels[..other]).Select(pixel => (pixel % Picture.Width, pixel / Picture.Width))];
 
     /// <summary>How many of some pixels are drawn: fewer if each ray must try every triangle of a mesh.</summary>
-    private static int Affordable(int pixels, Lab lab, double share = 1) =>
-        lab.RaysWithin(LeastTests + share * MaxTests, pixels);
+    private int Affordable(int pixels, FormulaProgram program, double share = 1) =>
+        program.RaysWithin(Scene, LeastTests + share * MaxTests, pixels);
 
-    private (int X, int Y) At(int pixel) => (pixel % Picture.Width, pixel / Picture.Width);
-
-    private bool CanDraw(Lab lab) => (lab.Width, lab.Height) == (Picture.Width, Picture.Height) && !lab.TakesTooLong;
-
-    private bool IsDrawnBy(Lab lab, int pixel)
-    {
-        var (x, y) = At(pixel);
-        return PictureJudge.IsNear(lab[x, y], Picture[x, y]);
-    }
+    private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height);
 
     /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
     private static int[] Spread(List<int> all, int most)

@@ -111,7 +111,7 @@ internal sealed class Judgement(
 
     private IReadOnlyList<Suspect> NearestOf(List<WrongProgram> ranked, WrongProgram best)
     {
-        var likeliest = best.Draw(prepared.Scene);
+        var likeliest = best.For(prepared.Scene)!;
         return
         [
             .. ranked.Where(candidate => candidate.Variants.Count > 0
@@ -143,7 +143,7 @@ internal sealed class Judgement(
         else if (missing.Length > 0) named = named.Take(1);
         if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(suspects.HidingMistakes(best));
         WrongProgram[] first = [.. named.DistinctBy(candidate => IdsOf(candidate.Named)).Take(MaxNamed)];
-        var likeliest = first is [var top, ..] ? top.Draw(prepared.Scene) : null;
+        var likeliest = first is [var top, ..] ? top.For(prepared.Scene) : null;
         return new(best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished)
         {
             NotYet = best.Base.NotYet,

@@ -22,8 +22,8 @@ internal enum Affects
 public sealed record Hint(string Symptom, string Question, string Answer);
 
 /// <summary>
-/// A mistake that people make in a ray caster, stated as a small deviation from the definition: it changes one or two steps of a
-/// <see cref="Lab"/>, and all other steps stay right. A program may have several.
+/// A mistake that people make in a ray caster, stated as a small change of the slides' formulas: Mistakes.txt has them all. A program may have
+/// several.
 /// </summary>
 public sealed class Mistake
 {
@@ -31,19 +31,17 @@ public sealed class Mistake
     internal const Affects WholePicture = Affects.Camera | Affects.Hit | Affects.Color | Affects.File;
 
     private readonly List<Mistake> variants = [];
+    private readonly Func<FormulaProgram, FormulaProgram?> change;
 
-    internal Mistake(string id, Affects affects, string slide, string cause, Action<Lab> deviate,
-        string symptom, string question, string answer, bool isWithinRounding = false)
-        : this(id, affects, slide, cause, deviate, new Hint(symptom, question, answer)) => IsWithinRounding = isWithinRounding;
+    /// <param name="changes">What people write; the first that fits a scene counts.</param>
+    internal Mistake(string id, string slide, string cause, Hint hint, IReadOnlyList<WrittenChange> changes, bool isWithinRounding)
+        : this(id, AffectedBy(changes), slide, cause, hint, In(changes)) => IsWithinRounding = isWithinRounding;
 
-    private Mistake(string id, Affects affects, string slide, string cause, Action<Lab> deviate, Hint hint)
+    internal Mistake(string id, Affects affects, string slide, string cause, Hint hint, Func<FormulaProgram, FormulaProgram?> change)
     {
-        (Id, Affects, Slide, Cause, Deviate, Hint) = (id, affects, slide, cause, deviate, hint);
+        (Id, Affects, Slide, Cause, Hint, this.change) = (id, affects, slide, cause, hint, change);
         variants.Add(this);
     }
-
-    /// <summary>A change of the definition that is no mistake.</summary>
-    internal static Mistake Unnamed(Action<Lab> deviate) => new("", Affects.Camera, "", "", deviate, "", "", "");
 
     /// <summary>A short name without blanks, the same for ever.</summary>
     public string Id { get; }
@@ -57,7 +55,7 @@ public sealed class Mistake
     /// <summary>Help in three steps.</summary>
     public Hint Hint { get; }
 
-    internal Affects Affects { get; }
+    internal Affects Affects { get; private set; }
 
     /// <summary>Where it is, if it is a small edit of the slides' formulas that the catalogue does not have; its id is "edit".</summary>
     public EditPlace? Place { get; internal init; }
@@ -65,10 +63,11 @@ public sealed class Mistake
     /// <summary>The same mistake as different people write it: one id, but a cause for each. This one is the first.</summary>
     public IReadOnlyList<Mistake> Variants => variants;
 
-    internal Action<Lab> Deviate { get; }
-
     /// <summary>Whether it changes channels by at most a level, like rounding, so it makes no pixel wrong.</summary>
     internal bool IsWithinRounding { get; }
+
+    /// <summary>A program with the mistake; null if it has another of the same part of a formula.</summary>
+    internal FormulaProgram? In(FormulaProgram program) => change(program);
 
     /// <summary>Whether a scene has what the mistake affects; if not, its picture is right.</summary>
     public bool Touches(Scene scene) => Touches(scene.Models.Select(model => model.Kind));
@@ -80,23 +79,40 @@ public sealed class Mistake
     public override string ToString() => Id;
 
     /// <summary>Adds a variant: another place where the same mistake is made.</summary>
-    internal Mistake Or(string cause, Action<Lab> deviate)
+    internal void Or(string cause, IReadOnlyList<WrittenChange> changes)
     {
-        variants.Add(Worded(cause, deviate));
-        return this;
+        Affects |= AffectedBy(changes);
+        foreach (var variant in variants) variant.Affects = Affects;
+        variants.Add(Worded(cause, In(changes)));
     }
 
-    /// <summary>The same mistake with another cause and another change of the lab.</summary>
-    internal Mistake Worded(string cause, Action<Lab> deviate) => new(Id, Affects, Slide, cause, deviate, Hint);
-
-    internal Mistake Or(IEnumerable<(string Cause, Action<Lab> Deviate)> family)
-    {
-        foreach (var (cause, deviate) in family) Or(cause, deviate);
-        return this;
-    }
+    /// <summary>The same mistake with another cause and another change of a program.</summary>
+    internal Mistake Worded(string cause, Func<FormulaProgram, FormulaProgram?> other) => new(Id, Affects, Slide, cause, Hint, other);
 
     internal static Affects KindOf(Model model) => KindOf(model.Kind);
 
     /// <summary>The formula of a kind of shape, by its name in scene files.</summary>
     internal static Affects KindOf(string kind) => ShapeKind.Of(kind)?.Formula ?? 0;
+
+    /// <summary>What is affected by a change of a step's formulas.</summary>
+    internal static Affects AffectedBy(SectionKind step) => step switch
+    {
+        SectionKind.Vectors or SectionKind.Camera or SectionKind.Sample or SectionKind.Pixel => Affects.Camera,
+        SectionKind.File => Affects.File,
+        SectionKind.Rule or SectionKind.Nearest => Affects.Hit,
+        SectionKind.Light or SectionKind.Bytes => Affects.Color,
+        _ => KindOf(step.ToString().ToLowerInvariant()),
+    };
+
+    private static Func<FormulaProgram, FormulaProgram?> In(IReadOnlyList<WrittenChange> changes) =>
+        program => changes.Select(change => change.In(program)).FirstOrDefault(changed => changed is not null);
+
+    /// <summary>What the formulas are for; a rule of some shapes is for these. A style affects nothing.</summary>
+    private static Affects AffectedBy(IReadOnlyList<WrittenChange> changes)
+    {
+        var steps = changes[0].Steps;
+        if (steps.Any(step => !step.Shapes.IsEmpty))
+            return steps.SelectMany(step => step.Shapes).Aggregate((Affects)0, (all, shape) => all | AffectedBy(shape));
+        return steps.Where(step => step.Kind is null || !step.Written.IsEmpty).Aggregate((Affects)0, (all, step) => all | step.Affects);
+    }
 }

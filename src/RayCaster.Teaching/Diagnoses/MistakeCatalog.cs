@@ -3,14 +3,10 @@ namespace RayCaster.Teaching;
 /// <summary>All mistakes that are known by name, in pipeline order.</summary>
 public static class MistakeCatalog
 {
-    /// <summary>All of them; a pair's picture does not depend on it.</summary>
-    public static IReadOnlyList<Mistake> All { get; } =
-    [
-        .. AxisMistakes.All, .. ImagePlaneMistakes.All, .. PixelMistakes.All, .. VectorMistakes.All, .. HitMistakes.All, .. SphereMistakes.All,
-        .. SurfaceMistakes.All, .. OriginMistakes.All, .. BoxMistakes.All, .. ColorMistakes.All, .. FileMistakes.All,
-    ];
+    private static readonly Dictionary<string, Mistake> byId = MistakeBook.Mistakes.ToDictionary(mistake => mistake.Id);
 
-    private static readonly Dictionary<string, Mistake> byId = All.ToDictionary(mistake => mistake.Id);
+    /// <summary>All of them; a pair's picture does not depend on it.</summary>
+    public static IReadOnlyList<Mistake> All => MistakeBook.Mistakes;
 
     /// <summary>The mistake of an id; null where there is none.</summary>
     public static Mistake? Named(string id) => byId.GetValueOrDefault(id);
@@ -19,5 +15,8 @@ public static class MistakeCatalog
     /// <param name="mistakes">All its mistakes; each is one of the catalogue, or one of its variants.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <returns>The picture; two of the mistakes swap its width and height.</returns>
-    public static Picture Draw(Scene scene, IReadOnlyList<Mistake> mistakes, int? threads = null) => new Lab(scene, [.. mistakes]).Render(threads);
+    /// <exception cref="ArgumentException">Two mistakes are in the same part of a formula.</exception>
+    public static Picture Draw(Scene scene, IReadOnlyList<Mistake> mistakes, int? threads = null) =>
+        FormulaProgram.For(scene.Camera).With(mistakes) is { } program ? program.Draw(scene, threads)
+            : throw new ArgumentException("two of these mistakes are in the same part of a formula, so no program has both", nameof(mistakes));
 }

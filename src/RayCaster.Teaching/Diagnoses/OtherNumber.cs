@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>One number of the scene or of the camera's plane that may be different in a picture.</summary>
 /// <param name="Draw">The scene with another number: x is its difference, or the logarithm of its ratio, to the right one.</param>
 /// <param name="Tries">The x that are tried first.</param>
-internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double> Tries, Func<double, string> Sentence)
+internal sealed record OtherNumber(Func<double, (Scene Scene, FormulaProgram Program)> Draw, IReadOnlyList<double> Tries, Func<double, string> Sentence)
 {
     /// <summary>A model of another size or place shows, or should show, at least this share of the wrong pixels.</summary>
     private const double Own = 0.3;
@@ -25,7 +25,7 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
         OtherNumber[] all = [.. OfCamera(scene), .. places.SelectMany(place => OfModel(scene, place))];
         var found = new (Misfit Misfit, double X)[all.Length];
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
-        Parallel.For(0, all.Length, options, i => found[i] = all[i].Tries.Select(x => (evidence.Misfit(all[i].Draw(x), 0.03), x)).Min());
+        Parallel.For(0, all.Length, options, i => found[i] = all[i].Tries.Select(x => (all[i].MisfitAt(x, evidence, 0.03), x)).Min());
         int[] best = [.. Enumerable.Range(0, all.Length).OrderBy(i => found[i].Misfit).Take(Closer)];
         Parallel.ForEach(best, options, i => found[i] = all[i].Closest(found[i].X, evidence));
         var first = best.MinBy(i => found[i].Misfit);
@@ -35,53 +35,59 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
     /// <summary>Steps to either side of an x while that is better; otherwise halves the step.</summary>
     private (Misfit, double) Closest(double x, Evidence evidence)
     {
-        var best = evidence.Misfit(Draw(x), 0.2);
+        var best = MisfitAt(x, evidence, 0.2);
         var step = Math.Abs(x) / 3;
         for (var k = 0; k < Steps; k++)
         {
-            var less = evidence.Misfit(Draw(x - step), 0.2);
-            var more = evidence.Misfit(Draw(x + step), 0.2);
+            var less = MisfitAt(x - step, evidence, 0.2);
+            var more = MisfitAt(x + step, evidence, 0.2);
             var isLess = less.CompareTo(more) < 0;
             if ((isLess ? less : more).CompareTo(best) < 0) (best, x) = isLess ? (less, x - step) : (more, x + step);
             else step /= 2;
         }
-        return (evidence.Misfit(Draw(x)), x);
+        return (MisfitAt(x, evidence, 1), x);
+    }
+
+    private Misfit MisfitAt(double x, Evidence evidence, double share)
+    {
+        var (scene, program) = Draw(x);
+        return evidence.Misfit(scene, program, share);
     }
 
     private static IEnumerable<OtherNumber> OfCamera(Scene scene)
     {
         var c = scene.Camera;
+        var slides = FormulaProgram.For(c);
         var size = (c.Target - c.Position).Length;
         double[] lengths = [.. Both([0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6]).Select(x => x * size)];
 
-        yield return Of((lab, x) => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x)),
+        yield return Of(SectionKind.Camera, x => [("h", $"2·tan(angle / 2) / {Factor(x)}")],
             x => $"The same picture, about {Times(x, "large", "small")}: look at h, and at fovY.");
-        yield return Of((lab, x) => lab.PlaneWidth.Becomes(w => h => w(h) / Math.Pow(2, x)),
+        yield return Of(SectionKind.Camera, x => [("w", $"h·aspect / {Factor(x)}")],
             x => $"The same picture, about {Times(x, "wide", "narrow")}: look at w.");
-        yield return Of((lab, x) =>
-        {
-            lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x));
-            lab.PlaneWidth.Becomes(w => h => w(h) * Math.Pow(2, x));
-        }, x => $"The same picture, about {Times(x, "high", "low")}: look at h, while w is right.");
-        yield return Of((lab, x) => lab.FadeDistance.Becomes(reach => () => reach() * Math.Pow(2, x)),
+        yield return Of(SectionKind.Camera, x => [("h", $"2·tan(angle / 2) / {Factor(x)}"), ("w", $"h·aspect·{Factor(x)}")], x => $"The same picture, about {Times(x, "high", "low")}: look at h, while w is right.");
+        yield return Of(SectionKind.Light, x => [("att", $"max(0, 1 - t / (2·|T - P|·{Factor(x)}))")],
             x => $"All outlines are right, only the light: it ends at about {Number(c.FadeDistance * Math.Pow(2, x))}, " +
                 $"while 2 |T − P| is {Number(c.FadeDistance)}. Look at the attenuation, and at the camera's target.");
-        yield return new(x => new(With(c.Position, c.Target, zNear: c.ZNear * Math.Pow(2, x))), times,
+        yield return new(x => (With(c.Position, c.Target, zNear: c.ZNear * Math.Pow(2, x)), slides), times,
             x => $"All is right if zNear is about {Number(c.ZNear * Math.Pow(2, x))}; the scene says {Number(c.ZNear)}.");
-        yield return new(x => new(With(c.Position, c.Target, zFar: c.ZFar * Math.Pow(2, x))), times,
+        yield return new(x => (With(c.Position, c.Target, zFar: c.ZFar * Math.Pow(2, x)), slides), times,
             x => $"All is right if zFar is about {Number(c.ZFar * Math.Pow(2, x))}; the scene says {Number(c.ZFar)}.");
         foreach (var (name, axis, of) in Axes)
         {
-            yield return new(x => new(With(c.Position + x * axis, c.Target)), lengths,
+            yield return new(x => (With(c.Position + x * axis, c.Target), slides), lengths,
                 x => $"Another camera: all is right if {name} of its position is about {Number(of(c.Position) + x)}; " +
                     $"the scene says {Number(of(c.Position))}.");
-            yield return new(x => new(With(c.Position, c.Target + x * axis)), lengths,
+            yield return new(x => (With(c.Position, c.Target + x * axis), slides), lengths,
                 x => $"Another camera: all is right if {name} of its target is about {Number(of(c.Target) + x)}; " +
                     $"the scene says {Number(of(c.Target))}.");
         }
 
-        OtherNumber Of(Action<Lab, double> edit, Func<double, string> sentence) =>
-            new(x => new(scene, Mistake.Unnamed(lab => edit(lab, x))), times, sentence);
+        OtherNumber Of(SectionKind step, Func<double, (string Name, string Right)[]> written, Func<double, string> sentence) => new(
+            x => (scene, slides.With(written(x).Aggregate(slides[step], (section, formula) => section.With(formula.Name, formula.Right)))),
+            times, sentence);
+
+        static string Factor(double x) => Math.Pow(2, x).ToString("F12", CultureInfo.InvariantCulture);
 
         Scene With(Vector3 P, Vector3 T, double? zNear = null, double? zFar = null) => scene with
         {
@@ -93,14 +99,15 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
     {
         var model = scene.Models[place];
         var name = ModelName.Of(scene, place);
+        var slides = FormulaProgram.For(scene.Camera);
         if (Moved(model, Vector3.Zero, 1) is null) yield break;
         if (model is not Model<Plane>)
-            yield return new(x => new(With(Moved(model, Vector3.Zero, Math.Pow(2, x))!)), times,
+            yield return new(x => (With(Moved(model, Vector3.Zero, Math.Pow(2, x))!), slides), times,
                 x => $"Only {name}: it is about {Times(x, "large", "small")}.");
         var size = (scene.Camera.Target - scene.Camera.Position).Length;
         double[] lengths = [.. Both([0.01, 0.02, 0.04, 0.08, 0.15, 0.3]).Select(x => x * size)];
         foreach (var (axisName, axis, _) in Axes)
-            yield return new(x => new(With(Moved(model, x * axis, 1)!)), lengths,
+            yield return new(x => (With(Moved(model, x * axis, 1)!), slides), lengths,
                 x => $"Only {name}: it stands elsewhere, its {axisName} is about {Number(Math.Abs(x))} too {(x > 0 ? "large" : "small")}.");
 
         Scene With(Model other) => scene with { Models = [.. scene.Models.Select((own, i) => i == place ? other : own)] };

@@ -46,7 +46,7 @@ internal sealed class PairSearch(
     }
 
     /// <summary>The shapes whose formulas a mistake changes; none if it changes whole pictures.</summary>
-    private Affects ChangedShapes(WrongProgram single) => IsOfAll(single) ? 0 : single.Draw(pictures[0].Scene).ChangedShapes;
+    private Affects ChangedShapes(WrongProgram single) => IsOfAll(single) ? 0 : single.For(pictures[0].Scene)?.ChangedShapes ?? 0;
 
     private static bool IsOfAll(WrongProgram single) => (single.Variants[0].Affects & Mistake.WholePicture) != 0;
 
@@ -68,8 +68,8 @@ internal sealed class PairSearch(
 
     private List<WrongProgram> WithSeconds(WrongProgram first)
     {
-        var left = pictures.Select(picture => new Evidence(picture, first.Draw(picture.Scene))).ToArray();
-        var seconds = ranking.Plausible(candidate => left.Any(picture => picture.IsImprovedBy(candidate.Draw(picture.Scene))),
+        var left = pictures.Select(picture => new Evidence(picture, first.For(picture.Scene)!)).ToArray();
+        var seconds = ranking.Plausible(candidate => left.Any(picture => picture.IsImprovedBy(candidate.For(picture.Scene))),
             from other in known
             where other.Id != first.Variants[0].Id && !(first.OtherSample && other == WrongProgram.Center)
             from variant in other.Variants
@@ -110,7 +110,7 @@ internal sealed class PairSearch(
     private List<WrongProgram> AllPairs(WrongProgram[] singles)
     {
         var pairs = ranking.Plausible(
-            candidate => pictures.Any(picture => !picture.IsRight && picture.MayBeExplainedBy(candidate.Draw(picture.Scene))),
+            candidate => pictures.Any(picture => !picture.IsRight && picture.MayBeExplainedBy(candidate.For(picture.Scene))),
             from i in Enumerable.Range(0, singles.Length)
             from k in Enumerable.Range(0, i)
             where singles[i].Id != singles[k].Id

@@ -27,9 +27,7 @@ public sealed class SceneDiagnosis
         Right = Renderer.Render(scene, threads);
         var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
             && possible?.Invoke(mistake) != false).ToArray();
-        var triangles = scene.Models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount);
-        Known = [.. visible.Where(mistake => triangles <= Lab.MaxTriangles
-            || mistake.Variants.All(variant => !new Lab(scene, variant).TakesTooLong))];
+        Known = [.. visible.Where(mistake => mistake.Variants.All(variant => SceneFitness.CanTry(scene, variant)))];
         NotTried = [.. visible.Except(Known)];
         hidden = new(() => TooManyModels ? [] : SceneFitness.HiddenIn(scene, threads, budget));
     }
@@ -43,7 +41,7 @@ public sealed class SceneDiagnosis
     /// <summary>The mistakes of the catalogue that the scene's picture cannot show. The first use takes longer than a diagnosis.</summary>
     public IReadOnlyList<Mistake> Hidden => hidden.Value;
 
-    internal bool TooManyModels => Scene.Models.Count > Lab.MaxModels;
+    internal bool TooManyModels => Scene.Models.Count > SceneFitness.MaxModels;
 
     internal int? Threads { get; }
 

@@ -12,7 +12,7 @@ public sealed class SceneFitness
     public const int LeastPixels = 20;
 
     /// <summary>On scenes with more models, no mistakes are tried.</summary>
-    public const int MaxModels = Lab.MaxModels;
+    public const int MaxModels = 10_000;
 
     /// <summary>A smaller picture of the same shape is judged in place of a larger one.</summary>
     private const int MaxPixels = 1_000_000;
@@ -100,7 +100,7 @@ public sealed class SceneFitness
     private static (Mistake[] Known, View[] Views) TryAll(
         IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> tested, int? threads, SearchBudget? budget)
     {
-        Mistake[] known = [.. tested.Where(mistake => scenes.All(scene => !new Lab(scene, mistake).TakesTooLong))];
+        Mistake[] known = [.. tested.Where(mistake => scenes.All(scene => CanTry(scene, mistake)))];
         View[] views = [.. scenes.Select(scene => new View(scene))];
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
         var tried = new ConcurrentBag<Mistake>();
@@ -126,6 +126,10 @@ public sealed class SceneFitness
     /// <summary>Whether a scene has so few models that mistakes can be tried on it.</summary>
     public static bool CanJudge(Scene scene) => scene.Models.Count <= MaxModels;
 
+    /// <summary>Whether a mistake does not take too long to try.</summary>
+    internal static bool CanTry(Scene scene, Mistake mistake) =>
+        mistake.In(FormulaProgram.For(scene.Camera)) is not { } program || program.TrianglesTried(scene) <= WrongProgram.MaxTriangles;
+
     private static Scene Judged(Scene scene)
     {
         var camera = scene.Camera;
@@ -150,15 +154,24 @@ public sealed class SceneFitness
     }
 
     /// <summary>As much of a scene's picture with each mistake as is needed.</summary>
-    private sealed class View(Scene scene)
+    private sealed class View
     {
-        private readonly int count = scene.Camera.Width * scene.Camera.Height;
-        private readonly GoldenSteps places = new(scene.Camera.Width * scene.Camera.Height); // of samples
-        private readonly Picture right = Renderer.Render(scene);
-        private readonly ConcurrentDictionary<Mistake, (byte R, byte G, byte B)[]> samples = [];
+        private readonly FormulaProgram slides;
+        private readonly (int X, int Y)[] places; // any beginning is spread over the picture
+        private readonly Picture right;
+        private readonly ConcurrentDictionary<Mistake, byte[]> samples = [];
         private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [];
 
-        public Scene Scene => scene;
+        public View(Scene scene)
+        {
+            Scene = scene;
+            slides = FormulaProgram.For(scene.Camera);
+            right = slides.Draw(scene); // mistakes are edits of its formulas: other last bits than the definition's are none
+            var spread = new GoldenSteps(right.Count);
+            places = [.. Enumerable.Range(0, right.Count).Select(k => (spread[k] % right.Width, spread[k] / right.Width))];
+        }
+
+        public Scene Scene { get; }
 
         public bool IsOfOneColor => right.IsOneColor;
 
@@ -169,54 +182,76 @@ public sealed class SceneFitness
         public bool ShowsFirst(Mistake mistake) => shownFirst.GetValueOrDefault(mistake);
 
         /// <summary>Whether a mistake changes any byte of the samples.</summary>
-        public bool ShowsByALevel(Mistake mistake) => samples[mistake].Index().Any(sample => sample.Item != right.At(places[sample.Index]));
+        public bool ShowsByALevel(Mistake mistake) => samples[mistake].Chunk(3).Index().Any(sample =>
+            places[sample.Index] is var (x, y) && right[x, y] != (sample.Item[0], sample.Item[1], sample.Item[2]));
 
         /// <summary>Draws samples of the picture, and more of it if they do not show the mistake.</summary>
         public void Try(Mistake mistake)
         {
-            var lab = new Lab(scene, mistake);
-            var drawn = samples[mistake] = [.. Enumerable.Range(0, Math.Min(lab.RaysWithin(MaxTests, Samples), count)).Select(k => lab[places[k]])];
-            shownFirst[mistake] = HasOtherSize(lab) || Differ(drawn.Length, LeastPixels, k => (drawn[k], right.At(places[k])))
-                || (mistake.Touches(scene) && Changes(mistake, MoreSamples));
-            shown[mistake] = shownFirst[mistake]
-                || (mistake.Touches(scene) && mistake.Variants.Skip(1).Any(variant => Changes(variant, VariantSamples)));
+            var program = mistake.In(slides)!;
+            var drawn = samples[mistake] = FormulaEvaluator.Draw(
+                Scene, program, places[..Math.Min(program.RaysWithin(Scene, MaxTests, Samples), right.Count)]);
+            shownFirst[mistake] = HasOtherSize(program) || Differ(drawn, 0, LeastPixels)
+                || (mistake.Touches(Scene) && Changes(program, MoreSamples));
+            shown[mistake] = shownFirst[mistake] || (mistake.Touches(Scene)
+                && mistake.Variants.Skip(1).Any(variant => variant.In(slides) is { } other && Changes(other, VariantSamples)));
         }
 
         /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
         public bool AreAlike(Mistake a, Mistake b)
         {
-            var one = new Lab(scene, a);
-            var other = new Lab(scene, b);
-            if ((one.Width, one.Height) != (other.Width, other.Height)) return false;
-            var first = samples[a];
-            var second = samples[b];
-            var isSlow = one.TrianglesTried + other.TrianglesTried > 0;
-            return !Differ(Math.Min(first.Length, second.Length), isSlow ? 1 : LeastPixels, k => (first[k], second[k]))
-                && (isSlow || !Differ(count, LeastPixels, i => (one[i], other[i])));
+            var (one, other) = (a.In(slides)!, b.In(slides)!);
+            if (one.IsTurned != other.IsTurned) return false;
+            var isSlow = one.TrianglesTried(Scene) + other.TrianglesTried(Scene) > 0;
+            var left = isSlow ? 1 : LeastPixels;
+            var (first, second) = (samples[a], samples[b]);
+            for (var i = 0; i < Math.Min(first.Length, second.Length); i += 3)
+                if (!AreNear(first, second, i) && --left == 0) return false;
+            if (isSlow) return true;
+            for (var k = Samples; k < right.Count; k += FormulaEvaluator.Block)
+            {
+                var some = places[k..Math.Min(right.Count, k + FormulaEvaluator.Block)];
+                (first, second) = (FormulaEvaluator.Draw(Scene, one, some), FormulaEvaluator.Draw(Scene, other, some));
+                for (var i = 0; i < first.Length; i += 3)
+                    if (!AreNear(first, second, i) && --left == 0) return false;
+            }
+            return true;
         }
 
         /// <summary>Whether a variant changes enough pixels of a part of the picture.</summary>
-        private bool Changes(Mistake variant, int most)
+        private bool Changes(FormulaProgram program, int most)
         {
-            var lab = new Lab(scene, variant);
             // Triangles that cover more than their area change large parts of a picture, which the samples would have shown.
-            if (HasOtherSize(lab) || lab.TrianglesTried > 0) return HasOtherSize(lab);
-            most = Math.Min(most, count);
-            return Differ(most, (int)Math.Ceiling((double)LeastPixels * most / count), k => (lab[places[k]], right.At(places[k])));
-        }
-
-        private bool HasOtherSize(Lab lab) => (lab.Width, lab.Height) != (right.Width, right.Height);
-
-        /// <summary>Whether at least so many pairs of colours differ by more than rounding.</summary>
-        private static bool Differ(int pairs, int least, Func<int, ((byte, byte, byte) A, (byte, byte, byte) B)> pair)
-        {
-            for (var k = 0; k < pairs && least > 0; k++)
+            if (HasOtherSize(program) || program.TrianglesTried(Scene) > 0) return HasOtherSize(program);
+            most = Math.Min(most, right.Count);
+            var left = (int)Math.Ceiling((double)LeastPixels * most / right.Count);
+            for (var k = 0; k < most; k += FormulaEvaluator.Block)
             {
-                var (a, b) = pair(k);
-                if (!PictureJudge.IsNear(a, b)) least--;
+                var some = places[k..Math.Min(most, k + FormulaEvaluator.Block)];
+                left -= Differences(FormulaEvaluator.Draw(Scene, program, some), k);
+                if (left <= 0) return true;
             }
-            return least <= 0;
+            return false;
         }
+
+        private bool HasOtherSize(FormulaProgram program) => program.SizeOf(Scene.Camera) != (right.Width, right.Height);
+
+        private bool Differ(byte[] drawn, int first, int least) => Differences(drawn, first) >= least;
+
+        /// <summary>How many pixels differ by more than rounding from the right picture's, from one of the places on.</summary>
+        private int Differences(byte[] drawn, int first)
+        {
+            var differing = 0;
+            for (var i = 0; i < drawn.Length; i += 3)
+            {
+                var (x, y) = places[first + i / 3];
+                if (!PictureJudge.IsNear((drawn[i], drawn[i + 1], drawn[i + 2]), right[x, y])) differing++;
+            }
+            return differing;
+        }
+
+        private static bool AreNear(byte[] one, byte[] other, int i) =>
+            PictureJudge.IsNear((one[i], one[i + 1], one[i + 2]), (other[i], other[i + 1], other[i + 2]));
     }
 
     /// <summary>Moves each number of the camera by its last bit, up and down, and counts the pixels that ever show another model.</summary>

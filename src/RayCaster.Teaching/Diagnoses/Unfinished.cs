@@ -32,7 +32,7 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     public FormulaProgram PartOf(FormulaProgram program)
     {
         if (NotYet.Contains(Attenuation)) program = program.With(program[SectionKind.Light].With("att", "1"));
-        return NotYet.Contains(Clipping) ? program.With(program[SectionKind.Rule].With(Formula.When.Text, "t > bias")) : program;
+        return NotYet.Contains(Clipping) ? program.With(program[SectionKind.Rule].With(Formula.When.Text, "t > bias and t < ∞")) : program;
     }
 
     /// <summary>Every subset of missing parts: of the kinds of shape, except all of them, with and without attenuation and clipping.</summary>

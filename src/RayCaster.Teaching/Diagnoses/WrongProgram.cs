@@ -47,7 +47,18 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     /// <summary>How many of its mistakes are not in their usual variant, the first.</summary>
     public int Unusual => Variants.Count(variant => variant.Place is null && variant != MistakeCatalog.Named(variant.Id));
 
-    public Lab Draw(Scene scene) => new(Base.PartOf(scene), [.. Base.AsMistakes, .. Mistakes]);
+    /// <summary>As many triangles as a ray may try one by one; with more a mistake is not tried at all. Beside another mistake it is less: there are
+    /// thousands of pairs.</summary>
+    public const int MaxTriangles = 20_000, MaxTrianglesBeside = 1000;
+
+    /// <summary>Its formulas for a scene.</summary>
+    /// <returns>Null if two of its mistakes are in the same part of a formula, or if it takes too long to draw.</returns>
+    public FormulaProgram? For(Scene scene)
+    {
+        var slides = FormulaProgram.For(scene.Camera) with { LeftOut = [.. Base.Kinds] };
+        return slides.With(Base.AsMistakes.Concat(Mistakes)) is { } program
+            && program.TrianglesTried(scene) <= (Variants.Count > 1 ? MaxTrianglesBeside : MaxTriangles) ? program : null;
+    }
 
     public IReadOnlyList<Mistake> Named => [.. Variants, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
 

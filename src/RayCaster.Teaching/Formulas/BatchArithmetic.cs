@@ -35,6 +35,8 @@ internal sealed class BatchArithmetic(int pixels)
             case Operator.Z: return new(Evaluate(e.Operands[0], frame).Z!);
             case Operator.Vector:
                 return new(Evaluate(e.Operands[0], frame).X, Evaluate(e.Operands[1], frame).X, Evaluate(e.Operands[2], frame).X);
+            case Operator.If:
+                return Chosen(Evaluate(e.Operands[0], frame).X, Evaluate(e.Operands[1], frame), Evaluate(e.Operands[2], frame));
             case Operator.Call:
                 var arguments = new Batch[e.Operands.Length];
                 for (var i = 0; i < arguments.Length; i++) arguments[i] = Evaluate(e.Operands[i], frame);
@@ -64,7 +66,28 @@ internal sealed class BatchArithmetic(int pixels)
         return pool[used++];
     }
 
+    /// <summary>How many arrays are in use; set to an earlier number, what was computed since then is given back.</summary>
+    public int Used
+    {
+        get => used;
+        set => used = value;
+    }
+
     public Batch NewVector(int length) => new(New(length), New(length), New(length));
+
+    private Batch Chosen(double[] condition, Batch then, Batch otherwise)
+    {
+        return then.Y is null ? new(Of(then.X, otherwise.X)) : new(Of(then.X, otherwise.X), Of(then.Y, otherwise.Y!), Of(then.Z!, otherwise.Z!));
+
+        double[] Of(double[] a, double[] b)
+        {
+            var r = New(Math.Max(condition.Length, Math.Max(a.Length, b.Length)));
+            for (var i = 0; i < r.Length; i++) r[i] = At(condition, i) != 0 ? At(a, i) : At(b, i);
+            return r;
+        }
+
+        static double At(double[] a, int i) => a[i < a.Length ? i : 0];
+    }
 
     private double[] Map(Operator op, double[] a)
     {
@@ -78,6 +101,10 @@ internal sealed class BatchArithmetic(int pixels)
             case Operator.Sin: for (var i = 0; i < r.Length; i++) r[i] = Math.Sin(a[i]); break;
             case Operator.Cos: for (var i = 0; i < r.Length; i++) r[i] = Math.Cos(a[i]); break;
             case Operator.Tan: for (var i = 0; i < r.Length; i++) r[i] = Math.Tan(a[i]); break;
+            case Operator.Atan: for (var i = 0; i < r.Length; i++) r[i] = Math.Atan(a[i]); break;
+            case Operator.Srgb:
+                for (var i = 0; i < r.Length; i++) r[i] = a[i] <= 0.0031308 ? 12.92 * a[i] : 1.055 * Math.Pow(a[i], 1 / 2.4) - 0.055;
+                break;
             case Operator.Truncate: for (var i = 0; i < r.Length; i++) r[i] = Math.Truncate(a[i]); break;
             case Operator.Cast: for (var i = 0; i < r.Length; i++) r[i] = double.IsFinite(a[i]) ? (byte)(long)a[i] : 0; break;
             default: throw new ArgumentOutOfRangeException(nameof(op), op, null);
@@ -102,6 +129,8 @@ internal sealed class BatchArithmetic(int pixels)
             case Operator.Greater: for (; i < r.Length; i += size, j += da, k += db) Less(At(b, k), At(a, j)).CopyTo(r, i); break;
             case Operator.AtMost: for (; i < r.Length; i += size, j += da, k += db) AtMost(At(a, j), At(b, k)).CopyTo(r, i); break;
             case Operator.AtLeast: for (; i < r.Length; i += size, j += da, k += db) AtMost(At(b, k), At(a, j)).CopyTo(r, i); break;
+            case Operator.Equal: for (; i < r.Length; i += size, j += da, k += db) Truth(Vector.Equals(At(a, j), At(b, k))).CopyTo(r, i); break;
+            case Operator.Power: for (; i < r.Length; i++) r[i] = Math.Pow(a[da == 0 ? 0 : i], b[db == 0 ? 0 : i]); break;
             case Operator.Or: for (; i < r.Length; i += size, j += da, k += db) Vector.Max(At(a, j), At(b, k)).CopyTo(r, i); break;
             case Operator.Min: for (; i < r.Length; i += size, j += da, k += db) Min(At(a, j), At(b, k)).CopyTo(r, i); break;
             case Operator.Max: for (; i < r.Length; i += size, j += da, k += db) (-Min(-At(a, j), -At(b, k))).CopyTo(r, i); break;

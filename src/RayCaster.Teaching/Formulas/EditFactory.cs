@@ -38,7 +38,8 @@ internal sealed class EditFactory
     {
         var scope = section.Scope.Values.ToDictionary(name => name.Symbol!);
         var slips = new List<Slip>[section.Formulas.Length];
-        for (var place = 0; place < section.Formulas.Length; place++)
+        var isLoop = section.Kind == SectionKind.Nearest; // its slips are the written ones
+        for (var place = 0; place < section.Formulas.Length && !isLoop; place++)
         {
             var (name, right, parameters) = section.Formulas[place];
             read = right.Reads;
@@ -49,13 +50,19 @@ internal sealed class EditFactory
             if (right.Quantity.Kind == ValueKind.Truth) AddConditions(place, scope.Values);
             scope[name] = Expression.Name(name, right.Quantity);
         }
-        AddAlike(slips);
-        if (section.Kind != SectionKind.Vectors) AddRenamed([.. scope.Values]);
-        AddCrossings(scope);
+        if (!isLoop)
+        {
+            AddAlike(slips);
+            if (section.Kind != SectionKind.Vectors) AddRenamed([.. scope.Values]);
+            AddCrossings(scope);
+        }
         var ids = AddNamed();
         var texts = new HashSet<string> { TextOf(section) };
-        return [.. edits.OrderBy(edit => edit.Cost).Where(edit => texts.Add(TextOf(edit.Section)))
-            .Select(edit => edit with { Label = ids.GetValueOrDefault(TextOf(edit.Section)) ?? EditLabels.IdOf(edit) })];
+        return [.. from edit in edits
+                   orderby edit.Cost
+                   where texts.Add(string.Join('\n', edit.Beside.Select(beside => beside.Name + TextOf(beside)).Prepend(TextOf(edit.Section))))
+                   select edit.Beside.Length > 0 ? edit
+                       : edit with { Label = ids.GetValueOrDefault(TextOf(edit.Section)) ?? EditLabels.IdOf(edit) }];
     }
 
     private static string TextOf(FormulaSection section) => string.Join('\n', section.Formulas);
@@ -172,12 +179,15 @@ internal sealed class EditFactory
     private Dictionary<string, string> AddNamed()
     {
         var ids = new Dictionary<string, string>();
-        foreach (var (id, written) in EditLabels.FormulasFor(section))
+        foreach (var (id, step, beside) in EditLabels.FormulasFor(section))
         {
-            var edited = written.Aggregate(section, (edited, formula) => edited.With(formula.Name, formula.Right));
-            var first = section.Find(written[0].Name);
-            Add(edited, first, $"{section.Formulas[first].Right}", $"{edited.Formulas[first].Right}", OtherLaw, Named);
-            if (id != "") ids.TryAdd(TextOf(edited), id);
+            var edited = step.In(section);
+            var name = step.Written[0].Name is "hits" ? Formula.Near.Text : step.Written[0].Name;
+            var place = section.Find(name);
+            Add(edited, place < 0 ? null : place, place < 0 ? "nothing" : $"{section.Formulas[place].Right}",
+                $"{edited.Formulas[edited.Find(name)].Right}", OtherLaw, Named);
+            if (beside.Length > 0) edits[^1] = edits[^1] with { Beside = beside, Label = id == "" ? null : id };
+            else if (id != "") ids.TryAdd(TextOf(edited), id);
         }
         return ids;
     }

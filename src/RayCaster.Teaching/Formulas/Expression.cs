@@ -16,6 +16,7 @@ internal enum Operator
     Greater,
     AtMost,
     AtLeast,
+    Equal, // as C# compares: no slip in a right formula, but people write it
     Add,
     Subtract,
     Multiply,
@@ -27,10 +28,14 @@ internal enum Operator
     Sin,
     Cos,
     Tan,
+    Atan,
     Truncate,
     Cast, // to a byte, as C# does it: 256 becomes 0
     Min,
     Max,
+    Power, // of each coordinate
+    Srgb, // what sRGB (IEC 61966-2-1) stores for a linear channel, of each coordinate
+    If, // condition, then, else
 }
 
 /// <summary>A formula's tree; it never changes. Each node has a kind and a unit.</summary>
@@ -109,6 +114,19 @@ internal sealed class Expression
         return Operator == Operator.Call ? Call(Symbol!.Text, operands) : Of(Operator, operands);
     }
 
+    /// <summary>This with the edits of another one, where both have edited different parts of what is right; null if they have edited the same.
+    /// </summary>
+    public Expression? Merged(Expression right, Expression other)
+    {
+        if (other.ToString() == right.ToString()) return this;
+        if (ToString() == right.ToString() || ToString() == other.ToString()) return other;
+        if (Operands.IsEmpty || Operator != right.Operator || Operator != other.Operator || Symbol != right.Symbol || Symbol != other.Symbol) return null;
+        var merged = this;
+        for (var i = 0; i < Operands.Length && merged is not null; i++)
+            merged = Operands[i].Merged(right.Operands[i], other.Operands[i]) is { } operand ? merged.With(i, operand) : null;
+        return merged;
+    }
+
     /// <summary>Whether two operands have units that can be added or compared. Edits need not keep that, the slides do.</summary>
     public bool IsConsistent => Operands.All(operand => operand.IsConsistent)
         && (!(Operator is >= Operator.Less and <= Operator.Subtract or Operator.Min or Operator.Max) || Operands is not [var a, var b]
@@ -126,8 +144,8 @@ internal sealed class Expression
         if (operands.Length != op switch
         {
             Operator.Number or Operator.Name or Operator.Call => -1,
-            Operator.Vector => 3,
-            >= Operator.Or and <= Operator.Divide or Operator.Min or Operator.Max => 2,
+            Operator.Vector or Operator.If => 3,
+            >= Operator.Or and <= Operator.Divide or Operator.Min or Operator.Max or Operator.Power => 2,
             _ => 1,
         }) return null;
         var a = operands[0].Quantity;
@@ -135,16 +153,17 @@ internal sealed class Expression
         return op switch
         {
             Operator.And or Operator.Or or Operator.Not => a.Kind == ValueKind.Truth && b.Kind == ValueKind.Truth ? Quantity.Truth : null,
+            Operator.If => a.Kind == ValueKind.Truth && operands[1].Quantity.Kind == b.Kind ? b : null,
             _ when a.Kind == ValueKind.Truth || b.Kind == ValueKind.Truth => null,
             Operator.X or Operator.Y or Operator.Z => a.Kind == ValueKind.Vector ? a with { Kind = ValueKind.Number, Measure = 0 } : null,
             Operator.Vector => operands.All(operand => operand.Quantity.Kind == ValueKind.Number) ? new(ValueKind.Vector, a.Length) : null,
-            Operator.Negate or Operator.Abs or Operator.Truncate or Operator.Cast => a,
+            Operator.Negate or Operator.Abs or Operator.Truncate or Operator.Cast or Operator.Power or Operator.Srgb => a,
             Operator.Sqrt => a with { Length = a.Length / 2 },
-            Operator.Sin or Operator.Cos or Operator.Tan => a.Kind == ValueKind.Number ? Quantity.Number : null,
+            Operator.Sin or Operator.Cos or Operator.Tan or Operator.Atan => a.Kind == ValueKind.Number ? Quantity.Number : null,
             Operator.Multiply => a.Kind == ValueKind.Vector && b.Kind == ValueKind.Vector ? null : Product(a, b, 1),
             Operator.Divide => a.Kind == ValueKind.Number && b.Kind == ValueKind.Vector ? null : Product(a, b, -1),
             _ when a.Kind != b.Kind => null,
-            Operator.Less or Operator.Greater or Operator.AtMost or Operator.AtLeast => a.Kind == ValueKind.Number ? Quantity.Truth : null,
+            >= Operator.Less and <= Operator.Equal => a.Kind == ValueKind.Number ? Quantity.Truth : null,
             Operator.Subtract when a.Measure == Measure.Point && b.Measure == Measure.Point => a with { Measure = 0 },
             Operator.Add when b.Measure == Measure.Point => b,
             _ => a.IsPure ? b with { Measure = b.Measure == Measure.Point ? 0 : b.Measure } : a,

@@ -28,6 +28,7 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
         for (var i = 0; i < text.Length;)
         {
             var end = i + 1;
+            if (text[i] == '=' && end < text.Length && text[end] == '=') end++;
             if (char.IsLetterOrDigit(text[i]) && text[i] != '²')
                 while (end < text.Length
                     && (char.IsLetterOrDigit(text[end]) || text[end] == '_' || (text[end] == '.' && char.IsDigit(text[i])))) end++;

@@ -22,7 +22,7 @@ internal sealed class FormulaBook
 
     /// <summary>What every scene gives.</summary>
     private static Dictionary<string, Expression> OfScene { get; } = Names(
-        "P: point, T: point, up: direction, fovY: angle, width: pixels, height: pixels, zNear: length, zFar: length, bias: length, π: none");
+        "P: point, T: point, up: direction, fovY: angle, width: pixels, height: pixels, zNear: length, zFar: length, bias: length, ∞: length, π: none");
 
     /// <summary>The pixel: x from the left, y from the top. The camera is made before there is one.</summary>
     private static Dictionary<string, Expression> OfPixel { get; } = Names("x: pixels, y: pixels");
@@ -58,7 +58,7 @@ internal sealed class FormulaBook
         : throw new FormatException($"unknown unit '{word}'; there are {string.Join(", ", Quantity.Words.Keys)}");
 
     /// <summary>What a step computes for later steps; its other names are its own.</summary>
-    private static readonly string[] results = ["W", "U", "V", "h", "w", "c", "r", "d"];
+    private static readonly string[] results = ["W", "U", "V", "h", "w", "column", "row", "c", "r", "d"];
 
     /// <summary>The names that a section can read besides what it is given: what earlier steps have computed.</summary>
     private Dictionary<string, Expression> ScopeOf(SectionKind kind)
@@ -66,7 +66,8 @@ internal sealed class FormulaBook
         SectionKind[] before = kind switch
         {
             SectionKind.Vectors or SectionKind.Camera or SectionKind.File or SectionKind.Bytes => [],
-            SectionKind.Pixel => [SectionKind.Camera, SectionKind.File],
+            SectionKind.Sample => [SectionKind.File],
+            SectionKind.Pixel => [SectionKind.Camera, SectionKind.Sample],
             _ => [SectionKind.Camera, SectionKind.Pixel],
         };
         var scope = new Dictionary<string, Expression>();

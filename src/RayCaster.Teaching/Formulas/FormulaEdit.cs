@@ -21,5 +21,9 @@ internal sealed record FormulaEdit(FormulaSection Section, int? Place, string Me
 
     public FormulaProgram In(FormulaProgram program) => Beside.Aggregate(program, (all, section) => all.With(section)).With(Section);
 
+    /// <summary>A program with it; null if the program has changes of the same places, or another style.</summary>
+    public FormulaProgram? On(FormulaProgram program) =>
+        Beside.Append(Section).Aggregate((FormulaProgram?)program, (all, section) => all?.With(section, []));
+
     public override string ToString() => $"{Section.Name}: {Formula?.ToString() ?? "everywhere"}: {Written} for {Meant} ({Operator})";
 }

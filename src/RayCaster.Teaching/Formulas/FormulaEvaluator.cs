@@ -2,38 +2,53 @@ using System.Numerics;
 
 namespace RayCaster.Teaching;
 
-/// <summary>Draws pixels of a scene by formulas. Of a program that differs from the first one by an edit, it computes only what the edit reaches.
+/// <summary>Draws pixels of a scene as programs do. Of a program that differs from the first one, it computes only what the difference reaches.
 /// </summary>
 /// <remarks>Not for several threads.</remarks>
 internal sealed class FormulaEvaluator
 {
-    /// <summary>A mesh with more triangles is searched through its tree, and its triangles are crossed as the definition says.</summary>
+    /// <summary>A mesh with more triangles is searched through its tree.</summary>
     public const int MaxTriangles = 100;
 
+    /// <summary>How many pixels of a whole picture are computed together.</summary>
+    public const int Block = 4096;
+
+    private static readonly UInt128 ofRay = Symbol.Of("P").Bit | Symbol.Of("d").Bit;
+
     private readonly Scene scene;
-    private readonly int shown, count; // pixels: those that are drawn, and with the last one again and again as many as the arithmetic needs
+    private readonly bool proposes;
+    private readonly int count; // pixels: those that are drawn, and with the last one again and again as many as the arithmetic needs
     private readonly BatchArithmetic arithmetic;
     private readonly Batch[] givens;
     private readonly Part[] parts;
     private readonly Dictionary<(int Part, FormulaSection Section), Batch[]> rightFrames = [];
     private readonly Batch[] ofShape = new Batch[Symbol.Max], ofRule = new Batch[Symbol.Max]; // frames for intermediate results
-    private readonly State right;
+    private readonly State? right;
+    private int shown;
 
-    /// <param name="pixels">Columns from the left and lines from the top.</param>
-    /// <param name="program">The program that others are edits of.</param>
-    public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program)
+    /// <param name="pixels">Columns from the left and lines from the top of the file.</param>
+    /// <param name="program">The program that others differ from.</param>
+    /// <param name="proposes">Whether formulas decide only about that triangle of a large mesh which the definition hits. Otherwise an edited formula
+    /// decides about each triangle, one by one.</param>
+    public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program, bool proposes = false)
+        : this(scene, pixels.Count, proposes)
     {
-        this.scene = scene;
-        shown = pixels.Count;
-        if (shown % Vector<double>.Count is > 0 and var over) pixels = [.. pixels, .. Enumerable.Repeat(pixels[^1], Vector<double>.Count - over)];
-        count = pixels.Count;
-        arithmetic = new(count) { Keeps = true };
-        givens = GivensOf(scene.Camera);
-        givens[Symbol.Of("x").Place] = new([.. pixels.Select(pixel => (double)pixel.X)]);
-        givens[Symbol.Of("y").Place] = new([.. pixels.Select(pixel => (double)pixel.Y)]);
-        parts = [.. scene.Models.SelectMany(PartsOf)];
+        Place(pixels);
+        arithmetic.Keeps = true;
         right = Run(program, null);
         arithmetic.Keeps = false;
+    }
+
+    private FormulaEvaluator(Scene scene, int pixels, bool proposes)
+    {
+        this.scene = scene;
+        this.proposes = proposes;
+        count = (pixels + Vector<double>.Count - 1) / Vector<double>.Count * Vector<double>.Count;
+        arithmetic = new(count);
+        givens = GivensOf(scene.Camera);
+        givens[Symbol.Of("x").Place] = new(new double[count]);
+        givens[Symbol.Of("y").Place] = new(new double[count]);
+        parts = [.. scene.Models.SelectMany(PartsOf)];
     }
 
     /// <summary>The values of the names that every scene gives, each at its symbol's place.</summary>
@@ -49,51 +64,99 @@ internal sealed class FormulaEvaluator
         Give("zNear", Batch.Of(camera.ZNear));
         Give("zFar", Batch.Of(Math.Min(camera.ZFar, double.MaxValue))); // so that the infinite t of a parallel ray never counts
         Give("bias", Batch.Of(camera.Bias == 0 ? -double.Epsilon : camera.Bias)); // with a bias of 0, t = 0 counts
+        Give("∞", Batch.Of(double.PositiveInfinity));
         Give("π", Batch.Of(Math.PI));
         return givens;
 
         void Give(string name, Batch value) => givens[Symbol.Of(name).Place] = value;
     }
 
+    /// <summary>What a program draws in some pixels, of which there may be many: red, green, blue, and so on.</summary>
+    /// <param name="pixels">Columns from the left and lines from the top of the program's file.</param>
+    public static byte[] Draw(Scene scene, FormulaProgram program, IReadOnlyList<(int X, int Y)> pixels)
+    {
+        if (program.MovedBytes != 0) return DrawMoved(scene, program, pixels);
+        var rgb = new byte[3 * pixels.Count];
+        var evaluator = new FormulaEvaluator(scene, Math.Min(Block, pixels.Count), proposes: false);
+        for (var first = 0; first < pixels.Count; first += Block)
+        {
+            evaluator.Place([.. pixels.Skip(first).Take(Block)]);
+            evaluator.arithmetic.Forget();
+            evaluator.Run(program, null).Bytes.CopyTo(rgb, 3 * first);
+        }
+        return rgb;
+    }
+
+    /// <summary>The same where a byte comes from another place in the file; what is before the first or after the last one is a line break.</summary>
+    private static byte[] DrawMoved(Scene scene, FormulaProgram program, IReadOnlyList<(int X, int Y)> pixels)
+    {
+        var (width, height) = (scene.Camera.Width, scene.Camera.Height);
+        if (program.IsTurned) (width, height) = (height, width);
+        int[] sources = [.. from pixel in pixels from channel in (int[])[0, 1, 2]
+            select 3 * (pixel.Y * width + pixel.X) + channel - program.MovedBytes];
+        int[] places = [.. sources.Where(IsInFile).Select(source => source / 3).Distinct()];
+        var drawn = Draw(scene, program with { MovedBytes = 0 }, [.. places.Select(place => (place % width, place / width))]);
+        var at = places.Index().ToDictionary(place => place.Item, place => 3 * place.Index);
+        return [.. sources.Select(source => IsInFile(source) ? drawn[at[source / 3] + source % 3] : (byte)'\n')];
+
+        bool IsInFile(int source) => source >= 0 && source < 3 * width * height;
+    }
+
     /// <summary>The bytes of all pixels: red, green, blue, and so on.</summary>
     public byte[] Draw(FormulaProgram program)
     {
         arithmetic.Forget();
-        return ReferenceEquals(program, right.Program) ? right.Bytes : Run(program, right).Bytes;
+        return ReferenceEquals(program, right!.Program) ? right.Bytes : Run(program, right).Bytes;
     }
 
-    /// <summary>The bytes of the program that others are edits of.</summary>
-    public byte[] Right => right.Bytes;
+    /// <summary>The bytes of the program that others differ from.</summary>
+    public byte[] Right => right!.Bytes;
+
+    /// <summary>Sets which pixels are drawn.</summary>
+    private void Place(IReadOnlyList<(int X, int Y)> pixels)
+    {
+        shown = pixels.Count;
+        var (x, y) = (givens[Symbol.Of("x").Place].X, givens[Symbol.Of("y").Place].X);
+        for (var i = 0; i < count; i++) (x[i], y[i]) = pixels[Math.Min(i, shown - 1)];
+    }
 
     private State Run(FormulaProgram program, State? basis)
     {
         arithmetic.Functions = program[SectionKind.Vectors];
         var changed = basis is null ? 0 : ChangedFunctions(basis.Program[SectionKind.Vectors], arithmetic.Functions);
         var frame = (Batch[])givens.Clone();
-        foreach (var kind in (ReadOnlySpan<SectionKind>)[SectionKind.Camera, SectionKind.File, SectionKind.Pixel])
+        if (program.SwapsEnds)
+            (frame[pointP.Place], frame[pointT.Place]) = (frame[pointT.Place], frame[pointP.Place]);
+        if (basis is not null && basis.Program.SwapsEnds != program.SwapsEnds) changed |= pointP.Bit | pointT.Bit;
+        foreach (var kind in (ReadOnlySpan<SectionKind>)[SectionKind.Camera, SectionKind.File, SectionKind.Sample, SectionKind.Pixel])
             Define(program[kind], frame, basis?.Program[kind], basis?.Frame, ref changed);
 
-        var rule = program[SectionKind.Rule];
-        var sameRule = IsSame(SectionKind.Rule);
-        var hits = new double[parts.Length][];
-        var areNew = false;
+        var loop = program[SectionKind.Nearest];
+        var isUsual = loop == FormulaBook.Slides.StylesOf(SectionKind.Nearest)[0];
+        var sameLoop = basis is not null && loop == basis.Program[SectionKind.Nearest];
+        var areNew = !sameLoop || !program.LeftOut.SetEquals(basis!.Program.LeftOut) || program.Scatters != basis.Program.Scatters;
+        var crossed = new Crossed[parts.Length];
         for (var i = 0; i < parts.Length; i++)
         {
-            var isSame = sameRule && (parts[i].Kind is { } kind ? IsSame(kind) : (changed & ray) == 0);
+            var part = parts[i];
+            var rule = program.RuleOf(part.Kind);
+            var isSame = sameLoop && ReferenceEquals(rule, basis!.Program.RuleOf(part.Kind)) && (rule.Reads & changed) == 0
+                && (part.Kind is { } kind ? IsSame(kind) : (changed & ofRay) == 0)
+                && (!part.IsLarge || basis.Program[SectionKind.Vectors] == program[SectionKind.Vectors]);
             areNew |= !isSame;
-            hits[i] = isSame ? basis!.Hits[i]
-                : parts[i].Kind is { } shape ? HitsOf(i, program[shape], rule, frame, changed, basis)
-                : HitsOf(parts[i].Model, rule, frame);
+            crossed[i] = isSame ? basis!.Hits[i] : CrossingsOf(i, program, rule, frame, changed, basis, !isUsual);
         }
-        var (nearest, t) = areNew || basis is null ? Nearest(hits) : (basis.Nearest, basis.T);
-        if (!areNew && IsSame(SectionKind.Light) && IsSame(SectionKind.Bytes)) return basis!;
-        return new(program, frame, hits, nearest, t, BytesOf(program, frame, nearest, t));
+        var (nearest, t) = areNew ? Nearest(program, crossed, frame, isUsual) : (basis!.Nearest, basis.T);
+        if (!areNew && IsSame(SectionKind.Light) && IsSame(SectionKind.Bytes) && (Formula.Written.Bit & changed) == 0
+            && program[SectionKind.File].Has(Formula.Written) == basis!.Program[SectionKind.File].Has(Formula.Written)) return basis;
+        return new(program, frame, crossed, nearest, t, BytesOf(program, frame, nearest, t));
 
         bool IsSame(SectionKind kind) =>
             basis is not null && ReferenceEquals(program[kind], basis.Program[kind]) && (program[kind].Reads & changed) == 0;
     }
 
-    private static readonly UInt128 ray = Symbol.Of("P").Bit | Symbol.Of("d").Bit;
+    private static readonly Symbol pointP = Symbol.Of("P"), pointT = Symbol.Of("T"), direction = Symbol.Of("d"), parameter = Symbol.Of("t"),
+        best = Symbol.Of("best"), axisW = Symbol.Of("W");
 
     /// <summary>The functions whose values an edit changes, also through another function.</summary>
     private static UInt128 ChangedFunctions(FormulaSection before, FormulaSection now)
@@ -128,52 +191,137 @@ internal sealed class FormulaEvaluator
         }
     }
 
-    /// <summary>The first crossing of a shape that counts, in each pixel; NaN for none.</summary>
-    private double[] HitsOf(int part, FormulaSection section, FormulaSection rule, Batch[] camera, UInt128 changed, State? basis)
+    /// <summary>Computes a section's formulas.</summary>
+    private void Define(FormulaSection section, Batch[] frame)
     {
+        foreach (var (name, expression, _) in section.Formulas) frame[name.Place] = arithmetic.Evaluate(expression, frame);
+    }
+
+    private Crossed CrossingsOf(int part, FormulaProgram program, FormulaSection rule, Batch[] camera, UInt128 changed, State? basis, bool withAll)
+    {
+        var (model, kind, numbers) = parts[part];
+        if (kind is null || (parts[part].IsLarge && !AreTrianglesEdited(program))) return HitsOf(model, rule, camera);
+        var section = program[kind.Value];
+        if (parts[part].IsLarge)
+            return proposes ? Decided(ProposedBy((Mesh)model, camera)) : OfAll((Mesh)model);
+
         var before = basis is null ? null : StyleOf(section, basis.Program);
         var old = before is null ? null : RightFrame(part, before, basis!.Frame);
-        var frame = FrameOf(part, camera, ofShape);
-        foreach (var (symbol, _) in parts[part].Numbers) changed &= ~symbol.Bit;
+        var frame = FrameOf(numbers, camera, ofShape);
+        foreach (var (symbol, _) in numbers) changed &= ~symbol.Bit;
         Define(section, frame, before, old, ref changed);
+        return Counted(section, rule, frame, camera, withAll);
 
-        var hits = arithmetic.New(count);
-        Array.Fill(hits, double.NaN);
-        var when = !section.Has(Formula.When) ? Batch.Of(1) : frame[Formula.When.Place];
-        foreach (var crossing in (ReadOnlySpan<Symbol>)[Formula.Near, Formula.Far])
+        Crossed Decided((Symbol, Batch)[] triangles)
         {
-            if (!section.Has(crossing)) continue;
-            var (t, counts) = Counted(frame[crossing.Place], rule, camera);
-            for (var i = 0; i < count; i++)
-                if (double.IsNaN(hits[i]) && counts[i] != 0 && when[i] != 0) hits[i] = t[i];
+            var own = FrameOf(triangles, camera, ofShape);
+            Define(section, own);
+            return Counted(section, rule, own, camera, withAll);
         }
-        return hits;
+
+        // Each triangle is offered to the nearest one of the mesh so far.
+        Crossed OfAll(Mesh mesh)
+        {
+            var nearest = arithmetic.New(count);
+            Array.Fill(nearest, double.NaN);
+            var ends = arithmetic.New(count);
+            Array.Clear(ends);
+            var used = arithmetic.Used;
+            for (var k = 0; k < mesh.TriangleCount; k++)
+            {
+                var of = Decided(NumbersOf(mesh[k]));
+                Offer(nearest, of.T);
+                for (var i = 0; of.Ends is { } own && i < count; i++) ends[i] = Math.Max(ends[i], own[i]);
+                if (!arithmetic.Keeps) arithmetic.Used = used;
+            }
+            return new(nearest) { Ends = rule.Has(Formula.Ends) ? new(ends) : null };
+        }
+    }
+
+    /// <summary>Whether a program computes the hits of triangles by other formulas than the slides'.</summary>
+    public static bool AreTrianglesEdited(FormulaProgram program)
+    {
+        var slides = FormulaBook.Slides;
+        var section = program[SectionKind.Triangle];
+        return !slides.StylesOf(SectionKind.Triangle).Contains(section)
+            || (section.Reads & ChangedFunctions(slides.StylesOf(SectionKind.Vectors)[0], program[SectionKind.Vectors])) != 0;
+    }
+
+    /// <summary>The first crossing of a shape that counts, in each pixel.</summary>
+    /// <param name="frame">What the shape's formulas have computed.</param>
+    /// <param name="withAll">Whether a t that is no number may be a hit, and the second crossing is needed, too.</param>
+    private Crossed Counted(FormulaSection section, FormulaSection rule, Batch[] frame, Batch[] camera, bool withAll)
+    {
+        var one = Batch.Of(1);
+        var when = section.Has(Formula.When) ? frame[Formula.When.Place] : one;
+        var first = ByRule(frame[Formula.Near.Place], rule, camera);
+        var second = section.Has(Formula.Far) ? ByRule(frame[Formula.Far.Place], rule, camera) : default;
+        var t = arithmetic.New(count);
+        var isHit = withAll ? arithmetic.New(count) : null;
+        for (var i = 0; i < count; i++)
+        {
+            var isFirst = first.Counts[i] != 0;
+            var isSecond = !isFirst && second.T.X is not null && second.Counts[i] != 0 && (first.Second is not { } tried || tried[i] != 0);
+            t[i] = when[i] == 0 || !(isFirst || isSecond) ? double.NaN : isFirst ? first.T[i] : second.T[i];
+            if (isHit is not null) isHit[i] = when[i] != 0 && (isFirst || isSecond) ? 1 : 0;
+        }
+        Batch? ends = null;
+        if (first.Ends is { } all)
+        {
+            var own = arithmetic.New(count);
+            for (var i = 0; i < count; i++) own[i] = when[i] != 0 && double.IsFinite(first.T[i]) ? all[i] : 0;
+            ends = new(own);
+        }
+        double[]? far = null;
+        if (withAll && second.T.X is not null)
+        {
+            far = arithmetic.New(count);
+            for (var i = 0; i < count; i++) far[i] = when[i] != 0 && second.Counts[i] != 0 && second.T[i] > t[i] ? second.T[i] : double.NaN;
+        }
+        return new(t) { IsHit = isHit, Far = far, Ends = ends };
+    }
+
+    /// <summary>A crossing's t as the rule has it, and whether it counts.</summary>
+    private (Batch T, Batch Counts, Batch? Ends, Batch? Second) ByRule(Batch crossing, FormulaSection rule, Batch[] camera)
+    {
+        var frame = Copied(camera, ofRule);
+        frame[parameter.Place] = crossing;
+        Define(rule, frame);
+        return (frame[Formula.Near.Place], rule.Has(Formula.When) ? frame[Formula.When.Place] : Batch.Of(1), Of(Formula.Ends), Of(Formula.Second));
+
+        Batch? Of(Symbol name) => rule.Has(name) ? frame[name.Place] : null;
+    }
+
+    /// <summary>Puts in each pixel the lesser of two t, of which NaN is none.</summary>
+    private static void Offer(double[] nearest, double[] t)
+    {
+        for (var i = 0; i < t.Length; i++)
+            if (!(nearest[i] <= t[i])) nearest[i] = double.IsNaN(t[i]) ? nearest[i] : t[i];
     }
 
     /// <summary>The unedited section in the same style.</summary>
     private static FormulaSection StyleOf(FormulaSection section, FormulaProgram program) =>
         program[section.Kind].Style == section.Style ? program[section.Kind] : FormulaBook.Slides[section.Kind, section.Style];
 
-    /// <summary>A shape's frame in a style, as the program that others are edits of has it.</summary>
+    /// <summary>A shape's frame in a style, as the program that others differ from has it.</summary>
     private Batch[] RightFrame(int part, FormulaSection section, Batch[] camera)
     {
         if (rightFrames.TryGetValue((part, section), out var frame)) return frame;
         var keeps = arithmetic.Keeps;
         var functions = arithmetic.Functions;
         arithmetic.Keeps = true;
-        arithmetic.Functions = right.Program[SectionKind.Vectors];
-        frame = FrameOf(part, camera, new Batch[Symbol.Max]);
-        UInt128 changed = 0;
-        Define(section, frame, null, null, ref changed);
+        arithmetic.Functions = right!.Program[SectionKind.Vectors];
+        frame = FrameOf(parts[part].Numbers, camera, new Batch[Symbol.Max]);
+        Define(section, frame);
         arithmetic.Keeps = keeps;
         arithmetic.Functions = functions;
         return rightFrames[(part, section)] = frame;
     }
 
-    private Batch[] FrameOf(int part, Batch[] camera, Batch[] into)
+    private static Batch[] FrameOf((Symbol Name, Batch Value)[] numbers, Batch[] camera, Batch[] into)
     {
         var frame = Copied(camera, into);
-        foreach (var (symbol, value) in parts[part].Numbers) frame[symbol.Place] = value;
+        foreach (var (symbol, value) in numbers) frame[symbol.Place] = value;
         return frame;
     }
 
@@ -183,53 +331,141 @@ internal sealed class FormulaEvaluator
         return into;
     }
 
-    /// <summary>A crossing's t as the rule has it, and whether it counts.</summary>
-    private (Batch T, Batch Counts) Counted(Batch crossing, FormulaSection rule, Batch[] camera)
+    /// <summary>For each pixel the triangle of a mesh that the definition hits first; corners of NaN where it hits none.</summary>
+    private (Symbol Name, Batch Value)[] ProposedBy(Mesh mesh, Batch[] camera)
     {
-        var frame = Copied(camera, ofRule);
-        frame[Symbol.Of("t").Place] = crossing;
-        UInt128 changed = 0;
-        Define(rule, frame, null, null, ref changed);
-        return (frame[Formula.Near.Place], !rule.Has(Formula.When) ? Batch.Of(1) : frame[Formula.When.Place]);
+        var corners = (A: arithmetic.NewVector(count), B: arithmetic.NewVector(count), C: arithmetic.NewVector(count));
+        var none = new Vector3(double.NaN, double.NaN, double.NaN);
+        for (var i = 0; i < count; i++)
+        {
+            var origin = camera[pointP.Place].At(i);
+            var d = camera[direction.Place].At(i);
+            var (nearest, least) = (-1, double.PositiveInfinity);
+            if (!double.IsNaN(d.X + d.Y + d.Z))
+                mesh.Tree.Nearest(origin, d, triangle =>
+                {
+                    var t = (double)mesh[triangle].Intersect(new Ray<Scalar>(origin, d)).Near;
+                    if (!(t > scene.Camera.Bias)) return null;
+                    if (t < least) (nearest, least) = (triangle, t);
+                    return t;
+                });
+            var (a, b, c) = nearest < 0 ? (none, none, none) : (mesh[nearest].A, mesh[nearest].B, mesh[nearest].C);
+            corners.A.Set(i, a);
+            corners.B.Set(i, b);
+            corners.C.Set(i, c);
+        }
+        return [(A, corners.A), (B, corners.B), (C, corners.C)];
     }
 
-    /// <summary>The same for a model that has no section: a large mesh, a shape of one's own.</summary>
-    private double[] HitsOf(Model model, FormulaSection rule, Batch[] camera)
+    /// <summary>The hits of a model whose own formulas are the definition's: a large mesh, a shape of one's own.</summary>
+    private Crossed HitsOf(Model model, FormulaSection rule, Batch[] camera)
     {
+        var isUsual = FormulaBook.Slides.StylesOf(SectionKind.Rule).Contains(rule) && rule.Style != "aim";
         var hits = arithmetic.New(count);
         for (var i = 0; i < count; i++)
         {
-            var origin = camera[Symbol.Of("P").Place].At(i);
-            var d = camera[Symbol.Of("d").Place].At(i);
-            hits[i] = double.IsNaN(d.X + d.Y + d.Z) ? double.NaN
-                : model is Mesh mesh ? mesh.Tree.Nearest(origin, d, triangle => Counts(mesh[triangle].Intersect(new Ray<Scalar>(origin, d)).Near, i))
-                    ?? double.NaN
-                : model.Intersect(new Ray(origin, d) { ClipRange = scene.Camera.ClipRange, DepthPerT = scene.Camera.DepthPerT<Scalar>(d) })
-                    ?? double.NaN;
+            var origin = camera[pointP.Place].At(i);
+            var d = camera[direction.Place].At(i);
+            if (double.IsNaN(d.X + d.Y + d.Z))
+            {
+                hits[i] = double.NaN;
+                continue;
+            }
+            var ray = new Ray(origin, d)
+            {
+                ClipRange = scene.Camera.ClipRange,
+                DepthPerT = scene.Camera.Clip == ClipMode.Depth ? -(d * camera[axisW.Place].At(i)) : 1,
+            };
+            hits[i] = (model is not Mesh mesh ? model.Intersect(ray) : mesh.Tree.Nearest(origin, d, triangle =>
+            {
+                var t = (double)mesh[triangle].Intersect(new Ray<Scalar>(origin, d)).Near;
+                return !isUsual ? Counts(t, i) : ray.Counts(t) ? t : null;
+            })) ?? double.NaN;
         }
-        return hits;
+        return new(hits);
 
         double? Counts(double t, int pixel)
         {
             if (double.IsNaN(t)) return null;
             var only = (Batch[])camera.Clone();
-            only[Symbol.Of("d").Place] = Batch.Of(camera[Symbol.Of("d").Place].At(pixel));
-            var counted = Counted(Batch.Of(t), rule, only);
-            return counted.Counts[0] != 0 ? counted.T[0] : null;
+            only[direction.Place] = Batch.Of(camera[direction.Place].At(pixel));
+            var (own, counts, _, _) = ByRule(Batch.Of(t), rule, only);
+            return counts[0] != 0 ? own[0] : null;
         }
     }
 
-    private (int[] Nearest, double[] T) Nearest(double[][] hits)
+    /// <summary>Which part each pixel shows, −1 for none, and at which t.</summary>
+    private (int[] Part, double[] T) Nearest(FormulaProgram program, Crossed[] crossed, Batch[] camera, bool isUsual)
     {
+        int[] drawn = [.. Enumerable.Range(0, parts.Length).Where(k => !program.LeftOut.Contains(parts[k].Model.Kind)
+            && !(program.Scatters && parts[k].Kind == SectionKind.Triangle))];
         var nearest = new int[count];
+        Array.Fill(nearest, -1);
         var t = arithmetic.New(count);
-        for (var i = 0; i < count; i++)
+        Array.Fill(t, double.PositiveInfinity);
+        if (isUsual)
         {
-            (nearest[i], t[i]) = (-1, double.PositiveInfinity);
-            for (var k = 0; k < hits.Length; k++)
-                if (hits[k][i] < t[i]) (nearest[i], t[i]) = (k, hits[k][i]);
+            foreach (var k in drawn)
+            {
+                var hits = crossed[k].T;
+                for (var i = 0; i < count; i++)
+                    if (hits[i] < t[i]) (nearest[i], t[i]) = (k, hits[i]);
+            }
+        }
+        else Choose(program[SectionKind.Nearest], drawn, crossed, camera, nearest, t);
+        foreach (var k in drawn)
+        {
+            if (crossed[k].Ends is not { } ends) continue;
+            for (var i = 0; i < count; i++)
+                if (ends[i] != 0) nearest[i] = -1;
         }
         return (nearest, t);
+    }
+
+    /// <summary>Chooses by the formulas of the loop. The triangles of a mesh are one model, which has one hit.</summary>
+    private void Choose(FormulaSection loop, int[] drawn, Crossed[] crossed, Batch[] camera, int[] nearest, double[] shownT)
+    {
+        var frame = FrameOf([(parameter, new(shownT)), (best, new(shownT))], camera, new Batch[Symbol.Max]);
+        Define(loop, frame);
+        var start = frame[Symbol.Of("start").Place];
+        var offersBoth = frame[Symbol.Of("both").Place][0] != 0;
+        var least = arithmetic.New(count);
+        for (var i = 0; i < count; i++) (least[i], shownT[i]) = (start[i], double.NaN);
+        frame[best.Place] = new(least);
+        for (var k = 0; k < drawn.Length; k++)
+        {
+            var first = k;
+            var hits = crossed[drawn[k]].T;
+            if (parts[drawn[k]].Model is Mesh mesh)
+            {
+                hits = (double[])hits.Clone();
+                for (; k + 1 < drawn.Length && parts[drawn[k + 1]].Model == mesh; k++) Offer(hits, crossed[drawn[k + 1]].T);
+            }
+            OfferAll(drawn[first], hits, crossed[drawn[first]].IsHit);
+            if (offersBoth && crossed[drawn[first]].Far is { } far) OfferAll(drawn[first], far, null);
+        }
+        (frame[parameter.Place], frame[best.Place]) = (new(shownT), new(least));
+        Define(loop, frame);
+        var kept = frame[Symbol.Of("kept").Place];
+        for (var i = 0; i < count; i++)
+            if (kept[i] == 0) nearest[i] = -1;
+
+        void OfferAll(int part, double[] t, double[]? isHit)
+        {
+            frame[parameter.Place] = new(t);
+            var used = arithmetic.Used;
+            Define(loop, frame);
+            var (better, replaces, lights) =
+                (frame[Symbol.Of("better").Place], frame[Symbol.Of("replaces").Place], frame[Symbol.Of("lights").Place]);
+            for (var i = 0; i < count; i++)
+            {
+                if (isHit is null ? double.IsNaN(t[i]) : isHit[i] == 0) continue;
+                if (better[i] != 0) nearest[i] = part;
+                if (lights[i] != 0) shownT[i] = t[i];
+                if (replaces[i] != 0) least[i] = t[i];
+            }
+            if (!arithmetic.Keeps) arithmetic.Used = used;
+        }
     }
 
     private byte[] BytesOf(FormulaProgram program, Batch[] camera, int[] nearest, double[] t)
@@ -238,18 +474,19 @@ internal sealed class FormulaEvaluator
         var own = arithmetic.NewVector(count);
         var seen = arithmetic.NewVector(count);
         for (var i = 0; i < count; i++) own.Set(i, ColorOf(nearest[i]));
-        frame[Symbol.Of("t").Place] = new(t);
+        frame[parameter.Place] = new(t);
         frame[Symbol.Of("K").Place] = own;
-        UInt128 changed = 0;
-        Define(program[SectionKind.Light], frame, null, null, ref changed);
+        Define(program[SectionKind.Light], frame);
         var lit = frame[Symbol.Of("colour").Place];
         for (var i = 0; i < count; i++) seen.Set(i, nearest[i] < 0 ? own.At(i) : lit.At(i)); // the background does not fade
         frame[Symbol.Of("colour").Place] = seen;
-        Define(program[SectionKind.Bytes], frame, null, null, ref changed);
+        Define(program[SectionKind.Bytes], frame);
         var rgb = frame[Symbol.Of("rgb").Place];
+        var isWritten = program[SectionKind.File].Has(Formula.Written) ? camera[Formula.Written.Place] : Batch.Of(1);
         var bytes = new byte[3 * shown];
         for (var i = 0; i < shown; i++)
         {
+            if (isWritten[i] == 0) continue;
             var (r, g, b) = rgb.At(i);
             (bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]) = ((byte)r, (byte)g, (byte)b);
         }
@@ -262,7 +499,7 @@ internal sealed class FormulaEvaluator
         }
     }
 
-    /// <summary>The step whose formulas cross a model; null for a shape of one's own.</summary>
+    /// <summary>The step whose formulas cross a model; null for a shape of one's own, and for a mesh without triangles.</summary>
     public static SectionKind? KindOf(Model model) => PartsOf(model).First().Kind;
 
     /// <summary>A model with the numbers that its section reads; a small mesh is its triangles.</summary>
@@ -275,6 +512,7 @@ internal sealed class FormulaEvaluator
         Model<Triangle> { Primitive: var triangle } => [new(model, SectionKind.Triangle, NumbersOf(triangle))],
         Mesh { TriangleCount: > 0 and <= MaxTriangles } mesh =>
             Enumerable.Range(0, mesh.TriangleCount).Select(i => new Part(mesh, SectionKind.Triangle, NumbersOf(mesh[i]))),
+        Mesh { TriangleCount: > MaxTriangles } mesh => [new(mesh, SectionKind.Triangle, []) { IsLarge = true }],
         _ => [new(model, null, [])],
     };
 
@@ -293,10 +531,27 @@ internal sealed class FormulaEvaluator
     public static (Symbol Name, Batch Value)[] NumbersOf(Triangle triangle) =>
         [(A, Batch.Of(triangle.A)), (B, Batch.Of(triangle.B)), (C, Batch.Of(triangle.C))];
 
-    private sealed record Part(Model Model, SectionKind? Kind, (Symbol Name, Batch Value)[] Numbers);
+    private sealed record Part(Model Model, SectionKind? Kind, (Symbol Name, Batch Value)[] Numbers)
+    {
+        /// <summary>Whether it is a whole mesh of many triangles.</summary>
+        public bool IsLarge { get; init; }
+    }
+
+    /// <summary>The hits of a part.</summary>
+    /// <param name="T">The first t that counts, in each pixel; NaN where none does.</param>
+    private readonly record struct Crossed(double[] T)
+    {
+        /// <summary>Whether there is a hit, where a t of NaN may be one.</summary>
+        public double[]? IsHit { get; init; }
+
+        /// <summary>The second t, where it counts, too.</summary>
+        public double[]? Far { get; init; }
+
+        /// <summary>Whether the ray ends here with the background.</summary>
+        public Batch? Ends { get; init; }
+    }
 
     /// <param name="Frame">What camera and pixel have computed.</param>
-    /// <param name="Hits">For each part the t of its hit in each pixel.</param>
     /// <param name="Nearest">The part that each pixel shows; −1 for none.</param>
-    private sealed record State(FormulaProgram Program, Batch[] Frame, double[][] Hits, int[] Nearest, double[] T, byte[] Bytes);
+    private sealed record State(FormulaProgram Program, Batch[] Frame, Crossed[] Hits, int[] Nearest, double[] T, byte[] Bytes);
 }

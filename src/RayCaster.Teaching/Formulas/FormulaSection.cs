@@ -6,6 +6,7 @@ internal enum SectionKind
     Vectors,
     Camera,
     File,
+    Sample,
     Pixel,
     Plane,
     Circle,
@@ -13,6 +14,7 @@ internal enum SectionKind
     Aabb,
     Triangle,
     Rule,
+    Nearest,
     Light,
     Bytes,
 }
@@ -23,6 +25,11 @@ internal sealed record Formula(Symbol Name, Expression Right, ImmutableArray<Sym
 {
     /// <summary>The names of the crossings of a shape, and of the condition under which it has them.</summary>
     public static readonly Symbol Near = Symbol.Of("first hit"), Far = Symbol.Of("second hit"), When = Symbol.Of("hit");
+
+    /// <summary>What only mistakes have. In a rule, of the first crossing: whether the ray ends there with the background, and whether the second one
+    /// is tried if the first does not count. In the file: whether a pixel is written, and whether the sides are swapped.</summary>
+    public static readonly Symbol Ends = Symbol.Of("ends"), Second = Symbol.Of("second"), Written = Symbol.Of("written"),
+        Turned = Symbol.Of("turned");
 
     /// <summary>What it computes, as a reader calls it.</summary>
     public string Computed => Name == Near || Name == Far ? "t" : Name.Text;
@@ -68,13 +75,52 @@ internal sealed class FormulaSection(
 
     public FormulaSection With(ImmutableArray<Formula> others) => new(kind, style, slide, scope, others);
 
-    /// <summary>The same with another formula, which may read what comes before it.</summary>
+    /// <summary>The same with another formula, which may read what comes before it; at the end, if none has the name.</summary>
+    /// <param name="name">Its name; "hits" for the crossings, with a comma between two.</param>
     public FormulaSection With(string name, string right)
     {
+        if (name == "hits")
+        {
+            var crossings = right.Split(", ");
+            var near = With(Formula.Near.Text, crossings[0]);
+            return crossings is [_, var far] ? near.With(Formula.Far.Text, far)
+                : near.With([.. near.Formulas.Where(formula => formula.Name != Formula.Far)]);
+        }
         var place = Find(name);
         var names = new Dictionary<string, Expression>(scope);
-        foreach (var (before, own, _) in formulas.Take(place)) names[before.Text] = Expression.Name(before, own.Quantity);
-        return With(place, new ExpressionParser(right, names, allUnits: true).Parse());
+        foreach (var (before, own, _) in place < 0 ? formulas : formulas[..place])
+            names[before.Text] = Expression.Name(before, own.Quantity);
+        if (place >= 0)
+            foreach (var parameter in formulas[place].Parameters) names[parameter.Text] = Expression.Parameter(parameter);
+        var expression = new ExpressionParser(right, names, allUnits: true).Parse();
+        return place >= 0 ? With(place, expression) : With(formulas.Add(new(Symbol.Of(name), expression, [])));
+    }
+
+    /// <summary>The same with the edits of another one, too, or the other one if this has none.</summary>
+    /// <returns>Null if both edit the same part of a formula, or have different styles.</returns>
+    public FormulaSection? Merged(FormulaSection edited)
+    {
+        var right = FormulaBook.Slides[kind, edited.Style];
+        if (FormulaBook.Slides[kind, style] == this || this == edited) return edited;
+        if (style != edited.Style) return null;
+        var merged = formulas;
+        foreach (var name in right.Formulas.Concat(edited.Formulas).Select(formula => formula.Name).Distinct())
+        {
+            var meant = Of(right.Formulas, name);
+            var written = Of(edited.Formulas, name);
+            if (ReferenceEquals(meant?.Right, written?.Right)) continue;
+            var own = Of(merged, name);
+            if (ReferenceEquals(own?.Right, meant?.Right)) merged = own is null ? merged.Add(written!) : written is null ? merged.Remove(own) : merged.Replace(own, written);
+            else if (own is not null && meant is not null && written is not null && own.Right.Merged(meant.Right, written.Right) is { } both)
+                merged = merged.Replace(own, own with { Right = both });
+            else return null;
+        }
+        // What one of both has removed, the other may read.
+        var names = merged.Aggregate(UInt128.Zero, (all, formula) => all | formula.Name.Bit);
+        var removed = formulas.Concat(edited.Formulas).Aggregate(UInt128.Zero, (all, formula) => all | formula.Name.Bit) & ~names;
+        return merged.Any(formula => (formula.Right.Reads & removed) != 0) ? null : With(merged);
+
+        static Formula? Of(ImmutableArray<Formula> all, Symbol name) => all.FirstOrDefault(formula => formula.Name == name);
     }
 
     public FormulaSection With(int place, Expression right) => With(formulas.SetItem(place, formulas[place] with { Right = right }));

@@ -12,6 +12,7 @@ internal static class FormulaText
         Operator.Greater => (3, ">"),
         Operator.AtMost => (3, "≤"),
         Operator.AtLeast => (3, "≥"),
+        Operator.Equal => (3, "=="),
         Operator.Add => (4, "+"),
         Operator.Subtract => (4, "−"),
         Operator.Multiply => (5, "·"),

@@ -1,3 +1,5 @@
+using RayCaster.Teaching.Tests.Diagnoses;
+
 namespace RayCaster.Teaching.Tests.Course;
 
 /// <summary>Hints of the lab's picture tests, for programs with a mistake in the code of a step.</summary>
@@ -9,11 +11,9 @@ public class StepHintTests
     [InlineData("mistakes/generic")]
     public void BlackModelsAreToldAsLostLight(string file)
     {
-        foreach (var plant in (Action<Lab>[])[
-            lab => lab.Attenuation.Is(t => 1 - t / 2 * (lab.FadeDistance.Do() / 2)),
-            lab => lab.Dark.Is(attenuation => Math.Min(0, attenuation))])
+        foreach (var formula in (string[])["1 - t / 2·|T - P|", "min(0, 1 - t / (2·|T - P|))"])
         {
-            var (hint, finding) = Hint(file, 5, plant);
+            var (hint, finding) = Hint(file, 5, Written.As($"light att = max(0, {formula})"));
             Assert.Equal(Finding.TellsNothing, finding);
             Assert.Contains("light is lost", hint);
             Assert.Contains("1 − t / (2 |T − P|)", hint);
@@ -26,7 +26,7 @@ public class StepHintTests
     [InlineData("bias")]
     public void AShapeThatIsGoneIsNamedAndNoMistake(string file)
     {
-        var (hint, finding) = Hint(file, 7, MistakeCatalog.Named("slab-noswap")!.Deviate);
+        var (hint, finding) = Hint(file, 7, MistakeCatalog.Named("slab-noswap")!);
         Assert.Equal(Finding.TellsNothing, finding);
         Assert.StartsWith("  Not to be seen where it should be: aabb.", hint);
         Assert.Contains("What if d is negative?", hint);
@@ -38,7 +38,7 @@ public class StepHintTests
     public void WhatALaterStepWritesIsNoMistake(string file)
     {
         var plus = MistakeCatalog.Named("dir-plus-w")!;
-        var (hint, _) = Hint(file, 4, plus.Deviate + MistakeCatalog.Named("no-znear")!.Deviate + MistakeCatalog.Named("no-zfar")!.Deviate);
+        var (hint, _) = Hint(file, 4, plus, MistakeCatalog.Named("no-znear")!, MistakeCatalog.Named("no-zfar")!);
         Assert.Contains(plus.Hint.Question, hint);
         Assert.DoesNotContain("zNear", hint);
         Assert.DoesNotContain("zFar", hint);
@@ -48,7 +48,7 @@ public class StepHintTests
     public void WhereOnlyAFewPixelsDifferNoMistakeIsRuledOut()
     {
         var scene = LabSteps.SceneAt(SceneFolder.Read(SceneFolder.FileOf("plane")), 4);
-        var picture = new Lab(scene, MistakeCatalog.Named("u-unnorm")!, MistakeCatalog.Named("att-none")!).Render();
+        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("u-unnorm")!, MistakeCatalog.Named("att-none")!]);
         Assert.StartsWith("  Only a few pixels are wrong: too few to name a mistake.\n  Ask yourself: Take the ray of one pixel",
             StepHint.Of(scene, picture, 4, HintLevel.Question));
     }
@@ -67,8 +67,7 @@ public class StepHintTests
     [Fact]
     public void AHitThatIsStoredAtInfinityIsNoMistakeOfTheAxes()
     {
-        var (hint, _) = Hint("mistakes/generic", 4, lab => lab.Plane.Becomes(cross => (plane, d) =>
-            double.IsNaN(cross(plane, d).Near) ? cross(plane, d) : new(double.PositiveInfinity)));
+        var (hint, _) = Hint("mistakes/generic", 4, Written.As("plane t = ∞·((Q - P)·n / den)²"));
         Assert.StartsWith("  There is nothing but background", hint);
         Assert.DoesNotContain(MistakeCatalog.Named("w-sign")!.Hint.Question, hint);
     }
@@ -78,7 +77,7 @@ public class StepHintTests
     [InlineData("far-plane")]
     public void DividedDepthIsAVariantWhoseSymptomIsNotClaimed(string file)
     {
-        var (hint, _) = Hint(file, 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
+        var (hint, _) = Hint(file, 6, Written.As("rule/depth z = t / (-d·W)"));
         Assert.StartsWith($"  Ask yourself: {MistakeCatalog.Named("zboth-t")!.Hint.Question}", hint);
     }
 
@@ -86,7 +85,7 @@ public class StepHintTests
     [Fact]
     public void OfMistakesThatDrawTheSameTheUsualVariantIsNamed()
     {
-        var (hint, _) = Hint("near-plane", 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
+        var (hint, _) = Hint("near-plane", 6, Written.As("rule/depth z = t / (-d·W)"));
         Assert.StartsWith("  " + MistakeCatalog.Named("no-znear")!.Hint.Symptom, hint);
     }
 
@@ -97,7 +96,7 @@ public class StepHintTests
     public void TheMistakeOfTheStepIsNamedBeforeOthersThatDrawTheSame(int step, string file, string id)
     {
         var mistake = MistakeCatalog.Named(id)!;
-        var (hint, _) = Hint(file, step, mistake.Deviate);
+        var (hint, _) = Hint(file, step, mistake);
         Assert.StartsWith($"  {mistake.Hint.Symptom}\n  Ask yourself: {mistake.Hint.Question}", hint);
     }
 
@@ -105,23 +104,22 @@ public class StepHintTests
     [InlineData("mistakes/generic")]
     public void MultipliedByDnIsAVariantOfThePlanes(string file)
     {
-        var (hint, _) = Hint(file, 4, lab => lab.Plane.Is((plane, d) => new((plane.Point - lab.P) * plane.Normal * (d * plane.Normal))));
+        var (hint, _) = Hint(file, 4, Written.As("plane t = (Q - P)·n·den"));
         Assert.Contains(MistakeCatalog.Named("plane-sign")!.Hint.Question, hint);
     }
 
     [Fact]
     public void ANormalisedNormalIsAVariantOfTheTriangles()
     {
-        var (hint, _) = Hint("mistakes/generic", 10, lab => lab.TriangleByShares(whole: n => n.Length));
+        var (hint, _) = Hint("mistakes/generic", 10, Written.As("triangle/shares u = n·((A - C) × (X - C)) / |n|; v = n·((B - A) × (X - A)) / |n|"));
         Assert.Contains(MistakeCatalog.Named("tri-uv")!.Hint.Question, hint);
     }
 
     /// <summary>What is told of a lab's picture at a step, without light at the first picture's.</summary>
-    private static (string Hint, Finding Finding) Hint(string file, int step, Action<Lab> plant)
+    private static (string Hint, Finding Finding) Hint(string file, int step, params Mistake[] planted)
     {
         var scene = LabSteps.SceneAt(SceneFolder.Small(file, 5), step);
-        var planted = new Mistake("planted", Affects.Hit, "", "", plant, "", "", "");
-        var picture = (step < 5 ? new Lab(scene, planted, MistakeCatalog.Named("att-none")!) : new Lab(scene, planted)).Render();
+        var picture = MistakeCatalog.Draw(scene, step < 5 ? [.. planted, MistakeCatalog.Named("att-none")!] : planted);
         var diagnosis = StepHint.Judge(scene, picture, step);
         return (StepHint.Of(scene, diagnosis, step, HintLevel.Question), diagnosis.Finding);
     }

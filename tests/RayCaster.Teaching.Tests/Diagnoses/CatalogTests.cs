@@ -41,9 +41,9 @@ public class CatalogTests
     public void WhatASceneDoesNotHaveIsNotTouched()
     {
         var scene = SceneFolder.Small("sphere", 4);
-        var right = new Lab(scene).Render().Rgb;
+        var right = MistakeCatalog.Draw(scene, []).Rgb;
         var untouched = MistakeCatalog.All.Where(mistake => !mistake.Touches(scene));
-        Assert.All(untouched, mistake => Assert.Equal(right, new Lab(scene, mistake).Render().Rgb));
+        Assert.All(untouched, mistake => Assert.Equal(right, MistakeCatalog.Draw(scene, [mistake]).Rgb));
         Assert.True(MistakeCatalog.Named("r-nosq")!.Touches(scene));
         Assert.False(MistakeCatalog.Named("tri-uv")!.Touches(scene));
     }

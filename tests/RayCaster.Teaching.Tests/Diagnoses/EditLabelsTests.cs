@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
-/// <summary>The lines of Labels.txt: each names a mistake of the catalogue, and edits have it.</summary>
+/// <summary>The further wordings of Mistakes.txt: each names a mistake of the catalogue, and edits have it.</summary>
 public class EditLabelsTests
 {
     private static readonly FormulaEdit[] edits =
@@ -11,8 +11,8 @@ public class EditLabelsTests
         Assert.All(edits.Select(edit => edit.Label).OfType<string>().Distinct(), id => Assert.NotNull(MistakeCatalog.Named(id)));
 
     [Fact]
-    public void EachPatternFitsAnEdit() => Assert.All(EditLabels.All.Where(label => label.Written.Length == 0),
-        label => Assert.Contains(edits, edit => edit.Section.Kind == label.Kind && EditLabels.Fits(edit, label)));
+    public void EachPatternFitsAnEdit() => Assert.All(MistakeBook.Labels.Where(label => label.Step is not null),
+        label => Assert.Contains(edits, edit => edit.Section.Kind == label.Step!.Kind && EditLabels.Fits(edit, label)));
 
     [Theory]
     [InlineData("camera", "V = up × U", "v-up")] // written out
@@ -37,7 +37,7 @@ public class EditLabelsTests
         {
             var mistake = EditNaming.Of(new(0, [edit]));
             Assert.Equal(id, mistake.Id);
-            var suspect = Diagnosis.Of(scene, new Lab(scene, mistake).Render()).Suspects[0];
+            var suspect = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [mistake])).Suspects[0];
             Assert.Contains(id, suspect.Mistakes.Concat(suspect.Twins).Select(named => named.Id));
         }
     }

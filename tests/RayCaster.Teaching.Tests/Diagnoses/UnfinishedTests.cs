@@ -42,7 +42,8 @@ public class UnfinishedTests
     public void WhatIsNotWrittenYetIsNotListedAsAMistakeBesideAnother()
     {
         var plane = SceneFolder.Small("plane", 8);
-        var picture = new Lab(plane, [.. new[] { "w-sign", "att-none", "no-znear", "no-zfar" }.Select(id => MistakeCatalog.Named(id)!)]).Render();
+        var picture = MistakeCatalog.Draw(plane,
+            [.. new[] { "w-sign", "att-none", "no-znear", "no-zfar" }.Select(id => MistakeCatalog.Named(id)!)]);
         var text = DiagnosisReport.Text(Diagnosis.Of(plane, picture), "mine.png", "scene.json").ReplaceLineEndings("\n");
         Assert.Contains("Not drawn yet: attenuation, clipping.\nMost likely: w-sign\n  Symptom:", text);
         Assert.DoesNotContain("zNear", text);

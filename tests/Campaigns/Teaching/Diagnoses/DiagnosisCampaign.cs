@@ -99,8 +99,8 @@ public class DiagnosisCampaign
     [Fact]
     public void WhereNoneExplainsThePictureTheNearestIsToldAsSuch()
     {
-        var skew = new Mistake("new", Affects.Camera, "", "V is skew", lab => lab.AxisV.Becomes(V => (w, u) => V(w, u) + 0.2 * u), "", "", "");
-        var diagnosis = Diagnosis.Of(scene, new Lab(scene, skew, MistakeCatalog.Named("bgr")!).Render());
+        var skew = Written.As("camera V = W × U + 0.2·U");
+        var diagnosis = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [skew, MistakeCatalog.Named("bgr")!]));
         Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
         Assert.Contains(diagnosis.Nearest, nearest => Named(nearest).Contains("bgr"));
         Assert.Contains("none explains the picture", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
