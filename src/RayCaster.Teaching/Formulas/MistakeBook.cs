@@ -40,9 +40,10 @@ internal static class MistakeBook
                     case "is":
                         foreach (var change in WrittenChange.Read(rest))
                         {
-                            var alike = variants.Find(variant => variant.Cause == cause && change.IsForAnotherSceneThan(variant.Changes[^1]));
+                            var own = cause.Replace("some shapes", change.ShapesInWords, StringComparison.Ordinal);
+                            var alike = variants.Find(variant => variant.Cause == own && change.IsForAnotherSceneThan(variant.Changes[^1]));
                             if (alike.Changes is not null) alike.Changes.Add(change);
-                            else variants.Add((cause, [change]));
+                            else variants.Add((own, [change]));
                             labels.Add(new(id, null, change, [], []));
                         }
                         break;

@@ -9,6 +9,16 @@ internal sealed record WrittenChange(ImmutableArray<WrittenStep> Steps)
         (Steps[0], other.Steps[0]) is ({ Style: { } own, Kind: SectionKind.Rule or SectionKind.Sample } one, { Style: { } style } two)
         && one.Kind == two.Kind && own != style && one.Shapes.SequenceEqual(two.Shapes);
 
+    /// <summary>The kinds of shape that its first step is for.</summary>
+    public string ShapesInWords
+    {
+        get
+        {
+            string[] words = [.. Steps[0].Shapes.Select(shape => ShapeKind.Of(shape.ToString().ToLowerInvariant())!.Many)];
+            return words.Length > 1 ? $"{string.Join(", ", words[..^1])} and {words[^1]}" : string.Concat(words);
+        }
+    }
+
     /// <summary>A program with it; null if the program has changes of the same places, or another style.</summary>
     public FormulaProgram? In(FormulaProgram program) => Steps.Aggregate((FormulaProgram?)program, (all, step) => all is null ? null : step.In(all));
 

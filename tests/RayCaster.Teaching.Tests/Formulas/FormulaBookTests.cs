@@ -19,7 +19,7 @@ public class FormulaBookTests
         {
             foreach (var section in FormulaBook.Slides.StylesOf(kind))
             {
-                if (kind is SectionKind.File && section != slides[kind]) continue; // the scene says which
+                if (kind is SectionKind.Sample && section != slides[kind]) continue; // the scene says which
                 if (kind is SectionKind.Rule && section.Style == "distance" != (slides[kind].Style == "distance")) continue;
                 var evidence = new Evidence(scene, definition, Picture(definition, evaluator.Draw(slides.With(section))), int.MaxValue);
                 Assert.True(evidence.IsRight, $"{name}: the formulas of [{section.Name}] in src/RayCaster.Teaching/Formulas " +
@@ -37,7 +37,7 @@ public class FormulaBookTests
     [InlineData("a: length = R - (R - R) - R", "a = R − (R − R) − R")]
     public void AFormulaIsWrittenAsItWasRead(string line, string written)
     {
-        var book = Book($"[camera]\nd: direction = up\n[file]\n[pixel]\n[sphere]\ngiven C: point, Q: point, n: displacement, R: length\n{line}");
+        var book = Book($"[camera]\nd: direction = up\n[file]\n[sample]\n[pixel]\n[sphere]\ngiven C: point, Q: point, n: displacement, R: length\n{line}");
         Assert.Equal(written, book.StylesOf(SectionKind.Sphere)[0].Formulas[0].ToString());
     }
 

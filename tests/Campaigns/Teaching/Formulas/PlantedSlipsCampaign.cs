@@ -19,7 +19,7 @@ public class PlantedSlipsCampaign(ITestOutputHelper output)
             if (diagnosis.Finding is not (Finding.Mistake or Finding.NoneOfThese)) continue; // it does not show, or a shape is lost
             shown++;
             if (named is null) none++;
-            else if ((named.Affects & EditNaming.AffectsOf(Enum.Parse<SectionKind>(section, ignoreCase: true))) != 0) right++;
+            else if ((named.Affects & Mistake.AffectedBy(Enum.Parse<SectionKind>(section, ignoreCase: true))) != 0) right++;
         }
         output.WriteLine($"{right} of {shown} in the right step, {none} not named");
         Assert.InRange(right, 0.9 * shown, shown);

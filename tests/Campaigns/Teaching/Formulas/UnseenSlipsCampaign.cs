@@ -140,7 +140,7 @@ public class UnseenSlipsCampaign(ITestOutputHelper output)
         var diagnosis = Diagnosis.Of(scene, picture);
         times.Add((Environment.CpuUsage.TotalTime - before).TotalSeconds);
         var named = diagnosis.Suspects.FirstOrDefault()?.Mistakes ?? [];
-        var step = EditNaming.AffectsOf(Enum.Parse<SectionKind>(slip.Section, ignoreCase: true));
+        var step = Mistake.AffectedBy(Enum.Parse<SectionKind>(slip.Section, ignoreCase: true));
         var result = diagnosis.Finding != Finding.Mistake || named.Count == 0 ? $"none ({diagnosis.Finding})"
             : named is not [var only] || (only.Affects & step) == 0 ? "wrong"
             : slip.Formulas.Split(' ').Any(name => only.Place?.Step == name || IsIn(only.Cause, name)) ? "formula" : "step";
