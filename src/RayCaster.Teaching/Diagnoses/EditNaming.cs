@@ -65,8 +65,10 @@ internal static class EditNaming
     private static string SymptomOf(SectionKind kind) => kind switch
     {
         SectionKind.Vectors => "All that is computed with products and lengths of vectors is wrong.",
-        SectionKind.Camera or SectionKind.File or SectionKind.Sample or SectionKind.Pixel => "Everything stands elsewhere or is deformed: the rays are wrong.",
-        SectionKind.Rule or SectionKind.Nearest => "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
+        SectionKind.Camera or SectionKind.File or SectionKind.Sample or SectionKind.Pixel =>
+            "Everything stands elsewhere or is deformed: the rays are wrong.",
+        SectionKind.Rule or SectionKind.Nearest =>
+            "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
         SectionKind.Light => "All outlines are right, only the light is not.",
         SectionKind.Bytes => "All outlines are right, only the colours are not.",
         _ => $"Only {ShapeOf(kind).Many} are wrong; all else is right.",

@@ -14,6 +14,9 @@ internal sealed class Evidence
     /// <summary>How many pixels rule out most pairs of mistakes.</summary>
     private const int ProbePixels = 5;
 
+    /// <summary>How many wrong pixels, and how many others, tell most programs apart.</summary>
+    private const int FewPixelsAlike = 32;
+
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.1;
 
@@ -123,9 +126,12 @@ internal sealed class Evidence
     public double LeastPixels => Math.Max(SceneFitness.LeastPixels, (double)WrongCount / most);
 
     /// <summary>What a program draws in the pixels of the evidence.</summary>
-    public Drawn Draw(FormulaProgram program)
+    public Drawn Draw(FormulaProgram program) => Draw(program, int.MaxValue);
+
+    private Drawn Draw(FormulaProgram program, int pixels)
     {
-        var (wrong, other) = (Affordable(wrongPixels.Length, program), Affordable(otherPixels.Length, program));
+        var wrong = Affordable(Math.Min(pixels, wrongPixels.Length), program);
+        var other = Affordable(Math.Min(pixels, otherPixels.Length), program);
         var rgb = Draw(program, wrong, other);
         List<(int, (byte, byte, byte))> colors = [];
         foreach (var (i, pixel) in wrongPixels[..wrong].Concat(otherPixels[..other]).Index())
@@ -133,15 +139,16 @@ internal sealed class Evidence
         return new(program.SizeOf(Scene.Camera), colors);
     }
 
-    /// <summary>Whether two programs draw the same picture, but for one pixel in two thousand.</summary>
-    public static bool AreAlike(Drawn one, Drawn other)
+    /// <summary>Whether a program draws the same picture as another, but for one pixel in two thousand. Most differ in the first pixels.</summary>
+    public bool AreAlike(Drawn one, FormulaProgram program) =>
+        one.Size == program.SizeOf(Scene.Camera) && AreAlike(one, Draw(program, FewPixelsAlike)) && AreAlike(one, Draw(program));
+
+    private static bool AreAlike(Drawn one, Drawn other)
     {
-        if (one.Size != other.Size) return false;
-        var (fewer, more) = one.Colors.Count < other.Colors.Count ? (one, other) : (other, one);
-        var colors = fewer == more ? null : more.Colors.ToDictionary(pixel => pixel.Pixel, pixel => pixel.Color);
-        var left = fewer.Colors.Count / 2000;
-        foreach (var (pixel, color) in fewer.Colors)
-            if (colors!.TryGetValue(pixel, out var own) && !PictureJudge.IsNear(color, own) && --left < 0) return false;
+        var colors = one.Colors.ToDictionary(pixel => pixel.Pixel, pixel => pixel.Color);
+        var left = other.Colors.Count / 2000;
+        foreach (var (pixel, color) in other.Colors)
+            if (colors.TryGetValue(pixel, out var own) && !PictureJudge.IsNear(color, own) && --left < 0) return false;
         return true;
     }
 
@@ -157,7 +164,8 @@ internal sealed class Evidence
 
     /// <summary>Whether a program draws one of the first few wrong pixels right.</summary>
     public bool IsImprovedBy(FormulaProgram? program) =>
-        program is not null && CanDraw(program) && Explained(program).Take(Math.Min(ProbePixels, wrongPixels.Length)).Any(isExplained => isExplained);
+        program is not null && CanDraw(program)
+            && Explained(program).Take(Math.Min(ProbePixels, wrongPixels.Length)).Any(isExplained => isExplained);
 
     /// <summary>Of a few wrong pixels, then of a few others, whether a program draws them as the picture shows them.</summary>
     private IEnumerable<bool> Explained(FormulaProgram program)
@@ -182,7 +190,8 @@ internal sealed class Evidence
     {
         if (program is null || !CanDraw(program)) return new(PixelCount, PixelCount); // nothing is explained
         var (wrong, other) = (CountOf(wrongPixels), CountOf(otherPixels));
-        return MisfitOf(program, wrong, other, Draw(program, wrong, other), program.Scatters ? Draw(program with { Scatters = false }, wrong, other) : null);
+        return MisfitOf(wrong, other, Draw(program, wrong, other),
+            program.Scatters ? Draw(program with { Scatters = false }, wrong, other) : null);
 
         int CountOf(int[] pixels) => Affordable(Math.Min(pixels.Length, (int)Math.Ceiling(most * share)), program, share);
     }
@@ -191,14 +200,14 @@ internal sealed class Evidence
     public Misfit Misfit(Scene scene, FormulaProgram program, double share = 1)
     {
         var (wrong, other) = (CountOf(wrongPixels), CountOf(otherPixels));
-        return MisfitOf(program, wrong, other, FormulaEvaluator.Draw(scene, program, PixelsOf(wrong, other)), null);
+        return MisfitOf(wrong, other, FormulaEvaluator.Draw(scene, program, PixelsOf(wrong, other)), null);
 
         int CountOf(int[] pixels) => Math.Min(pixels.Length, (int)Math.Ceiling(most * share));
     }
 
     /// <param name="rgb">What is drawn in the first wrong pixels and the first others.</param>
     /// <param name="unaffected">What is drawn there if last bits spare a pixel; null if they do not matter.</param>
-    private Misfit MisfitOf(FormulaProgram program, int wrong, int other, byte[] rgb, byte[]? unaffected)
+    private Misfit MisfitOf(int wrong, int other, byte[] rgb, byte[]? unaffected)
     {
         return Of(wrongPixels, 0, wrong, WrongCount) + Of(otherPixels, wrong, other, PixelCount - WrongCount);
 

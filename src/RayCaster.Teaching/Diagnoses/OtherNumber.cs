@@ -3,7 +3,8 @@ namespace RayCaster.Teaching;
 /// <summary>One number of the scene or of the camera's plane that may be different in a picture.</summary>
 /// <param name="Draw">The scene with another number: x is its difference, or the logarithm of its ratio, to the right one.</param>
 /// <param name="Tries">The x that are tried first.</param>
-internal sealed record OtherNumber(Func<double, (Scene Scene, FormulaProgram Program)> Draw, IReadOnlyList<double> Tries, Func<double, string> Sentence)
+internal sealed record OtherNumber(
+    Func<double, (Scene Scene, FormulaProgram Program)> Draw, IReadOnlyList<double> Tries, Func<double, string> Sentence)
 {
     /// <summary>A model of another size or place shows, or should show, at least this share of the wrong pixels.</summary>
     private const double Own = 0.3;
@@ -65,7 +66,8 @@ internal sealed record OtherNumber(Func<double, (Scene Scene, FormulaProgram Pro
             x => $"The same picture, about {Times(x, "large", "small")}: look at h, and at fovY.");
         yield return Of(SectionKind.Camera, x => [("w", $"h·aspect / {Factor(x)}")],
             x => $"The same picture, about {Times(x, "wide", "narrow")}: look at w.");
-        yield return Of(SectionKind.Camera, x => [("h", $"2·tan(angle / 2) / {Factor(x)}"), ("w", $"h·aspect·{Factor(x)}")], x => $"The same picture, about {Times(x, "high", "low")}: look at h, while w is right.");
+        yield return Of(SectionKind.Camera, x => [("h", $"2·tan(angle / 2) / {Factor(x)}"), ("w", $"h·aspect·{Factor(x)}")],
+            x => $"The same picture, about {Times(x, "high", "low")}: look at h, while w is right.");
         yield return Of(SectionKind.Light, x => [("att", $"max(0, 1 - t / (2·|T - P|·{Factor(x)}))")],
             x => $"All outlines are right, only the light: it ends at about {Number(c.FadeDistance * Math.Pow(2, x))}, " +
                 $"while 2 |T − P| is {Number(c.FadeDistance)}. Look at the attenuation, and at the camera's target.");

@@ -19,7 +19,7 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
                 .Where(other => other.Id != named.Id && other.Variants.Any(
                     variant => AreAlike(drawn, new WrongProgram(way, [variant], candidate.OtherSample))))];
         }
-        var isSame = own.Scatters == likeliest.Scatters && Evidence.AreAlike(drawn, evidence.Draw(likeliest));
+        var isSame = own.Scatters == likeliest.Scatters && evidence.AreAlike(drawn, likeliest);
         var isTypical = candidate.Misfit.Unexplained <= Judgement.Explained * evidence.WrongCount && candidate.Unusual == 0;
         return new(shown, candidate.Misfit.Unexplained, candidate.OtherSample, twins, candidate.Base.NotYet, isSame, isTypical);
     }
@@ -39,14 +39,14 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
     }
 
     private bool AreAlike(Evidence.Drawn drawn, WrongProgram other) =>
-        other.For(prepared.Scene) is { } program && Evidence.AreAlike(drawn, evidence.Draw(program));
+        other.For(prepared.Scene) is { } program && evidence.AreAlike(drawn, program);
 
     /// <summary>A program's mistakes that show. Of zNear and zFar, which are not written yet, the picture may show only one.</summary>
     private Mistake[] Visible(WrongProgram candidate, Evidence.Drawn drawn)
     {
         var hidden = candidate.Named.Except(candidate.Variants).FirstOrDefault(part => candidate.Named.Count > 1
             && FormulaProgram.For(prepared.Scene.Camera).With([.. candidate.Named.Where(other => other != part),
-                .. candidate.Mistakes.Except(candidate.Variants)]) is { } rest && Evidence.AreAlike(drawn, evidence.Draw(rest)));
+                .. candidate.Mistakes.Except(candidate.Variants)]) is { } rest && evidence.AreAlike(drawn, rest));
         return [.. candidate.Named.Where(mistake => mistake != hidden)];
     }
 }

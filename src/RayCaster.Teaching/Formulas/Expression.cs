@@ -120,7 +120,8 @@ internal sealed class Expression
     {
         if (other.ToString() == right.ToString()) return this;
         if (ToString() == right.ToString() || ToString() == other.ToString()) return other;
-        if (Operands.IsEmpty || Operator != right.Operator || Operator != other.Operator || Symbol != right.Symbol || Symbol != other.Symbol) return null;
+        if (Operands.IsEmpty || (Operator, Symbol) != (right.Operator, right.Symbol) || (Operator, Symbol) != (other.Operator, other.Symbol))
+            return null;
         var merged = this;
         for (var i = 0; i < Operands.Length && merged is not null; i++)
             merged = Operands[i].Merged(right.Operands[i], other.Operands[i]) is { } operand ? merged.With(i, operand) : null;

@@ -28,8 +28,8 @@ internal sealed class FormulaEvaluator
 
     /// <param name="pixels">Columns from the left and lines from the top of the file.</param>
     /// <param name="program">The program that others differ from.</param>
-    /// <param name="proposes">Whether formulas decide only about that triangle of a large mesh which the definition hits. Otherwise an edited formula
-    /// decides about each triangle, one by one.</param>
+    /// <param name="proposes">Whether formulas decide only about that triangle of a large mesh which the definition hits. Otherwise an edited
+    /// formula decides about each triangle, one by one.</param>
     public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program, bool proposes = false)
         : this(scene, pixels.Count, proposes)
     {
@@ -87,7 +87,8 @@ internal sealed class FormulaEvaluator
         return rgb;
     }
 
-    /// <summary>The same where a byte comes from another place in the file; what is before the first or after the last one is a line break.</summary>
+    /// <summary>The same where a byte comes from another place in the file; what is before the first or after the last one is a line break.
+    /// </summary>
     private static byte[] DrawMoved(Scene scene, FormulaProgram program, IReadOnlyList<(int X, int Y)> pixels)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);

@@ -26,8 +26,8 @@ internal sealed record Formula(Symbol Name, Expression Right, ImmutableArray<Sym
     /// <summary>The names of the crossings of a shape, and of the condition under which it has them.</summary>
     public static readonly Symbol Near = Symbol.Of("first hit"), Far = Symbol.Of("second hit"), When = Symbol.Of("hit");
 
-    /// <summary>What only mistakes have. In a rule, of the first crossing: whether the ray ends there with the background, and whether the second one
-    /// is tried if the first does not count. In the file: whether a pixel is written, and whether the sides are swapped.</summary>
+    /// <summary>What only mistakes have. In a rule, of the first crossing: whether the ray ends there with the background, and whether the second
+    /// one is tried if the first does not count. In the file: whether a pixel is written, and whether the sides are swapped.</summary>
     public static readonly Symbol Ends = Symbol.Of("ends"), Second = Symbol.Of("second"), Written = Symbol.Of("written"),
         Turned = Symbol.Of("turned");
 
@@ -110,7 +110,8 @@ internal sealed class FormulaSection(
             var written = Of(edited.Formulas, name);
             if (ReferenceEquals(meant?.Right, written?.Right)) continue;
             var own = Of(merged, name);
-            if (ReferenceEquals(own?.Right, meant?.Right)) merged = own is null ? merged.Add(written!) : written is null ? merged.Remove(own) : merged.Replace(own, written);
+            if (ReferenceEquals(own?.Right, meant?.Right))
+                merged = own is null ? merged.Add(written!) : written is null ? merged.Remove(own) : merged.Replace(own, written);
             else if (own is not null && meant is not null && written is not null && own.Right.Merged(meant.Right, written.Right) is { } both)
                 merged = merged.Replace(own, own with { Right = both });
             else return null;

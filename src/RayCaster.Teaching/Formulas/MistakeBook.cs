@@ -70,7 +70,8 @@ internal static class MistakeBook
         return Alternatives(line).SelectMany(WrittenChange.Read).Select(change => new Label(id, null, change, [], []));
     }
 
-    /// <summary>The alternatives of a line of formulas: one without a step has that of the line, one without a name that of the one before.</summary>
+    /// <summary>The alternatives of a line of formulas: one without a step has that of the line, one without a name that of the one before.
+    /// </summary>
     private static IEnumerable<string> Alternatives(string line)
     {
         var step = line.Split(' ', 2)[0];

@@ -4,5 +4,6 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 internal static class Written
 {
     /// <summary>The mistake of these formulas.</summary>
-    public static Mistake As(string formulas) => new("written", "", formulas, new("", "", ""), [.. WrittenChange.Read(formulas)], isWithinRounding: false);
+    public static Mistake As(string formulas) =>
+        new("written", "", formulas, new("", "", ""), [.. WrittenChange.Read(formulas)], isWithinRounding: false);
 }
