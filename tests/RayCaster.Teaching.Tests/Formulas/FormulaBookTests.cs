@@ -37,7 +37,8 @@ public class FormulaBookTests
     [InlineData("a: length = R - (R - R) - R", "a = R − (R − R) − R")]
     public void AFormulaIsWrittenAsItWasRead(string line, string written)
     {
-        var book = Book("[camera]\nd: direction = up\n[file]\n[sample]\n[pixel]\n[sphere]\n" + $"given C: point, Q: point, n: displacement, R: length\n{line}");
+        var book = Book(
+            $"[camera]\nd: direction = up\n[file]\n[sample]\n[pixel]\n[sphere]\ngiven C: point, Q: point, n: displacement, R: length\n{line}");
         Assert.Equal(written, book.StylesOf(SectionKind.Sphere)[0].Formulas[0].ToString());
     }
 
