@@ -95,12 +95,8 @@ internal sealed record JointDiagnosis
     /// <summary>The program that leaves the least, and those that leave as little.</summary>
     private static JointDiagnosis Search(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known, SubmittedPicture[] wrong)
     {
-        var search = new DiagnosisSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null);
-        var ranked = search.Run();
-        // Pairs of mistakes that change whole pictures are tried on few pixels, so what single pictures are diagnosed with is tried, too.
-        if (!wrong.All(picture => picture.Evidence.IsExplainedBy(ranked[0])))
-            ranked = search.With([.. wrong.Take(DiagnosedAlone).SelectMany(NamedFor)], ranked);
-        var verdict = search.Ranking.WithoutIdle(ranked[0]);
+        var ranked = new ExplanationSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null, null, null).Run();
+        var verdict = ranked[0];
         WrongProgram[] alike = [.. ranked.Where(other => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike)];
         return new()
         {
@@ -110,7 +106,7 @@ internal sealed record JointDiagnosis
                     .Select(other => other.Variants[0]).DistinctBy(mistake => mistake.Id)],
             Alternatives =
             [
-                .. alike.Where(other => other.Parts == ranked[0].Parts).Select(search.Ranking.WithoutIdle)
+                .. alike.Where(other => other.Parts == ranked[0].Parts)
                     .Where(other => other.Id != verdict.Id).DistinctBy(other => other.Id),
             ],
         };

@@ -1,5 +1,12 @@
 namespace RayCaster.Teaching;
 
+/// <summary>Edits that draw the same evidence, the likeliest first.</summary>
+/// <param name="Unexplained">The share of the wrong pixels that they leave unexplained.</param>
+internal sealed record EditGroup(double Unexplained, ImmutableArray<FormulaEdit> Edits)
+{
+    public double Cost => Edits[0].Cost;
+}
+
 /// <summary>The place of an edit in the slides' formulas, as far as the picture shows it.</summary>
 /// <param name="Section">The step, as its formulas' text calls it; several with commas.</param>
 /// <param name="Step">The name that the edited formula computes; null if several do.</param>

@@ -15,7 +15,7 @@ internal sealed class Evidence
     private const int ProbePixels = 5;
 
     /// <summary>How many wrong pixels, and how many others, tell most programs apart.</summary>
-    private const int FewPixelsAlike = 32;
+    private const int FewPixelsAlike = 32, ManyPixelsAlike = 150;
 
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.1;
@@ -137,6 +137,13 @@ internal sealed class Evidence
         foreach (var (i, pixel) in wrongPixels[..wrong].Concat(otherPixels[..other]).Index())
             colors.Add((pixel, (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2])));
         return new(program.SizeOf(Scene.Camera), colors);
+    }
+
+    /// <summary>Whether two programs draw the same, as far as some pixels show.</summary>
+    public bool DrawAlike(FormulaProgram one, FormulaProgram other)
+    {
+        var (wrong, rest) = (Math.Min(ManyPixelsAlike, wrongPixels.Length), Math.Min(ManyPixelsAlike, otherPixels.Length));
+        return Draw(one, wrong, rest).AsSpan().SequenceEqual(Draw(other, wrong, rest));
     }
 
     /// <summary>Whether a program draws the same picture as another, but for one pixel in two thousand. Most differ in the first pixels.</summary>

@@ -28,6 +28,9 @@ internal sealed class Judgement(
     /// leave at most a third of what one leaves. A mistake whose pixels may lie anywhere leaves more.</summary>
     public const double MaxLeft = 0.1;
 
+    /// <summary>What this share of the wrong pixels shows is too little to be named.</summary>
+    private const double Idle = 0.002;
+
     private const double MaxLeftByPair = 0.05, MaxLeftByBetterPair = 0.08, Third = 1 / 3.0, MaxLeftIfScattered = 0.18;
 
     /// <summary>If an unfinished program leaves at most this share of the wrong pixels, the rest is right; more with rays through the other sample
@@ -59,13 +62,12 @@ internal sealed class Judgement(
     /// <summary>Searches, and decides.</summary>
     public Answer Decide()
     {
-        var search = new DiagnosisSearch([evidence], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible);
-        var ranked = search.Run();
+        var ranked = new ExplanationSearch([evidence], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible).Run();
         leftByOne = ranked.Where(IsOne).Select(candidate => candidate.Misfit.Unexplained).DefaultIfEmpty(0).Min();
-        var best = search.Ranking.WithoutIdle(Best(ranked));
+        var best = Best(ranked);
         var isEnough = IsEnough(best);
         var (sentences, isBetter) = OtherCause(best, isEnough);
-        if (isEnough && !isBetter) return Naming(best, ranked, search.Ranking, sentences);
+        if (isEnough && !isBetter) return Naming(best, ranked, sentences);
 
         if (evidence.IsOnlyOutlines) return new(Finding.Matches);
         if (leftByMissingModel is not null) return new(Finding.NoneOfThese);
@@ -106,7 +108,7 @@ internal sealed class Judgement(
         var (misfit, certain) = LikelyCause.Certain(prepared, byModels, evidence);
         if (certain is not null && misfit.CompareTo(most) < 0) return ([certain], true);
         if (!isEnough) return ([.. LikelyCause.Hints(byModels, evidence)], false);
-        return (certain is not null && misfit.Unexplained <= CandidateRanking.Idle * wrong ? [certain] : [], false);
+        return (certain is not null && misfit.Unexplained <= Idle * wrong ? [certain] : [], false);
     }
 
     private IReadOnlyList<Suspect> NearestOf(List<WrongProgram> ranked, WrongProgram best)
@@ -122,7 +124,7 @@ internal sealed class Judgement(
     }
 
     /// <summary>Names the best candidate, and others that also explain the picture.</summary>
-    private Answer Naming(WrongProgram best, List<WrongProgram> ranked, CandidateRanking ranking, IReadOnlyList<string> sentences)
+    private Answer Naming(WrongProgram best, List<WrongProgram> ranked, IReadOnlyList<string> sentences)
     {
         string[] missing = [.. best.Base.Kinds];
         if (best.Variants.Count == 0 && missing.Length > 0
@@ -135,7 +137,7 @@ internal sealed class Judgement(
                 return new(rest.Finding) { NotYet = [.. missing, .. rest.NotYet], Suspects = rest.Suspects, Likely = rest.Likely };
         }
         var named = ranked.Where(candidate => candidate.Named.Count > 0 && candidate.Misfit.Unexplained <= MayLeave(candidate))
-            .DistinctBy(candidate => candidate.Id).Take(Examined).Select(ranking.WithoutIdle).Prepend(best)
+            .DistinctBy(candidate => candidate.Id).Take(Examined).Prepend(best)
             .Where(candidate => candidate.Named.Count > 0);
         if (best.Named.Count == 0) // what may have lost those shapes, if they are written already
             named = named.Where(candidate =>

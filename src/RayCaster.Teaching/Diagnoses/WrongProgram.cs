@@ -5,14 +5,11 @@ namespace RayCaster.Teaching;
 /// <param name="OtherSample">Whether rays pass through the other sample point of each pixel.</param>
 internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Variants, bool OtherSample, Misfit Misfit = default)
 {
-    /// <summary>The factor by which each mistake makes a program costlier.</summary>
-    private const double PerMistake = 1 / 0.6;
-
-    /// <summary>The factor for an edit of a formula that is not in the catalogue.</summary>
-    private const double Unknown = 1.5;
-
     /// <summary>Rays through the other sample point of each pixel, as a mistake.</summary>
     public static readonly Mistake Center = MistakeCatalog.Named("center")!;
+
+    /// <summary>The bits of its explanation.</summary>
+    public double Total { get; init; }
 
     /// <summary>Equal for candidates that differ only in variants and samples.</summary>
     public string Id => string.Join(' ', Base.NotYet.Concat(Variants.Select(variant => variant.Id)).Order(StringComparer.Ordinal));
@@ -61,18 +58,4 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     }
 
     public IReadOnlyList<Mistake> Named => [.. Variants, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
-
-    /// <summary>
-    /// What it leaves unexplained, with a factor for what it assumes: two mistakes explain any picture better than one, and a part that is not
-    /// written yet is the simplest assumption.
-    /// </summary>
-    /// <param name="wrong">All that is wrong, as <see cref="Misfit"/> counts it.</param>
-    /// <param name="rounding">How much of it another program's rounding may leave: what is left below that says little.</param>
-    public double Cost(double wrong, double rounding) =>
-        (Misfit.Weight + rounding * wrong)
-        * Math.Pow(PerMistake, Variants.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count)
-        * Math.Pow(Unknown, Variants.Count(variant => variant.Place is not null));
-
-    /// <summary>What may be left so that no program with one more mistake costs less.</summary>
-    public double LeastLeft(double wrong, double rounding) => rounding * wrong * (Math.Pow(PerMistake, OtherSample ? 0.5 : 1) - 1);
 }

@@ -1,0 +1,218 @@
+using System.Collections.Concurrent;
+
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// Looks for the shortest explanations of a program's pictures: few and likely changes that leave few pixels unexplained. All single changes are
+/// tried on few pixels and the best on more; then the shortest so far are extended by second changes that explain what they leave.
+/// </summary>
+/// <param name="pictures">The pictures, each of another scene; the bits of all are added.</param>
+/// <param name="known">The known mistakes that are tried.</param>
+/// <param name="done">What the program certainly draws.</param>
+/// <param name="threads">How many threads draw; one per core if null.</param>
+/// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
+/// <param name="budget">How long the search may take; null for any time.</param>
+/// <param name="possible">Which edits are tried that have no name; all if null.</param>
+internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
+    int? threads, Predicate<Mistake>? likely, SearchBudget? budget, Predicate<Mistake>? possible)
+{
+    /// <summary>The share of the evidence that a first and a second look compares.</summary>
+    private const double Few = 0.008, More = 0.05;
+
+    /// <summary>How many explanations get a second look, and a last one at all of the evidence.</summary>
+    private const int Closer = 300, Closest = 60;
+
+    /// <summary>How many explanations are extended by other changes, and how many of their extensions get a closer look.</summary>
+    private const int Extended = 60, Extensions = 40, BestExtensions = 8;
+
+    /// <summary>In a scene of more models no edits are tried.</summary>
+    private const int MaxModels = 200;
+
+    /// <summary>The greatest number of pixels that count each for itself: those beside each other are not independent.</summary>
+    private const int Independent = 150;
+
+    /// <summary>The share of what is wrong that other last bits may leave.</summary>
+    private const double Rounding = 0.004;
+
+    private readonly List<Explanation> found = []; // compared with all of the evidence
+    private readonly Explanation right = new([.. pictures.Select(picture => FormulaProgram.For(picture.Scene.Camera))], []);
+
+    /// <summary>What nothing explains.</summary>
+    private double Literal => Math.Min(Priors.OtherProgram, pictures.Sum(picture => BitsOf(1, picture.WrongCount)));
+
+    private double Bound => found.Count == 0 ? Literal : Math.Min(Literal, found.Min(explanation => explanation.Total));
+
+    private bool IsExplained => found.Exists(explanation => explanation.IsExact && explanation.Total < Literal);
+
+    /// <summary>The programs that were compared with all of the evidence, that with the shortest explanation first.</summary>
+    public List<WrongProgram> Run()
+    {
+        try
+        {
+            Search();
+            found.AddRange(Measured([.. found.OrderBy(of => of.Total).Take(10).Where(of => of.Changes.Length > 1).SelectMany(Less)], 1));
+        }
+        catch (TimeoutException)
+        {
+        }
+        var edits = found.Where(of => of.Changes is [{ Edit: not null }]).ToLookup(of => string.Join(' ', of.Misfits), of => of.Changes[0].Edit!);
+        return [.. found.OrderBy(of => of.Total).Select(of => Named(of, edits[string.Join(' ', of.Misfits)]))
+            .Where(program => program.Variants.All(mistake => mistake.Place is null || possible?.Invoke(mistake) != false))];
+    }
+
+    /// <summary>Without each of its changes.</summary>
+    private IEnumerable<Explanation?> Less(Explanation of) =>
+        of.Changes.Select(change => of.Changes.Remove(change).Aggregate((Explanation?)right, (all, own) => all?.With(own)));
+
+    /// <param name="alike">The edits that draw the same.</param>
+    private WrongProgram Named(Explanation of, IEnumerable<FormulaEdit> alike)
+    {
+        var mistakes = of.Changes.Where(change => change.Id != "" && !change.IsOtherSample).Select(change => change.Mistake
+            ?? EditNaming.Of(new(0, [.. (of.Changes.Length > 1 ? [change.Edit!] : alike).OrderBy(edit => edit.Cost)]))).ToList();
+        foreach (var style in of.Changes.Where(change => change is { Id: "", NotYet: null }))
+        {
+            if (mistakes.Count == 0) continue;
+            var first = mistakes[0];
+            mistakes[0] = first.Worded(first.Cause, program => style.In(program) is { } styled ? first.In(styled) : null);
+        }
+        var misfit = of.Misfits is [var only] ? only : new(of.Misfits.Select((misfit, i) => pictures[i].Loss(misfit)).Sum(), 0);
+        return new(new([.. of.Changes.Select(change => change.NotYet).OfType<string>()]), mistakes, of.Changes.Any(change => change.IsOtherSample), misfit)
+        {
+            Total = of.Total,
+        };
+    }
+
+    private void Search()
+    {
+        string[] kinds = Unfinished.KindsOf(pictures);
+        ProgramChange[] missing = [.. ProgramChange.Missing(((string[])[.. kinds.Length > 1 ? kinds : [], Diagnosis.Attenuation, Diagnosis.Clipping]).Except(done))];
+        ProgramChange[] named = [.. ProgramChange.Of(known, likely)];
+        var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
+        ProgramChange[] edits = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Edits(scene, known)];
+        ProgramChange[] cheap = [.. missing, .. ProgramChange.Styles(scene), .. named.Where(change => change.IsOtherSample)];
+
+        // one change, or a program that is not finished
+        found.AddRange(Measured([right], 1));
+        var singles = Measured([.. named.Select(right.With), .. Ways(missing, kinds.Length)], Few);
+        Refine(singles);
+        if (IsExplained && Bound < Priors.Known + 2 * Priors.NotYet) return;
+        var others = Measured([.. edits.Select(right.With)], Few);
+        Refine(others);
+        if (IsExplained && Bound < Priors.Unknown) return;
+
+        // with something that costs little
+        List<Explanation> nearest = [];
+        foreach (var one in found.OrderBy(of => of.Total))
+            if (nearest.Count < 12 && !nearest.Exists(other => IsLike(one, other))) nearest.Add(one);
+        foreach (var one in nearest) Extend(one, cheap);
+        if (IsExplained && Bound < Priors.Unknown + Priors.NotYet) return;
+
+        // two changes, in turn beside the shortest so far and beside one that draws the right colours, or is likely
+        ProgramChange[] seconds =
+        [
+            .. singles.Where(single => single.Changes is [{ Id: not "" }]).OrderBy(single => single.Bits)
+                .DistinctBy(single => (single.Changes[0].Id, string.Join(' ', single.Misfits))).Select(single => single.Changes[0]),
+            .. cheap,
+        ];
+        seconds = [.. seconds.Distinct()];
+        var rest = new Queue<Explanation>(Firsts(singles));
+        List<Explanation> extended = [];
+        for (var turn = 0; extended.Count < Extended; turn++)
+        {
+            var first = turn % 2 == 1 && rest.Count > 0 ? rest.Dequeue()
+                : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => IsLike(of, other)))
+                    .MinBy(of => of.Total);
+            if (first is null && !rest.TryDequeue(out first)) break;
+            if (IsExplained && Bound <= 2 * (Priors.Known + Priors.Variant) + Priors.Rare) break;
+            if (extended.Exists(other => IsLike(first, other))) continue;
+            extended.Add(first);
+            if (first.Bits + Priors.Style >= Bound) continue;
+            Extend(first, seconds);
+            if (turn < 2) Extend(first, edits);
+        }
+    }
+
+    /// <summary>Every subset of what may be missing, but for a program that draws nothing.</summary>
+    private IEnumerable<Explanation?> Ways(ProgramChange[] missing, int kinds) =>
+        from bits in Enumerable.Range(1, (1 << missing.Length) - 1)
+        let parts = missing.Where((_, i) => (bits >> i & 1) != 0)
+        where parts.Count(part => part.NotYet is not (Diagnosis.Attenuation or Diagnosis.Clipping)) < kinds
+        select parts.Aggregate((Explanation?)right, (all, part) => all?.With(part));
+
+    /// <summary>In turn those that draw most colours right, and those that are likeliest.</summary>
+    private IEnumerable<Explanation> Firsts(List<Explanation> singles)
+    {
+        var colors = pictures.Select(picture => picture.ByColors()).ToArray();
+        Explanation[] byColors = [.. Measured([.. singles], Few, colors).DistinctBy(of => string.Join(' ', of.Misfits)).Take(30)];
+        Explanation[] byBits = [.. singles.Where(of => of.Changes is [{ Id: not "" }]).OrderBy(of => of.Bits).DistinctBy(of => of.Changes[0].Id)
+            .DistinctBy(of => string.Join(' ', of.Misfits))];
+        for (var i = 0; i < Math.Max(byColors.Length, byBits.Length); i++)
+        {
+            if (i < byColors.Length) yield return byColors[i];
+            if (i < byBits.Length) yield return byBits[i];
+        }
+    }
+
+    /// <summary>Whether two draw the same, as far as few pixels show.</summary>
+    private bool IsLike(Explanation one, Explanation other) => ReferenceEquals(one, other) || (one.Programs[0].IsTurned == other.Programs[0].IsTurned
+        && Enumerable.Range(0, pictures.Count).All(i => pictures[i].DrawAlike(one.Programs[i], other.Programs[i])));
+
+    private void Extend(Explanation first, IEnumerable<ProgramChange> changes)
+    {
+        Evidence[] left = [.. pictures.Select((picture, i) => new Evidence(picture, first.Programs[i]))];
+        var bound = Bound;
+        var before = left.Sum(picture => (double)picture.WrongCount);
+        var measured = Measured([.. changes.Select(first.With).Where(with => with is not null && with.Bits < bound)], Few, left);
+        measured = [.. measured.Where(with => with.Misfits.Sum(misfit => misfit.Unexplained) < 0.98 * before).Take(Extensions)];
+        measured = Measured([.. measured], More, left);
+        found.AddRange(Measured([.. measured.Take(BestExtensions)], 1).Select(with => with with { Gain = first.Total - with.Total }));
+    }
+
+    /// <summary>Looks at the best more closely, and at the best of these at all of the evidence.</summary>
+    private void Refine(List<Explanation> candidates)
+    {
+        var closer = Measured([.. candidates.Take(Closer)], More);
+        found.AddRange(Measured([.. closer.Take(Closest)], 1));
+    }
+
+    /// <summary>Compares them with a share of the evidence, and sorts them.</summary>
+    private List<Explanation> Measured(IReadOnlyList<Explanation?> candidates, double share, IReadOnlyList<Evidence>? left = null)
+    {
+        var evidence = left ?? pictures;
+        var measured = new ConcurrentBag<(int, Explanation)>();
+        Parallel.For(0, candidates.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, (i, loop) =>
+        {
+            if (budget?.IsSpent() == true) loop.Stop();
+            else if (candidates[i] is { } candidate) measured.Add((i, Measure(candidate, share, evidence)));
+        });
+        budget?.ThrowIfSpent();
+        return [.. measured.OrderBy(one => one.Item2.Total).ThenBy(one => one.Item1).Select(one => one.Item2)];
+    }
+
+    private static Explanation Measure(Explanation candidate, double share, IReadOnlyList<Evidence> evidence)
+    {
+        ImmutableArray<Misfit> misfits = [.. evidence.Select((picture, i) => picture.Misfit(candidate.Programs[i], share))];
+        return candidate with
+        {
+            Misfits = misfits,
+            Total = candidate.Bits + misfits.Select((misfit, i) =>
+                CostOf(misfit, evidence[i], evidence.Count)).Sum(),
+        };
+    }
+
+    /// <summary>The bits of a picture's unexplained pixels; of several pictures each may be some other program's.</summary>
+    private static double CostOf(Misfit misfit, Evidence picture, int pictures)
+    {
+        var bits = BitsOf(misfit.Weight / Math.Max(1, picture.WrongCount), Math.Max(picture.WrongCount, Independent / 10));
+        return pictures > 1 ? Math.Min(bits, Priors.OtherProgram) : bits;
+    }
+
+    /// <summary>What it takes to say which of n pixels are unexplained, and what they show, if a share of them is.</summary>
+    private static double BitsOf(double share, int wrong)
+    {
+        var n = Math.Min(Independent, wrong);
+        var s = Math.Max(0, share - Rounding);
+        if (s == 0) return 0;
+        return n * ((s < 0.5 ? -s * Math.Log2(s) - (1 - s) * Math.Log2(1 - s) : 0.5 + s) + 2 * s);
+    }
+}

@@ -1,0 +1,24 @@
+namespace RayCaster.Teaching;
+
+/// <summary>How many bits each change of a program costs: the likelier people make it, the fewer.</summary>
+internal static class Priors
+{
+    /// <summary>A kind of shape, attenuation or clipping that is not written yet; rays through the other sample point; another right style.</summary>
+    public const double NotYet = 3, OtherSample = 5, Style = 2;
+
+    /// <summary>A known mistake, and what another variant or wording of it costs more; an edit that has no name.</summary>
+    public const double Known = 6, Variant = 0.5, Wording = 1.5, Unknown = 11;
+
+    /// <summary>What a unit of <see cref="FormulaEdit.Cost"/> costs.</summary>
+    public const double PerCost = 4;
+
+    /// <summary>A known mistake that fewer people make, and one that is unlikely by what else is known of the program.</summary>
+    public const double Rare = 1, Unlikely = 1.5;
+
+    /// <summary>Some other program, which may draw anything.</summary>
+    public const double OtherProgram = 110;
+
+    /// <summary>Known mistakes that fewer people make than others that draw the same.</summary>
+    public static readonly IReadOnlySet<string> RareIds =
+        new HashSet<string> { "v-cross", "clip-root", "znear-t", "zfar-t", "row-off", "wm1", "size-mixed", "slab-inv-nan" };
+}
