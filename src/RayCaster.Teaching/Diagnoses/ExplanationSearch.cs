@@ -20,7 +20,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     private const double Few = 0.008, More = 0.05;
 
     /// <summary>How many explanations get a second look, and a last one at all of the evidence.</summary>
-    private const int Closer = 300, Closest = 60;
+    private const int Closer = 150, Closest = 30, Nearest = 12;
 
     /// <summary>How many explanations are extended by other changes, and how many of their extensions get a closer look.</summary>
     private const int Extended = 60, Extensions = 40, BestExtensions = 8;
@@ -47,6 +47,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     /// <summary>The programs that were compared with all of the evidence, that with the shortest explanation first.</summary>
     public List<WrongProgram> Run()
     {
+        found.Add(Measure(right, 1, pictures)); // also if the time is over: there would be nothing to judge by
         try
         {
             Search();
@@ -88,26 +89,21 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         ProgramChange[] missing = [.. ProgramChange.Missing(((string[])[.. kinds.Length > 1 ? kinds : [], Diagnosis.Attenuation, Diagnosis.Clipping]).Except(done))];
         ProgramChange[] named = [.. ProgramChange.Of(known, likely)];
         var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
-        ProgramChange[] edits = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Edits(scene, known)];
         ProgramChange[] cheap = [.. missing, .. ProgramChange.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
         // one change, or a program that is not finished
-        found.AddRange(Measured([right], 1));
         var singles = Measured([.. named.Select(right.With), .. Ways(missing, kinds.Length)], Few);
         Refine(singles);
         if (IsExplained && Bound < Priors.Known + 2 * Priors.NotYet) return;
-        var others = Measured([.. edits.Select(right.With)], Few);
-        Refine(others);
-        if (IsExplained && Bound < Priors.Unknown) return;
 
         // with something that costs little
         List<Explanation> nearest = [];
-        foreach (var one in found.OrderBy(of => of.Total))
-            if (nearest.Count < 12 && !nearest.Exists(other => IsLike(one, other))) nearest.Add(one);
+        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total))
+            if (nearest.Count < Nearest && !nearest.Exists(other => IsLike(one, other))) nearest.Add(one);
         foreach (var one in nearest) Extend(one, cheap);
-        if (IsExplained && Bound < Priors.Unknown + Priors.NotYet) return;
+        if (IsExplained && Bound < Priors.Unknown) return;
 
-        // two changes, in turn beside the shortest so far and beside one that draws the right colours, or is likely
+        // two known changes, in turn beside the shortest so far, and beside one that draws the right colours or is likely
         ProgramChange[] seconds =
         [
             .. singles.Where(single => single.Changes is [{ Id: not "" }]).OrderBy(single => single.Bits)
@@ -117,18 +113,29 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         seconds = [.. seconds.Distinct()];
         var rest = new Queue<Explanation>(Firsts(singles));
         List<Explanation> extended = [];
-        for (var turn = 0; extended.Count < Extended; turn++)
+        ExtendBest(Extended / 3);
+        if (IsExplained) return;
+
+        // an edit without a name, and two changes of which one may be such an edit
+        ProgramChange[] edits = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Edits(scene, known)];
+        Refine(Measured([.. edits.Select(right.With)], Few));
+        if (IsExplained) return;
+        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(2)) Extend(one, edits);
+        ExtendBest(Extended);
+
+        void ExtendBest(int most)
         {
-            var first = turn % 2 == 1 && rest.Count > 0 ? rest.Dequeue()
-                : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => IsLike(of, other)))
-                    .MinBy(of => of.Total);
-            if (first is null && !rest.TryDequeue(out first)) break;
-            if (IsExplained && Bound <= 2 * (Priors.Known + Priors.Variant) + Priors.Rare) break;
-            if (extended.Exists(other => IsLike(first, other))) continue;
-            extended.Add(first);
-            if (first.Bits + Priors.Style >= Bound) continue;
-            Extend(first, seconds);
-            if (turn < 2) Extend(first, edits);
+            for (var turn = 0; extended.Count < most; turn++)
+            {
+                var first = turn % 2 == 1 && rest.Count > 0 ? rest.Dequeue()
+                    : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => IsLike(of, other)))
+                        .MinBy(of => of.Total);
+                if (first is null && !rest.TryDequeue(out first)) return;
+                if (IsExplained && Bound <= 2 * (Priors.Known + Priors.Variant) + Priors.Rare) return;
+                if (extended.Exists(other => IsLike(first, other))) continue;
+                extended.Add(first);
+                if (first.Bits + Priors.Style < Bound) Extend(first, seconds);
+            }
         }
     }
 
@@ -176,7 +183,13 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     }
 
     /// <summary>Compares them with a share of the evidence, and sorts them.</summary>
+    public static string Log = "";
     private List<Explanation> Measured(IReadOnlyList<Explanation?> candidates, double share, IReadOnlyList<Evidence>? left = null)
+    {
+        var w = System.Diagnostics.Stopwatch.StartNew();
+        try { return Measured2(candidates, share, left); } finally { Log += $"{candidates.Count} at {share}: {w.ElapsedMilliseconds} ms\n"; }
+    }
+    private List<Explanation> Measured2(IReadOnlyList<Explanation?> candidates, double share, IReadOnlyList<Evidence>? left = null)
     {
         var evidence = left ?? pictures;
         var measured = new ConcurrentBag<(int, Explanation)>();
