@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1
 if ! command -v clang >/dev/null && ! command -v gcc >/dev/null; then
-    echo "left out: there is no linker; on Debian: apt-get install gcc"
+    echo "skipped: gcc is missing"
     exit 0
 fi
 work=$(mktemp -d)

@@ -22,14 +22,19 @@ public sealed class StepTableTests : IDisposable
         return new(test) { Outcome = outcome, DisplayName = name };
     }
 
-    /// <summary>What the collector "blame" attaches: a list of the tests that have begun.</summary>
-    private AttachmentSet Begun(params (string Name, bool Completed)[] tests)
+    /// <summary>The tests that have not ended, as they are read from the file of the process that was stopped.</summary>
+    private (string, string)[] Running(params (string Name, bool Ended)[] tests)
     {
-        var file = Path.Combine(folder, "Sequence_1.xml");
-        new XElement("TestSequence", tests.Select(test => new XElement(
-            "Test", new XAttribute("Name", test.Name), new XAttribute("DisplayName", test.Name + "(way: 1)"),
-            new XAttribute("Completed", $"{test.Completed}")))).Save(file);
-        return new(new("datacollector://blame"), "Blame") { Attachments = { new(new(file), "") } };
+        var file = Path.Combine(folder, "tests.begun");
+        var begun = new TestsBegun(file);
+        foreach (var (name, ended) in tests)
+        {
+            begun.Begin(name, name + "(way: 1)");
+            if (ended) begun.End(name, name + "(way: 1)");
+        }
+        var running = TestsBegun.Running(file); // while it is open
+        begun.Dispose();
+        return running;
     }
 
     private static string[] Names(IEnumerable<TestResult> stopped) => [.. stopped.Select(test => test.DisplayName)];
@@ -42,7 +47,7 @@ public sealed class StepTableTests : IDisposable
     [Fact]
     public void OfARunThatWasStoppedNoStepIsDone()
     {
-        var stopped = StoppedTests.Of([Begun((Ray, true), (Sphere, true), (Sphere, false))], []);
+        var stopped = StoppedTests.Of(Running((Ray, true), (Sphere, true), (Sphere, false)), []);
         Assert.Equal(
             ["", "Step  Tests that pass", "   2   1 of  ?          ray", "   8  stopped           sphere", $"\n{Sphere}(way: 1)\n  {Why}"],
             StepTable.Lines([Result(Sphere), Result(Ray)], stopped));
@@ -52,7 +57,7 @@ public sealed class StepTableTests : IDisposable
     public void ATestThatWasStoppedIsAnErrorOfTheReport()
     {
         var file = Path.Combine(folder, "report", "step8.xml");
-        JUnitReport.Write(file, [Result(Ray)], StoppedTests.Of([Begun((Sphere, false))], []));
+        JUnitReport.Write(file, [Result(Ray)], StoppedTests.Of(Running((Sphere, false)), []));
         var suite = XDocument.Load(file).Descendants("testsuite").Single();
         Assert.Equal(("2", "0", "1"), ((string)suite.Attribute("tests"), (string)suite.Attribute("failures"), (string)suite.Attribute("errors")));
         var error = suite.Elements("testcase").Single(test => test.Attribute("name").Value == "RandomRays(way: 1)").Element("error");
@@ -61,7 +66,7 @@ public sealed class StepTableTests : IDisposable
 
     [Fact]
     public void AStackOverflowIsOfTheTestOnTheStack() => Assert.Equal([Vectors], Names(StoppedTests.Of(
-        [Begun((Ray, false), (Vectors, false))],
+        Running((Ray, false), (Vectors, false)),
         [$"   at {Sphere}()", "Stack overflow.", $"   at Lab.Vector3.op_Multiply(Double, Lab.Vector3)\n   at {Vectors}()"])));
 
     [Fact]

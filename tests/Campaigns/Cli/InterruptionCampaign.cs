@@ -99,7 +99,7 @@ public sealed class InterruptionCampaign : CommandTests
             print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
             """);
         raycaster.RunInShell($"command -v python3 >/dev/null || exit 77; python3 terminal.py '{RayCasterProcess.App}' '{Room}' -s 30000x30000");
-        Assert.SkipWhen(raycaster.ExitCode == 77, "nothing that makes a terminal");
+        Assert.SkipWhen(raycaster.ExitCode == 77, "python3 is missing");
         Assert.Equal(("129\n", ""), (raycaster.OutputText, raycaster.Error));
         Assert.Equal(["terminal.py"], raycaster.Files);
     }

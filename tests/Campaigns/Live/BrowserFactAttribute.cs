@@ -2,14 +2,14 @@ using PuppeteerSharp;
 
 namespace RayCaster.Live.Tests;
 
-/// <summary>A test that needs Chromium. Without it the test is skipped, and the run says so.</summary>
+/// <summary>A test that needs Chromium (Debian: apt-get install chromium). Without it the test is skipped, and the run says so.</summary>
 public sealed class BrowserFactAttribute : FactAttribute
 {
     public const string Path = "/usr/bin/chromium";
 
     public BrowserFactAttribute()
     {
-        if (!File.Exists(Path)) Skip = $"there is no Chromium at {Path} (Debian: apt-get install chromium)";
+        if (!File.Exists(Path)) Skip = "chromium is missing";
     }
 }
 

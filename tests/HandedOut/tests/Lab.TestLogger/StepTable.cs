@@ -26,14 +26,14 @@ public sealed class StepTable : ITestLoggerWithParameters
         events.TestRunMessage += (_, args) =>
         {
             messages.Add(args.Message);
-            if (args.Message.StartsWith("Data collector 'Blame'") || args.Message.EndsWith(" [FAIL]")) args.Level = TestMessageLevel.Informational;
+            if (args.Message.EndsWith(" [FAIL]")) args.Level = TestMessageLevel.Informational;
             else args.Message = StoppedTests.WithoutForeignCalls(args.Message);
         };
         events.TestRunComplete += (_, args) =>
         {
             var isStopped = args.IsAborted || args.IsCanceled;
-            Finish(isStopped ? StoppedTests.Of(args.AttachmentSets, messages) : []);
-            // The console's logger would end with "Passed!" of the tests before, and with the file of the tests that have begun.
+            Finish(isStopped ? StoppedTests.Of(TestsBegun.Running(TestsBegun.Path), messages) : []);
+            // The console's logger would end with "Passed!" of the tests before.
             if (isStopped) Environment.Exit(1);
         };
     }

@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using System.Xml.Linq;
 using Microsoft.VisualStudio.TestPlatform.ObjectModel;
 
 namespace Lab.TestLogger;
@@ -8,22 +7,16 @@ namespace Lab.TestLogger;
 internal static partial class StoppedTests
 {
     /// <summary>At least one; if none is known, the run itself.</summary>
-    /// <param name="attachments">The run's. The collector "blame" adds a list of the tests that have begun, but may miss the last ones.</param>
+    /// <param name="running">The tests that have begun and not ended.</param>
     /// <param name="messages">The run's. One of them is the call stack of a stack overflow, with the test that has caused it.</param>
-    public static List<TestResult> Of(IEnumerable<AttachmentSet> attachments, IReadOnlyList<string> messages)
+    public static List<TestResult> Of((string Name, string DisplayName)[] running, IReadOnlyList<string> messages)
     {
         var said = string.Join('\n', messages); // before the overflow also the stacks of tests that have failed
         List<TestResult> onTheStack = said.IndexOf("Stack overflow.") is >= 0 and var start ? [.. TestsIn(said[start..])] : [];
         if (onTheStack.Count > 0) return onTheStack;
-        List<TestResult> listed =
-        [
-            .. from file in attachments.SelectMany(set => set.Attachments)
-               where Path.GetFileName(file.Uri.LocalPath).StartsWith("Sequence_")
-               from test in XDocument.Load(file.Uri.LocalPath).Descendants("Test")
-               where (string)test.Attribute("Completed") == "False"
-               select Stopped((string)test.Attribute("Name"), (string)test.Attribute("DisplayName")),
-        ];
-        return listed.Count > 0 ? listed : [Stopped("Lab.Tests.UnknownTest", "Lab.Tests.UnknownTest")];
+        return running.Length > 0
+            ? [.. running.Select(test => Stopped(test.Name, test.DisplayName))]
+            : [Stopped("Lab.Tests.UnknownTest", "Lab.Tests.UnknownTest")];
     }
 
     /// <summary>A message up to the test in its call stack: xunit's and the runtime's calls help nobody.</summary>

@@ -10,4 +10,8 @@ public static class Teacher
 
     /// <summary>How many random rays each test casts.</summary>
     public const int Rays = 1000;
+
+    /// <summary>After so many seconds of processor time a test is taken for an endless loop, which stops the run. The slowest one needs a small part
+    /// of it.</summary>
+    public const int Seconds = 60;
 }
