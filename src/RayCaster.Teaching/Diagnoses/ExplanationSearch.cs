@@ -25,6 +25,12 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     /// <summary>How many explanations are extended by other changes, and how many of their extensions get a closer look.</summary>
     private const int Extended = 60, Extensions = 40, BestExtensions = 8;
 
+    /// <summary>How many unfinished programs are extended by all known mistakes.</summary>
+    private const int Unfinishedly = 4;
+
+    /// <summary>What two known mistakes cost, in an unfinished program.</summary>
+    private const double Usual = 2 * (Priors.Known + Priors.Variant) + Priors.Rare + Priors.NotYet;
+
     /// <summary>In a scene of more models no edits are tried.</summary>
     private const int MaxModels = 200;
 
@@ -92,16 +98,22 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         ProgramChange[] cheap = [.. missing, .. ProgramChange.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
         // one change, or a program that is not finished
-        var singles = Measured([.. named.Select(right.With), .. Ways(missing, kinds.Length)], Few);
-        Refine(singles);
+        var singles = Measured([.. named.Select(right.With)], Few);
+        var ways = Measured([.. Ways(missing, kinds.Length)], Few);
+        Refine([.. singles.Concat(ways).OrderBy(of => of.Total)]);
         if (IsExplained && Bound < Priors.Known + 2 * Priors.NotYet) return;
 
-        // with something that costs little
+        // with something that costs little, or in an unfinished program
         List<Explanation> nearest = [];
         foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total))
             if (nearest.Count < Nearest && !nearest.Exists(other => IsLike(one, other))) nearest.Add(one);
         foreach (var one in nearest) Extend(one, cheap);
         if (IsExplained && Bound < Priors.Unknown) return;
+        var byColors = Unfinished.ByColors(pictures, done).Take(Unfinishedly)
+            .Select(way => ways.Find(other => other.Changes.Select(change => change.NotYet).ToHashSet().SetEquals(way.NotYet)));
+        Explanation[] unfinished = [.. ways.Take(Unfinishedly).Concat(byColors.OfType<Explanation>()).Distinct()];
+        foreach (var way in unfinished) Extend(way, named);
+        if (IsExplained && Bound < Usual) return;
 
         // two known changes, in turn beside the shortest so far, and beside one that draws the right colours or is likely
         ProgramChange[] seconds =
@@ -114,13 +126,13 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         var rest = new Queue<Explanation>(Firsts(singles));
         List<Explanation> extended = [];
         ExtendBest(Extended / 3);
-        if (IsExplained) return;
+        if (IsExplained && Bound < Usual) return;
 
         // an edit without a name, and two changes of which one may be such an edit
         ProgramChange[] edits = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Edits(scene, known)];
         Refine(Measured([.. edits.Select(right.With)], Few));
         if (IsExplained) return;
-        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(2)) Extend(one, edits);
+        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(1).Concat(ways.Take(1))) Extend(one, edits);
         ExtendBest(Extended);
 
         void ExtendBest(int most)
@@ -131,7 +143,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
                     : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => IsLike(of, other)))
                         .MinBy(of => of.Total);
                 if (first is null && !rest.TryDequeue(out first)) return;
-                if (IsExplained && Bound <= 2 * (Priors.Known + Priors.Variant) + Priors.Rare) return;
+                if (IsExplained && Bound < Usual) return;
                 if (extended.Exists(other => IsLike(first, other))) continue;
                 extended.Add(first);
                 if (first.Bits + Priors.Style < Bound) Extend(first, seconds);
