@@ -30,6 +30,7 @@ internal sealed class Evidence
     private const double LeastShare = 0.002;
 
     private readonly ConcurrentDictionary<(int Wrong, int Other), ConcurrentBag<FormulaEvaluator>> evaluators = []; // that no thread uses now
+    private readonly FormulaProgram? basis; // that others differ from; the slides' if null
     private readonly int most;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
@@ -61,6 +62,7 @@ internal sealed class Evidence
     public Evidence(Evidence whole, FormulaProgram first)
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
+        basis = first with { MovedBytes = 0 };
         var drawn = whole.Draw(first);
         var isExplained = drawn.Colors.ToLookup(pixel => PictureJudge.IsNear(pixel.Color, Picture.At(pixel.Pixel)), pixel => pixel.Pixel);
         wrongPixels = [.. isExplained[false]];
@@ -248,7 +250,7 @@ internal sealed class Evidence
         if (wrong + other == 0) return [];
         if (program.MovedBytes != 0) return FormulaEvaluator.Draw(Scene, program, PixelsOf(wrong, other));
         var idle = evaluators.GetOrAdd((wrong, other), _ => []);
-        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), FormulaProgram.For(Scene.Camera));
+        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), basis ?? FormulaProgram.For(Scene.Camera));
         var rgb = evaluator.Draw(program);
         idle.Add(evaluator);
         return rgb;

@@ -22,11 +22,11 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     /// <summary>How many explanations get a second look, and a last one at all of the evidence.</summary>
     private const int Closer = 150, Closest = 30, Nearest = 12;
 
-    /// <summary>How many explanations are extended by other changes, and how many of their extensions get a closer look.</summary>
-    private const int Extended = 60, Extensions = 40, BestExtensions = 8;
+    /// <summary>How many explanations are extended by other changes, how many also if an exact one is known, and how many of their extensions get a closer look.</summary>
+    private const int Extended = 90, Least = 20, Extensions = 40, BestExtensions = 8;
 
     /// <summary>How many unfinished programs are extended by all known mistakes.</summary>
-    private const int Unfinishedly = 4;
+    private const int UnfinishedOnes = 4;
 
     /// <summary>What two known mistakes cost, in an unfinished program.</summary>
     private const double Usual = 2 * (Priors.Known + Priors.Variant) + Priors.Rare + Priors.NotYet;
@@ -83,7 +83,9 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
             mistakes[0] = first.Worded(first.Cause, program => style.In(program) is { } styled ? first.In(styled) : null);
         }
         var misfit = of.Misfits is [var only] ? only : new(of.Misfits.Select((misfit, i) => pictures[i].Loss(misfit)).Sum(), 0);
-        return new(new([.. of.Changes.Select(change => change.NotYet).OfType<string>()]), mistakes, of.Changes.Any(change => change.IsOtherSample), misfit)
+        var otherSample = of.Changes.Any(change => change.IsOtherSample);
+        if (otherSample && of.Changes.All(change => change.IsOtherSample)) (mistakes, otherSample) = ([WrongProgram.Center], false);
+        return new(new([.. of.Changes.Select(change => change.NotYet).OfType<string>()]), mistakes, otherSample, misfit)
         {
             Total = of.Total,
         };
@@ -109,17 +111,18 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
             if (nearest.Count < Nearest && !nearest.Exists(other => IsLike(one, other))) nearest.Add(one);
         foreach (var one in nearest) Extend(one, cheap);
         if (IsExplained && Bound < Priors.Unknown) return;
-        var byColors = Unfinished.ByColors(pictures, done).Take(Unfinishedly)
+        var byColors = Unfinished.ByColors(pictures, done).Take(UnfinishedOnes)
             .Select(way => ways.Find(other => other.Changes.Select(change => change.NotYet).ToHashSet().SetEquals(way.NotYet)));
-        Explanation[] unfinished = [.. ways.Take(Unfinishedly).Concat(byColors.OfType<Explanation>()).Distinct()];
+        Explanation[] unfinished = [.. ways.Take(UnfinishedOnes).Concat(byColors.OfType<Explanation>()).Distinct()];
         foreach (var way in unfinished) Extend(way, named);
         if (IsExplained && Bound < Usual) return;
 
         // two known changes, in turn beside the shortest so far, and beside one that draws the right colours or is likely
         ProgramChange[] seconds =
         [
-            .. singles.Where(single => single.Changes is [{ Id: not "" }]).OrderBy(single => single.Bits)
-                .DistinctBy(single => (single.Changes[0].Id, string.Join(' ', single.Misfits))).Select(single => single.Changes[0]),
+            .. pictures.Any(picture => !picture.HasRightSize) ? named
+                : singles.OrderBy(single => single.Bits).DistinctBy(single => (single.Changes[0].Id, string.Join(' ', single.Misfits)))
+                    .Select(single => single.Changes[0]),
             .. cheap,
         ];
         seconds = [.. seconds.Distinct()];
@@ -143,8 +146,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
                     : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => IsLike(of, other)))
                         .MinBy(of => of.Total);
                 if (first is null && !rest.TryDequeue(out first)) return;
-                if (IsExplained && Bound < Usual) return;
-                if (extended.Exists(other => IsLike(first, other))) continue;
+                if (IsExplained && Bound < Usual && extended.Count >= Least) return;
+                if (extended.Contains(first)) continue; // two that draw the same alone may differ beside a second change
                 extended.Add(first);
                 if (first.Bits + Priors.Style < Bound) Extend(first, seconds);
             }
@@ -163,8 +166,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     {
         var colors = pictures.Select(picture => picture.ByColors()).ToArray();
         Explanation[] byColors = [.. Measured([.. singles], Few, colors).DistinctBy(of => string.Join(' ', of.Misfits)).Take(30)];
-        Explanation[] byBits = [.. singles.Where(of => of.Changes is [{ Id: not "" }]).OrderBy(of => of.Bits).DistinctBy(of => of.Changes[0].Id)
-            .DistinctBy(of => string.Join(' ', of.Misfits))];
+        Explanation[] byBits = [.. singles.Where(of => (of.Changes[0].Mistake!.Affects & (Affects.Camera | Affects.Hit | Affects.File)) != 0)
+            .OrderBy(of => of.Bits).DistinctBy(of => of.Changes[0].Id)];
         for (var i = 0; i < Math.Max(byColors.Length, byBits.Length); i++)
         {
             if (i < byColors.Length) yield return byColors[i];
@@ -195,13 +198,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     }
 
     /// <summary>Compares them with a share of the evidence, and sorts them.</summary>
-    public static string Log = "";
     private List<Explanation> Measured(IReadOnlyList<Explanation?> candidates, double share, IReadOnlyList<Evidence>? left = null)
-    {
-        var w = System.Diagnostics.Stopwatch.StartNew();
-        try { return Measured2(candidates, share, left); } finally { Log += $"{candidates.Count} at {share}: {w.ElapsedMilliseconds} ms\n"; }
-    }
-    private List<Explanation> Measured2(IReadOnlyList<Explanation?> candidates, double share, IReadOnlyList<Evidence>? left = null)
     {
         var evidence = left ?? pictures;
         var measured = new ConcurrentBag<(int, Explanation)>();

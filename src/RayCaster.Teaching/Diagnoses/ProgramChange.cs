@@ -18,6 +18,9 @@ internal sealed record ProgramChange(string Id, double Bits, Func<FormulaProgram
     /// <summary>What is not written yet: a kind of shape, attenuation or clipping.</summary>
     public string? NotYet { get; init; }
 
+    /// <summary>Whether it is named; rays through the other sample point are no mistake beside one.</summary>
+    public bool IsMistake => Id != "" && !IsOtherSample;
+
     public bool IsOtherSample => Mistake == WrongProgram.Center;
 
     /// <summary>What a program may not do yet.</summary>

@@ -120,12 +120,26 @@ internal sealed class Expression
     {
         if (other.ToString() == right.ToString()) return this;
         if (ToString() == right.ToString() || ToString() == other.ToString()) return other;
+        if (Wrapped(right, other) is { } mine) return mine;
+        if (other.Wrapped(right, this) is { } others) return others;
         if (Operands.IsEmpty || (Operator, Symbol) != (right.Operator, right.Symbol) || (Operator, Symbol) != (other.Operator, other.Symbol))
             return null;
         var merged = this;
         for (var i = 0; i < Operands.Length && merged is not null; i++)
             merged = Operands[i].Merged(right.Operands[i], other.Operands[i]) is { } operand ? merged.With(i, operand) : null;
         return merged;
+    }
+
+    /// <summary>Where this is something around what is right, or an operand of it: the same of another expression. Null if it is neither.</summary>
+    private Expression? Wrapped(Expression right, Expression other)
+    {
+        for (var i = 0; i < Operands.Length; i++)
+            if (Operands[i].ToString() == right.ToString()) return With(i, other);
+        if (Operator == right.Operator || (other.Operator, other.Symbol, other.Operands.Length) != (right.Operator, right.Symbol, right.Operands.Length))
+            return null;
+        for (var i = 0; i < right.Operands.Length; i++)
+            if (ToString() == right.Operands[i].ToString()) return other.Operands[i];
+        return null;
     }
 
     /// <summary>Whether two operands have units that can be added or compared. Edits need not keep that, the slides do.</summary>
