@@ -1,6 +1,6 @@
 namespace RayCaster.Marks;
 
-/// <summary>What is wrong with a program, by its pictures of several scenes together (<see cref="DiagnosisSearch"/>).</summary>
+/// <summary>What is wrong with a program, by its pictures of several scenes together (<see cref="ExplanationSearch"/>).</summary>
 internal sealed record JointDiagnosis
 {
     /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
@@ -11,9 +11,6 @@ internal sealed record JointDiagnosis
 
     /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
     private const double OneKind = 0.9;
-
-    /// <summary>How many wrong pictures are also diagnosed one by one, if no program explains all of them.</summary>
-    private const int DiagnosedAlone = 2;
 
     /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
     private const double Slight = 0.05;
@@ -63,7 +60,7 @@ internal sealed record JointDiagnosis
         if (wrong.Length == 0) return new();
         if (pictures.All(picture => picture.Evidence.Picture.IsOneColor))
             return new() { TellsNothing = true, Unexplained = [.. wrong.Select(picture => picture.Scene)] };
-        var found = Search(pictures, known, wrong);
+        var found = Search(pictures, known);
         SubmittedPicture[] unexplained = [.. wrong.Where(picture => !picture.Evidence.IsExplainedBy(found.Verdict))];
         if (2 * unexplained.Length <= wrong.Length)
         {
@@ -93,7 +90,7 @@ internal sealed record JointDiagnosis
     }
 
     /// <summary>The program that leaves the least, and those that leave as little.</summary>
-    private static JointDiagnosis Search(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known, SubmittedPicture[] wrong)
+    private static JointDiagnosis Search(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known)
     {
         var ranked = new ExplanationSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null, null, null).Run();
         var verdict = ranked[0];
@@ -111,14 +108,6 @@ internal sealed record JointDiagnosis
             ],
         };
     }
-
-    /// <summary>What a diagnosis of a single picture names, each mistake in the variant that fits.</summary>
-    private static IEnumerable<WrongProgram> NamedFor(SubmittedPicture picture) =>
-        from suspect in picture.Scene.Judge.Judge(picture.Evidence.Picture).Suspects
-        where suspect.Mistakes.All(mistake => mistake.Place is null)
-        let way = new Unfinished(suspect.NotYet)
-        select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)],
-            suspect.OtherSample && suspect.Mistakes.All(mistake => mistake.Id != "center"));
 
     /// <summary>A program without one of its mistakes or missing parts, if this explains only a few pixels; otherwise null.</summary>
     private static WrongProgram? WithoutSlight(WrongProgram program, SubmittedPicture[] wrong) =>

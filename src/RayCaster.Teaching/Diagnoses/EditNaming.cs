@@ -1,12 +1,5 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Edits that draw the same evidence, the likeliest first.</summary>
-/// <param name="Unexplained">The share of the wrong pixels that they leave unexplained.</param>
-internal sealed record EditGroup(double Unexplained, ImmutableArray<FormulaEdit> Edits)
-{
-    public double Cost => Edits[0].Cost;
-}
-
 /// <summary>The place of an edit in the slides' formulas, as far as the picture shows it.</summary>
 /// <param name="Section">The step, as its formulas' text calls it; several with commas.</param>
 /// <param name="Step">The name that the edited formula computes; null if several do.</param>
@@ -26,10 +19,11 @@ internal static class EditNaming
     private const int MaxNames = 5;
 
     /// <summary>The known mistake whose label the likeliest labelled edit has; else a mistake that is not in the catalogue.</summary>
-    public static Mistake Of(EditGroup group)
+    /// <param name="edits">All that draw the same, the likeliest first.</param>
+    public static Mistake Of(IReadOnlyList<FormulaEdit> edits)
     {
-        var first = group.Edits[0];
-        FormulaEdit[] likely = [.. group.Edits.Where(edit => edit.Cost <= group.Cost + Likely)];
+        var first = edits[0];
+        FormulaEdit[] likely = [.. edits.Where(edit => edit.Cost <= first.Cost + Likely)];
         if (Array.Find(likely, edit => edit.Label is not null) is { } known)
             return MistakeCatalog.Named(known.Label!)!.Worded($"{SectionOf(known.Section.Kind)}: {Describe(known)}", first.On);
 

@@ -11,9 +11,6 @@ internal sealed class Evidence
     /// <summary>About how many triangles are tried in the screening and in the last round, if each ray must try every triangle of a mesh.</summary>
     private const int LeastTests = 50_000, MaxTests = 1_000_000;
 
-    /// <summary>How many pixels rule out most pairs of mistakes.</summary>
-    private const int ProbePixels = 5;
-
     /// <summary>How many wrong pixels, and how many others, tell most programs apart.</summary>
     private const int FewPixelsAlike = 32, ManyPixelsAlike = 150;
 
@@ -103,12 +100,6 @@ internal sealed class Evidence
     /// </summary>
     public int OutlineCount { get; }
 
-    /// <summary>Some of the pixels in which it is wrong, and some in which it is not; each beginning is spread over the picture.</summary>
-    public ReadOnlySpan<int> WrongPixels => wrongPixels;
-
-    /// <inheritdoc cref="WrongPixels"/>
-    public ReadOnlySpan<int> OtherPixels => otherPixels;
-
     /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
     public double DarkerShare { get; }
 
@@ -163,27 +154,6 @@ internal sealed class Evidence
 
     /// <param name="Colors">The pixels' places in the student's picture, and their colours.</param>
     public sealed record Drawn((int Width, int Height) Size, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
-
-    /// <summary>Whether a program may explain the picture: it draws a few pixels, except for one, as the picture shows them.</summary>
-    public bool MayBeExplainedBy(FormulaProgram? program)
-    {
-        if (program is null || !CanDraw(program)) return false;
-        return program.Scatters || Explained(program).Count(isExplained => !isExplained) < 2;
-    }
-
-    /// <summary>Whether a program draws one of the first few wrong pixels right.</summary>
-    public bool IsImprovedBy(FormulaProgram? program) =>
-        program is not null && CanDraw(program)
-            && Explained(program).Take(Math.Min(ProbePixels, wrongPixels.Length)).Any(isExplained => isExplained);
-
-    /// <summary>Of a few wrong pixels, then of a few others, whether a program draws them as the picture shows them.</summary>
-    private IEnumerable<bool> Explained(FormulaProgram program)
-    {
-        var (wrong, other) = (Math.Min(ProbePixels, wrongPixels.Length), Math.Min(ProbePixels, otherPixels.Length));
-        var rgb = Draw(program, wrong, other);
-        return wrongPixels[..wrong].Concat(otherPixels[..other])
-            .Select((pixel, i) => PictureJudge.IsNear((rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]), Picture.At(pixel)));
-    }
 
     /// <summary>A misfit on a scale for several pictures: 0 if nothing is left, 1 if all that is wrong is left, or more.</summary>
     public double Loss(Misfit misfit) => Math.Min(1,

@@ -75,7 +75,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     private WrongProgram Named(Explanation of, IEnumerable<FormulaEdit> alike)
     {
         var mistakes = of.Changes.Where(change => change.Id != "" && !change.IsOtherSample).Select(change => change.Mistake
-            ?? EditNaming.Of(new(0, [.. (of.Changes.Length > 1 ? [change.Edit!] : alike).OrderBy(edit => edit.Cost)]))).ToList();
+            ?? EditNaming.Of([.. (of.Changes.Length > 1 ? [change.Edit!] : alike).OrderBy(edit => edit.Cost)])).ToList();
         foreach (var style in of.Changes.Where(change => change is { Id: "", NotYet: null }))
         {
             if (mistakes.Count == 0) continue;
@@ -97,12 +97,13 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         ProgramChange[] missing = [.. ProgramChange.Missing(((string[])[.. kinds.Length > 1 ? kinds : [], Diagnosis.Attenuation, Diagnosis.Clipping]).Except(done))];
         ProgramChange[] named = [.. ProgramChange.Of(known, likely)];
         var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
+        ProgramChange[] wordings = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Wordings(scene, known)];
         ProgramChange[] cheap = [.. missing, .. ProgramChange.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
         // one change, or a program that is not finished
         var singles = Measured([.. named.Select(right.With)], Few);
         var ways = Measured([.. Ways(missing, kinds.Length)], Few);
-        Refine([.. singles.Concat(ways).OrderBy(of => of.Total)]);
+        Refine([.. singles.Concat(ways).Concat(Measured([.. wordings.Select(right.With)], Few)).OrderBy(of => of.Total)]);
         if (IsExplained && Bound < Priors.Known + 2 * Priors.NotYet) return;
 
         // with something that costs little, or in an unfinished program

@@ -40,12 +40,21 @@ internal sealed record ProgramChange(string Id, double Bits, Func<FormulaProgram
                     + (likely is null || likely(mistake) ? 0 : Priors.Unlikely),
             variant.In) { Mistake = variant };
 
+    /// <summary>Further wordings of known mistakes.</summary>
+    public static IEnumerable<ProgramChange> Wordings(Scene scene, IReadOnlyCollection<Mistake> known) =>
+        from section in SectionsOf(scene)
+        from edit in EditFactory.NamedEditsOf(section)
+        where known.Any(mistake => mistake.Id == edit.Label)
+        select Of(edit);
+
     /// <summary>The edits of each step that a scene shows, in each style. Those of a mistake that is not among the known ones are left out.</summary>
     public static IEnumerable<ProgramChange> Edits(Scene scene, IReadOnlyCollection<Mistake> known) =>
         from edit in EditsOf(scene)
         where edit.Label is null || known.Any(mistake => mistake.Id == edit.Label)
-        select new ProgramChange(edit.Label ?? EditNaming.Id,
-            edit.Label is null ? Priors.Unknown + Priors.PerCost * (edit.Cost - 0.8) : Priors.Known + Priors.Wording * edit.Cost, edit.On) { Edit = edit };
+        select Of(edit);
+
+    private static ProgramChange Of(FormulaEdit edit) => new(edit.Label ?? EditNaming.Id,
+        edit.Label is null ? Priors.Unknown + Priors.PerCost * (edit.Cost - 0.8) : Priors.Known + Priors.Wording * edit.Cost, edit.On) { Edit = edit };
 
     /// <summary>Other right styles, which show beside a mistake.</summary>
     public static IEnumerable<ProgramChange> Styles(Scene scene)
@@ -58,22 +67,29 @@ internal sealed record ProgramChange(string Id, double Bits, Func<FormulaProgram
                select new ProgramChange("", Priors.Style, program => program[kind] == slides[kind] ? program.With(section) : null);
     }
 
-    private static IEnumerable<FormulaEdit> EditsOf(Scene scene)
+    /// <summary>The sections that a scene shows, in each style.</summary>
+    private static IEnumerable<FormulaSection> SectionsOf(Scene scene)
     {
         var kinds = scene.Models.Select(model => FormulaEvaluator.KindOf(model)).ToHashSet();
-        foreach (var kind in Enum.GetValues<SectionKind>().Where(kind => !shapes.Contains(kind) || kinds.Contains(kind)))
+        return from kind in Enum.GetValues<SectionKind>()
+               where !shapes.Contains(kind) || kinds.Contains(kind)
+               from section in FormulaBook.Slides.StylesOf(kind)
+               where IsPossible(section, scene)
+               select section;
+    }
+
+    private static IEnumerable<FormulaEdit> EditsOf(Scene scene)
+    {
+        foreach (var section in SectionsOf(scene))
         {
-            foreach (var section in FormulaBook.Slides.StylesOf(kind).Where(section => IsPossible(section, scene)))
+            var edits = EditFactory.EditsOf(section);
+            foreach (var edit in section.Kind == SectionKind.Plane ? [.. edits, .. shared.Value] : edits)
             {
-                var edits = EditFactory.EditsOf(section);
-                foreach (var edit in kind == SectionKind.Plane ? [.. edits, .. shared.Value] : edits)
-                {
-                    yield return edit;
-                    if (kind == SectionKind.Vectors)
-                        yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Light, "doubled"]], Cost = edit.Cost + 0.1 };
-                    if (kind == SectionKind.Camera && edit.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
-                        yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Rule, "aim"]], Cost = edit.Cost + 0.1 };
-                }
+                yield return edit;
+                if (section.Kind == SectionKind.Vectors)
+                    yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Light, "doubled"]], Cost = edit.Cost + 0.1 };
+                if (section.Kind == SectionKind.Camera && edit.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
+                    yield return edit with { Beside = [FormulaBook.Slides[SectionKind.Rule, "aim"]], Cost = edit.Cost + 0.1 };
             }
         }
     }

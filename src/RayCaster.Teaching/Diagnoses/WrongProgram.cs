@@ -25,21 +25,9 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     /// <summary>The same without one of its mistakes, or without one of its missing parts; not measured yet.</summary>
     public IEnumerable<WrongProgram> Less =>
     [
-        .. Base.NotYet.Select(part => (this with { Base = new([.. Base.NotYet.Where(other => other != part)]) }).Canonical),
+        .. Base.NotYet.Select(part => this with { Base = new([.. Base.NotYet.Where(other => other != part)]) }),
         .. Variants.Select((_, i) => this with { Variants = [.. Variants.Where((_, k) => k != i)] }),
     ];
-
-    /// <summary>The same with rays through the other sample point of each pixel as a mistake only if nothing else is wrong.</summary>
-    public WrongProgram Canonical => this switch
-    {
-        { OtherSample: true, Variants: [], Base.NotYet: [] } => this with { Variants = [Center], OtherSample = false },
-        { Variants.Count: > 1 } when Variants.Contains(Center) => this with { Variants = [.. Variants.Except([Center])], OtherSample = true },
-        _ => this,
-    };
-
-    /// <summary>The same with one of its mistakes in another variant; not measured yet.</summary>
-    public WrongProgram With(int place, Mistake variant) =>
-        this with { Variants = [.. Variants.Select((own, i) => i == place ? variant : own)] };
 
     /// <summary>How many of its mistakes are not in their usual variant, the first.</summary>
     public int Unusual => Variants.Count(variant => variant.Place is null && variant != MistakeCatalog.Named(variant.Id));
