@@ -34,9 +34,6 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     /// <summary>In a scene of more models no edits are tried.</summary>
     private const int MaxModels = 200;
 
-    /// <summary>The greatest number of pixels that count each for itself: those beside each other are not independent.</summary>
-    private const int Independent = 150;
-
     /// <summary>The share of what is wrong that other last bits may leave.</summary>
     private const double Rounding = 0.004;
 
@@ -44,7 +41,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     private readonly Explanation right = new([.. pictures.Select(picture => FormulaProgram.For(picture.Scene.Camera))], []);
 
     /// <summary>What nothing explains.</summary>
-    private double Literal => Math.Min(Priors.OtherProgram, pictures.Sum(picture => BitsOf(1, picture.WrongCount)));
+    private double Literal => pictures.Count(picture => picture.WrongCount > 0) * Priors.OtherProgram;
 
     private double Bound => found.Count == 0 ? Literal : Math.Min(Literal, found.Min(explanation => explanation.Total));
 
@@ -219,23 +216,14 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         {
             Misfits = misfits,
             Total = candidate.Bits + misfits.Select((misfit, i) =>
-                CostOf(misfit, evidence[i], evidence.Count)).Sum(),
+                BitsOf(misfit, evidence[i])).Sum(),
         };
     }
 
-    /// <summary>The bits of a picture's unexplained pixels; of several pictures each may be some other program's.</summary>
-    private static double CostOf(Misfit misfit, Evidence picture, int pictures)
-    {
-        var bits = BitsOf(misfit.Weight / Math.Max(1, picture.WrongCount), Math.Max(picture.WrongCount, Independent / 10));
-        return pictures > 1 ? Math.Min(bits, Priors.OtherProgram) : bits;
-    }
-
-    /// <summary>What it takes to say which of n pixels are unexplained, and what they show, if a share of them is.</summary>
-    private static double BitsOf(double share, int wrong)
-    {
-        var n = Math.Min(Independent, wrong);
-        var s = Math.Max(0, share - Rounding);
-        if (s == 0) return 0;
-        return n * ((s < 0.5 ? -s * Math.Log2(s) - (1 - s) * Math.Log2(1 - s) : 0.5 + s) + 2 * s);
-    }
+    /// <summary>
+    /// The bits of a picture's unexplained pixels. Their share is unknown before, from all that is wrong down to what other last bits may leave:
+    /// each time that it halves is worth the same.
+    /// </summary>
+    private static double BitsOf(Misfit misfit, Evidence picture) =>
+        Priors.PerHalf * Math.Log2(1 + Math.Min(1, misfit.Weight / Math.Max(1, picture.WrongCount)) / Rounding);
 }

@@ -15,8 +15,11 @@ internal static class Priors
     /// <summary>A known mistake that fewer people make, and one that is unlikely by what else is known of the program.</summary>
     public const double Rare = 1, Unlikely = 1.5;
 
-    /// <summary>Some other program, which may draw anything.</summary>
-    public const double OtherProgram = 110;
+    /// <summary>What it is worth to leave half as many pixels unexplained.</summary>
+    public const double PerHalf = 8;
+
+    /// <summary>Some other program, which may draw anything, for each picture.</summary>
+    public const double OtherProgram = 44;
 
     /// <summary>Known mistakes that fewer people make than others that draw the same.</summary>
     public static readonly IReadOnlySet<string> RareIds =
