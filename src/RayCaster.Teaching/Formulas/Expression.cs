@@ -130,17 +130,18 @@ internal sealed class Expression
         return merged;
     }
 
-    /// <summary>Where this is something around what is right, or an operand of it: the same of another expression. Null if it is neither.</summary>
+    /// <summary>Where this is a function of what is right, or what is right is a function of this: the same of another expression. Null if it is
+    /// neither.</summary>
     private Expression? Wrapped(Expression right, Expression other)
     {
-        for (var i = 0; i < Operands.Length; i++)
+        for (var i = 0; IsFunction && i < Operands.Length; i++)
             if (Operands[i].ToString() == right.ToString()) return With(i, other);
-        if (Operator == right.Operator || (other.Operator, other.Symbol, other.Operands.Length) != (right.Operator, right.Symbol, right.Operands.Length))
-            return null;
-        for (var i = 0; i < right.Operands.Length; i++)
+        for (var i = 0; right.IsFunction && (other.Operator, other.Symbol) == (right.Operator, right.Symbol) && i < right.Operands.Length; i++)
             if (ToString() == right.Operands[i].ToString()) return other.Operands[i];
         return null;
     }
+
+    private bool IsFunction => Operands.Length == 1 || Operator is Operator.Min or Operator.Max;
 
     /// <summary>Whether two operands have units that can be added or compared. Edits need not keep that, the slides do.</summary>
     public bool IsConsistent => Operands.All(operand => operand.IsConsistent)
