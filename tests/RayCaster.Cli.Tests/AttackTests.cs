@@ -87,6 +87,7 @@ public sealed class AttackTests : CommandTests
         Assert.SkipWhen(Here.ReadsEverything, "this user may read everything");
         Directory.CreateDirectory(raycaster.PathOf("locked"), UnixFileMode.UserWrite | UnixFileMode.UserExecute);
         raycaster.Run("stitch", "locked", "-o", "x.png");
+        File.SetUnixFileMode(raycaster.PathOf("locked"), UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute); // for its end
         Assert.Equal((2, "raycaster: cannot list the folder locked: you may not read it\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
