@@ -233,7 +233,8 @@ internal sealed class Evidence
     private int Affordable(int pixels, FormulaProgram program, double share = 1) =>
         program.RaysWithin(Scene, LeastTests + share * MaxTests, pixels);
 
-    private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height);
+    private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height)
+        && program.TrianglesTried(Scene) <= WrongProgram.MaxTriangles;
 
     /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
     private static int[] Spread(List<int> all, int most)

@@ -22,7 +22,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     /// <summary>How many explanations get a second look, and a last one at all of the evidence.</summary>
     private const int Closer = 150, Closest = 30, Nearest = 12;
 
-    /// <summary>How many explanations are extended by other changes, how many also if an exact one is known, and how many of their extensions get a closer look.</summary>
+    /// <summary>How many explanations are extended by other changes, how many also if an exact one is known, and how many of their extensions get a
+    /// closer look.</summary>
     private const int Extended = 90, Least = 20, Extensions = 40, BestExtensions = 8;
 
     /// <summary>How many unfinished programs are extended by all known mistakes.</summary>
@@ -61,7 +62,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         }
         var edits = found.Where(of => of.Changes is [{ Edit: not null }]).ToLookup(of => string.Join(' ', of.Misfits), of => of.Changes[0].Edit!);
         return [.. found.OrderBy(of => of.Total).Select(of => Named(of, edits[string.Join(' ', of.Misfits)]))
-            .Where(program => program.Variants.All(mistake => mistake.Place is null || possible?.Invoke(mistake) != false))];
+            .Where(program => program.Variants.All(mistake => mistake.Place is null || possible?.Invoke(mistake) != false)
+                && pictures.All(picture => program.For(picture.Scene) is not null))]; // in the order in which it is told, too
     }
 
     /// <summary>Without each of its changes.</summary>
@@ -91,7 +93,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     private void Search()
     {
         string[] kinds = Unfinished.KindsOf(pictures);
-        ProgramChange[] missing = [.. ProgramChange.Missing(((string[])[.. kinds.Length > 1 ? kinds : [], Diagnosis.Attenuation, Diagnosis.Clipping]).Except(done))];
+        string[] parts = [.. kinds.Length > 1 ? kinds : [], Diagnosis.Attenuation, Diagnosis.Clipping];
+        ProgramChange[] missing = [.. ProgramChange.Missing(parts.Except(done))];
         ProgramChange[] named = [.. ProgramChange.Of(known, likely)];
         var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
         ProgramChange[] wordings = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Wordings(scene, known)];
@@ -211,7 +214,13 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
 
     private static Explanation Measure(Explanation candidate, double share, IReadOnlyList<Evidence> evidence)
     {
-        ImmutableArray<Misfit> misfits = [.. evidence.Select((picture, i) => picture.Misfit(candidate.Programs[i], share))];
+        var isOne = candidate.Changes.Count(change => change.IsMistake) < 2;
+        ImmutableArray<Misfit> misfits =
+        [
+            .. evidence.Select((picture, i) => picture.Misfit(
+                isOne || candidate.Programs[i].TrianglesTried(picture.Scene) <= WrongProgram.MaxTrianglesBeside ? candidate.Programs[i] : null,
+                share)),
+        ];
         return candidate with
         {
             Misfits = misfits,

@@ -113,13 +113,12 @@ internal sealed class Judgement(
 
     private IReadOnlyList<Suspect> NearestOf(List<WrongProgram> ranked, WrongProgram best)
     {
-        var likeliest = best.For(prepared.Scene)!;
         return
         [
             .. ranked.Where(candidate => candidate.Variants.Count > 0
                     && candidate.Misfit.Unexplained < (candidate.Variants.Count > 1 ? MentionedPair : Mentioned) * wrong)
                 .DistinctBy(candidate => IdsOf(candidate.Variants)).Take(Shown)
-                .OrderBy(candidate => candidate.Misfit.Unexplained).Select(candidate => suspects.Of(candidate, likeliest)),
+                .OrderBy(candidate => candidate.Misfit.Unexplained).Select(candidate => suspects.Of(candidate, best)),
         ];
     }
 
@@ -145,7 +144,6 @@ internal sealed class Judgement(
         else if (missing.Length > 0) named = named.Take(1);
         if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(suspects.HidingMistakes(best));
         WrongProgram[] first = [.. named.DistinctBy(candidate => IdsOf(candidate.Named)).Take(MaxNamed)];
-        var likeliest = first is [var top, ..] ? top.For(prepared.Scene) : null;
         return new(best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished)
         {
             NotYet = best.Base.NotYet,
@@ -153,7 +151,7 @@ internal sealed class Judgement(
             Suspects =
             [
                 .. first.Take(1).Concat(first.Skip(1).OrderBy(candidate => candidate.Misfit.Unexplained))
-                    .Select(candidate => suspects.Of(candidate, likeliest!))
+                    .Select(candidate => suspects.Of(candidate, first[0]))
                     .DistinctBy(suspect => IdsOf(suspect.Mistakes)),
             ],
         };

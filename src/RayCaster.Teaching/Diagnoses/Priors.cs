@@ -3,7 +3,8 @@ namespace RayCaster.Teaching;
 /// <summary>How many bits each change of a program costs: the likelier people make it, the fewer.</summary>
 internal static class Priors
 {
-    /// <summary>A kind of shape, attenuation or clipping that is not written yet; rays through the other sample point; another right style.</summary>
+    /// <summary>A kind of shape, attenuation or clipping that is not written yet; rays through the other sample point; another right style.
+    /// </summary>
     public const double NotYet = 3, OtherSample = 5, Style = 2;
 
     /// <summary>A known mistake, and what another variant or wording of it costs more; an edit that has no name.</summary>

@@ -47,14 +47,18 @@ internal sealed record ProgramChange(string Id, double Bits, Func<FormulaProgram
         where known.Any(mistake => mistake.Id == edit.Label)
         select Of(edit);
 
-    /// <summary>The edits of each step that a scene shows, in each style. Those of a mistake that is not among the known ones are left out.</summary>
+    /// <summary>The edits of each step that a scene shows, in each style. Those of a mistake that is not among the known ones are left out.
+    /// </summary>
     public static IEnumerable<ProgramChange> Edits(Scene scene, IReadOnlyCollection<Mistake> known) =>
         from edit in EditsOf(scene)
         where edit.Label is null || known.Any(mistake => mistake.Id == edit.Label)
         select Of(edit);
 
     private static ProgramChange Of(FormulaEdit edit) => new(edit.Label ?? EditNaming.Id,
-        edit.Label is null ? Priors.Unknown + Priors.PerCost * (edit.Cost - 0.8) : Priors.Known + Priors.Wording * edit.Cost, edit.On) { Edit = edit };
+        edit.Label is null ? Priors.Unknown + Priors.PerCost * (edit.Cost - 0.8) : Priors.Known + Priors.Wording * edit.Cost, edit.On)
+        {
+            Edit = edit,
+        };
 
     /// <summary>Other right styles, which show beside a mistake.</summary>
     public static IEnumerable<ProgramChange> Styles(Scene scene)

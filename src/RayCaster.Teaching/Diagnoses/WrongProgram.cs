@@ -37,13 +37,9 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     public const int MaxTriangles = 20_000, MaxTrianglesBeside = 1000;
 
     /// <summary>Its formulas for a scene.</summary>
-    /// <returns>Null if two of its mistakes are in the same part of a formula, or if it takes too long to draw.</returns>
-    public FormulaProgram? For(Scene scene)
-    {
-        var slides = FormulaProgram.For(scene.Camera) with { LeftOut = [.. Base.Kinds] };
-        return slides.With(Base.AsMistakes.Concat(Mistakes)) is { } program
-            && program.TrianglesTried(scene) <= (Variants.Count > 1 ? MaxTrianglesBeside : MaxTriangles) ? program : null;
-    }
+    /// <returns>Null if two of its mistakes are in the same part of a formula.</returns>
+    public FormulaProgram? For(Scene scene) =>
+        (FormulaProgram.For(scene.Camera) with { LeftOut = [.. Base.Kinds] }).With(Base.AsMistakes.Concat(Mistakes));
 
     public IReadOnlyList<Mistake> Named => [.. Variants, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
 }
