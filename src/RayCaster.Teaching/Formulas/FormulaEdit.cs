@@ -23,7 +23,7 @@ internal sealed record FormulaEdit(FormulaSection Section, int? Place, string Me
 
     /// <summary>A program with it; null if the program has changes of the same places, or another style.</summary>
     public FormulaProgram? On(FormulaProgram program) =>
-        Beside.Append(Section).Aggregate((FormulaProgram?)program with { ProposesTriangles = true }, (all, section) => all?.With(section, []));
+        Beside.Append(Section).Aggregate((FormulaProgram?)(program with { ProposesTriangles = true }), (all, section) => all?.With(section, []));
 
     public override string ToString() => $"{Section.Name}: {Formula?.ToString() ?? "everywhere"}: {Written} for {Meant} ({Operator})";
 }

@@ -25,8 +25,8 @@ internal sealed record FormulaProgram
     /// <summary>Whether last bits decide for each pixel if a triangle shows there.</summary>
     public bool Scatters { get; init; }
 
-    /// <summary>Whether formulas decide only about that triangle of a large mesh which the definition hits. Otherwise an edited formula decides about
-    /// each triangle, one by one.</summary>
+    /// <summary>Whether formulas decide only about that triangle of a large mesh which the definition hits. Otherwise an edited formula decides
+    /// about each triangle, one by one.</summary>
     public bool ProposesTriangles { get; init; }
 
     /// <summary>Whether the file is as wide as the scene's picture is high, and the other way round.</summary>
