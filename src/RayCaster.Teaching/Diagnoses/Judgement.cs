@@ -111,7 +111,7 @@ internal sealed class Judgement(
 
     private IReadOnlyList<Suspect> NearestOf(List<WrongProgram> ranked, WrongProgram best)
     {
-        var likeliest = best.For(prepared.Scene)!;
+        var likeliest = best.For(prepared.Scene) ?? FormulaProgram.For(prepared.Scene.Camera);
         return
         [
             .. ranked.Where(candidate => candidate.Variants.Count > 0

@@ -81,7 +81,7 @@ internal static class LikelyCause
                 $"This is another picture, or its colours were changed: {100.0 * strange / looked:0} % of its pixels have a colour " +
                 $"that no model of the scene has in any light.");
         }
-        if (IsWrongOnlyOnOutlines(picture, evidence.Right))
+        if (evidence.HasRightSize && IsWrongOnlyOnOutlines(picture, evidence.Right))
             return "Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?";
         return strange > looked / 10 || evidence.WrongCount < count / 3 ? null
             : "Its colours are those of the scene, but the outlines are others: look at the camera (P, T, up), at h and w, uc and ur, " +

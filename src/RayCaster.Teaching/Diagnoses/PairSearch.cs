@@ -68,6 +68,7 @@ internal sealed class PairSearch(
 
     private List<WrongProgram> WithSeconds(WrongProgram first)
     {
+        if (pictures.Any(picture => first.For(picture.Scene) is null)) return [];
         var left = pictures.Select(picture => new Evidence(picture, first.For(picture.Scene)!)).ToArray();
         var seconds = ranking.Plausible(candidate => left.Any(picture => picture.IsImprovedBy(candidate.For(picture.Scene))),
             from other in known

@@ -53,12 +53,16 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
 
     /// <summary>Its formulas for a scene.</summary>
     /// <returns>Null if two of its mistakes are in the same part of a formula, or if it takes too long to draw.</returns>
-    public FormulaProgram? For(Scene scene)
-    {
-        var slides = FormulaProgram.For(scene.Camera) with { LeftOut = [.. Base.Kinds] };
-        return slides.With(Base.AsMistakes.Concat(Mistakes)) is { } program
-            && program.TrianglesTried(scene) <= (Variants.Count > 1 ? MaxTrianglesBeside : MaxTriangles) ? program : null;
-    }
+    public FormulaProgram? For(Scene scene) => ProgramOf(scene) is { } program
+        && program.TrianglesTried(scene) <= (Variants.Count > 1 ? MaxTrianglesBeside : MaxTriangles) ? program : null;
+
+    /// <summary>The whole picture of a scene, however long it takes.</summary>
+    /// <exception cref="InvalidOperationException">Two of its mistakes are in the same part of a formula.</exception>
+    public Picture Draw(Scene scene) =>
+        (ProgramOf(scene) ?? throw new InvalidOperationException("two mistakes in the same part of a formula")).Draw(scene);
+
+    private FormulaProgram? ProgramOf(Scene scene) =>
+        (FormulaProgram.For(scene.Camera) with { LeftOut = [.. Base.Kinds] }).With(Base.AsMistakes.Concat(Mistakes));
 
     public IReadOnlyList<Mistake> Named => [.. Variants, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
 

@@ -120,6 +120,8 @@ internal sealed class Expression
     {
         if (other.ToString() == right.ToString()) return this;
         if (ToString() == right.ToString() || ToString() == other.ToString()) return other;
+        if (Wrapped(right, other) is { } mine) return mine;
+        if (other.Wrapped(right, this) is { } others) return others;
         if (Operands.IsEmpty || (Operator, Symbol) != (right.Operator, right.Symbol) || (Operator, Symbol) != (other.Operator, other.Symbol))
             return null;
         var merged = this;
@@ -127,6 +129,19 @@ internal sealed class Expression
             merged = Operands[i].Merged(right.Operands[i], other.Operands[i]) is { } operand ? merged.With(i, operand) : null;
         return merged;
     }
+
+    /// <summary>Where this is a function of what is right, or what is right is a function of this: the same of another expression. Null if it is
+    /// neither.</summary>
+    private Expression? Wrapped(Expression right, Expression other)
+    {
+        for (var i = 0; IsFunction && i < Operands.Length; i++)
+            if (Operands[i].ToString() == right.ToString()) return With(i, other);
+        for (var i = 0; right.IsFunction && (other.Operator, other.Symbol) == (right.Operator, right.Symbol) && i < right.Operands.Length; i++)
+            if (ToString() == right.Operands[i].ToString()) return other.Operands[i];
+        return null;
+    }
+
+    private bool IsFunction => Operands.Length == 1 || Operator is Operator.Min or Operator.Max;
 
     /// <summary>Whether two operands have units that can be added or compared. Edits need not keep that, the slides do.</summary>
     public bool IsConsistent => Operands.All(operand => operand.IsConsistent)
