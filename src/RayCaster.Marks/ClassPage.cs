@@ -41,13 +41,13 @@ internal static class ClassPage
         var program = MistakeCatalog.Named(id) is { } mistake ? new WrongProgram(Unfinished.Nothing, [mistake], false)
             : new WrongProgram(new([id]), [], false);
         var clearest = rubric.Scenes.MaxBy(scene => Change(scene.Scene.WithSize(scene.Right.Width / 4 + 1, scene.Right.Height / 4 + 1)))!;
-        return $"{Page.Image(program.For(clearest.Scene)!.Draw(clearest.Scene), $"{clearest.Name} with {id}")} " +
+        return $"{Page.Image(program.Draw(clearest.Scene), $"{clearest.Name} with {id}")} " +
             Page.Image(clearest.Right, $"{clearest.Name}, right");
 
         double Change(Scene scene)
         {
             var right = Renderer.Render(scene);
-            var wrong = program.For(scene)!.Draw(scene);
+            var wrong = program.Draw(scene);
             return (wrong.Width, wrong.Height) != (right.Width, right.Height)
                 ? byte.MaxValue : new PictureDifference(wrong, right).MeanAbsoluteError;
         }

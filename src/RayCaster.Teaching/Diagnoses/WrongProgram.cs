@@ -41,5 +41,10 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Vari
     public FormulaProgram? For(Scene scene) =>
         (FormulaProgram.For(scene.Camera) with { LeftOut = [.. Base.Kinds] }).With(Base.AsMistakes.Concat(Mistakes));
 
+    /// <summary>The whole picture of a scene.</summary>
+    /// <exception cref="InvalidOperationException">Two of its mistakes are in the same part of a formula.</exception>
+    public Picture Draw(Scene scene) =>
+        (For(scene) ?? throw new InvalidOperationException("two mistakes in the same part of a formula")).Draw(scene);
+
     public IReadOnlyList<Mistake> Named => [.. Variants, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
 }

@@ -130,14 +130,22 @@ internal sealed class Expression
         return merged;
     }
 
-    /// <summary>Where this is a function of what is right, or what is right is a function of this: the same of another expression. Null if it is
+    /// <summary>Where this is something around what is right, or what is right is a function of this: the same of another expression. Null if it is
     /// neither.</summary>
     private Expression? Wrapped(Expression right, Expression other)
     {
-        for (var i = 0; IsFunction && i < Operands.Length; i++)
-            if (Operands[i].ToString() == right.ToString()) return With(i, other);
+        if (Around(right, other) is { } around) return around;
         for (var i = 0; right.IsFunction && (other.Operator, other.Symbol) == (right.Operator, right.Symbol) && i < right.Operands.Length; i++)
             if (ToString() == right.Operands[i].ToString()) return other.Operands[i];
+        return null;
+    }
+
+    /// <summary>This with another expression in the place of a part of it; null if it does not have that part.</summary>
+    private Expression? Around(Expression part, Expression other)
+    {
+        if (ToString() == part.ToString()) return other;
+        for (var i = 0; i < Operands.Length; i++)
+            if (Operands[i].Around(part, other) is { } operand) return With(i, operand);
         return null;
     }
 
