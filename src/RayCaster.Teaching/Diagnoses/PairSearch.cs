@@ -68,8 +68,9 @@ internal sealed class PairSearch(
 
     private List<WrongProgram> WithSeconds(WrongProgram first)
     {
-        if (pictures.Any(picture => first.For(picture.Scene) is null)) return [];
-        var left = pictures.Select(picture => new Evidence(picture, first.For(picture.Scene)!)).ToArray();
+        var left = pictures.Select(picture => first.For(picture.Scene) is { } program ? new Evidence(picture, program) : null).OfType<Evidence>()
+            .ToArray();
+        if (left.Length < pictures.Count) return [];
         var seconds = ranking.Plausible(candidate => left.Any(picture => picture.IsImprovedBy(candidate.For(picture.Scene))),
             from other in known
             where other.Id != first.Variants[0].Id && !(first.OtherSample && other == WrongProgram.Center)
