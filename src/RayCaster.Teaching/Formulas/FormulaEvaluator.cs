@@ -48,7 +48,7 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>The values of the names that every scene gives, each at its symbol's place.</summary>
-    public static Batch[] GivensOf(Camera camera)
+    private static Batch[] GivensOf(Camera camera)
     {
         var givens = new Batch[Symbol.Max];
         Give("P", Batch.Of(camera.Position));
@@ -105,9 +105,6 @@ internal sealed class FormulaEvaluator
         arithmetic.Forget();
         return ReferenceEquals(program, right!.Program) ? right.Bytes : Run(program, right).Bytes;
     }
-
-    /// <summary>The bytes of the program that others differ from.</summary>
-    public byte[] Right => right!.Bytes;
 
     /// <summary>Sets which pixels are drawn.</summary>
     private void Place(IReadOnlyList<(int X, int Y)> pixels)
@@ -516,16 +513,16 @@ internal sealed class FormulaEvaluator
     private static readonly Symbol Q = Symbol.Of("Q"), n = Symbol.Of("n"), C = Symbol.Of("C"), R = Symbol.Of("R"), B0 = Symbol.Of("B0"),
         B1 = Symbol.Of("B1"), A = Symbol.Of("A"), B = Symbol.Of("B");
 
-    public static (Symbol Name, Batch Value)[] NumbersOf(Plane plane) => [(Q, Batch.Of(plane.Point)), (n, Batch.Of(plane.Normal))];
+    private static (Symbol Name, Batch Value)[] NumbersOf(Plane plane) => [(Q, Batch.Of(plane.Point)), (n, Batch.Of(plane.Normal))];
 
-    public static (Symbol Name, Batch Value)[] NumbersOf(Sphere sphere) => [(C, Batch.Of(sphere.Center)), (R, Batch.Of(sphere.Radius))];
+    private static (Symbol Name, Batch Value)[] NumbersOf(Sphere sphere) => [(C, Batch.Of(sphere.Center)), (R, Batch.Of(sphere.Radius))];
 
-    public static (Symbol Name, Batch Value)[] NumbersOf(Circle circle) =>
+    private static (Symbol Name, Batch Value)[] NumbersOf(Circle circle) =>
         [(C, Batch.Of(circle.Center)), (n, Batch.Of(circle.Normal)), (R, Batch.Of(circle.Radius))];
 
-    public static (Symbol Name, Batch Value)[] NumbersOf(Aabb box) => [(B0, Batch.Of(box.Min)), (B1, Batch.Of(box.Max))];
+    private static (Symbol Name, Batch Value)[] NumbersOf(Aabb box) => [(B0, Batch.Of(box.Min)), (B1, Batch.Of(box.Max))];
 
-    public static (Symbol Name, Batch Value)[] NumbersOf(Triangle triangle) =>
+    private static (Symbol Name, Batch Value)[] NumbersOf(Triangle triangle) =>
         [(A, Batch.Of(triangle.A)), (B, Batch.Of(triangle.B)), (C, Batch.Of(triangle.C))];
 
     private sealed record Part(Model Model, SectionKind? Kind, (Symbol Name, Batch Value)[] Numbers)

@@ -109,12 +109,6 @@ public class ClassCampaign
         Assert.NotEmpty(marks.LookYourself);
     }
 
-    private static Picture InStyle(Scene scene, SectionKind kind, string style)
-    {
-        var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
-        var evaluator = new FormulaEvaluator(scene, [.. Enumerable.Range(0, picture.Count).Select(i => (i % picture.Width, i / picture.Width))],
-            FormulaProgram.For(scene.Camera).With(FormulaBook.Slides[kind, style]));
-        evaluator.Right.CopyTo(picture.Rgb, 0);
-        return picture;
-    }
+    private static Picture InStyle(Scene scene, SectionKind kind, string style) =>
+        FormulaProgram.For(scene.Camera).With(FormulaBook.Slides[kind, style]).Draw(scene);
 }

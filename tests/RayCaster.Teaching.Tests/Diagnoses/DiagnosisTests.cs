@@ -242,6 +242,14 @@ public class DiagnosisTests
     }
 
     [Fact]
+    public void OfSwappedSidesThatNothingExplainsNoOutlineIsSought()
+    {
+        var small = SceneFolder.Small("mistakes/generic", 5);
+        var picture = Renderer.Render(small.WithSize(small.Camera.Height, small.Camera.Width)); // the scene's colours
+        Assert.Equal(Finding.NoneOfThese, Diagnosis.Of(small, picture).Finding);
+    }
+
+    [Fact]
     public void APictureOfAnotherSizeCannotBeDiagnosed() =>
         Assert.Throws<ArgumentException>(() => Diagnosis.Of(scene, new Picture(scene.Camera.Width + 1, scene.Camera.Height)));
 
