@@ -32,6 +32,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     /// <summary>What two known mistakes cost, in an unfinished program.</summary>
     private const double Usual = 2 * (Priors.Known + Priors.Variant) + Priors.Rare + Priors.NotYet;
 
+    private const double Ties = 12;
+
     /// <summary>In a scene of more models no edits are tried.</summary>
     private const int MaxModels = 200;
 
@@ -127,10 +129,12 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
             .. cheap,
         ];
         seconds = [.. seconds.Distinct()];
+        Refine(Measured([.. PairsOfTheWhole()], Few));
+        if (IsExplained && Bound < Usual) return;
         var rest = new Queue<Explanation>(Firsts(singles));
         List<Explanation> extended = [];
         ExtendBest(Extended / 3);
-        if (IsExplained && Bound < Usual) return;
+        if (Bound < Usual + Ties) return;
 
         // an edit without a name, and two changes of which one may be such an edit
         ProgramChange[] edits = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Edits(scene, known)];
@@ -147,7 +151,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
                     : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => IsLike(of, other)))
                         .MinBy(of => of.Total);
                 if (first is null && !rest.TryDequeue(out first)) return;
-                if (IsExplained && Bound < Usual && extended.Count >= Least) return;
+                if (Bound < Usual + Ties && extended.Count >= Least) return;
                 if (extended.Contains(first)) continue; // two that draw the same alone may differ beside a second change
                 extended.Add(first);
                 if (first.Bits + Priors.Style < Bound) Extend(first, seconds);
@@ -162,18 +166,24 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         where parts.Count(part => part.NotYet is not (Diagnosis.Attenuation or Diagnosis.Clipping)) < kinds
         select parts.Aggregate((Explanation?)right, (all, part) => all?.With(part));
 
-    /// <summary>In turn those that draw most colours right, and those that are likeliest.</summary>
+    /// <summary>Two usual mistakes that both change the whole picture: neither alone explains anything.</summary>
+    private IEnumerable<Explanation?> PairsOfTheWhole()
+    {
+        ProgramChange[] usual =
+        [
+            .. ProgramChange.Of(known.Where(mistake => (mistake.Affects & (Affects.Camera | Affects.Hit | Affects.File)) != 0), likely)
+                .DistinctBy(change => change.Id),
+        ];
+        return from i in Enumerable.Range(0, usual.Length)
+               from second in usual[(i + 1)..]
+               select right.With(usual[i])?.With(second);
+    }
+
+    /// <summary>Those that draw most colours right.</summary>
     private IEnumerable<Explanation> Firsts(List<Explanation> singles)
     {
         var colors = pictures.Select(picture => picture.ByColors()).ToArray();
-        Explanation[] byColors = [.. Measured([.. singles], Few, colors).DistinctBy(of => string.Join(' ', of.Misfits)).Take(30)];
-        Explanation[] byBits = [.. singles.Where(of => (of.Changes[0].Mistake!.Affects & (Affects.Camera | Affects.Hit | Affects.File)) != 0)
-            .OrderBy(of => of.Bits).DistinctBy(of => of.Changes[0].Id)];
-        for (var i = 0; i < Math.Max(byColors.Length, byBits.Length); i++)
-        {
-            if (i < byColors.Length) yield return byColors[i];
-            if (i < byBits.Length) yield return byBits[i];
-        }
+        return Measured([.. singles], Few, colors).DistinctBy(of => string.Join(' ', of.Misfits)).Take(30);
     }
 
     /// <summary>Whether two draw the same, as far as few pixels show.</summary>

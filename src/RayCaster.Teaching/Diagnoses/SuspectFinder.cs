@@ -21,7 +21,8 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
         }
         var isSame = likeliest.For(prepared.Scene) is { } first && own.Scatters == first.Scatters && evidence.AreAlike(drawn, first);
         var isTypical = candidate.Misfit.Unexplained <= Judgement.Explained * evidence.WrongCount && candidate.Unusual == 0;
-        return new(shown, candidate.Misfit.Unexplained, candidate.OtherSample, twins, candidate.Base.NotYet, isSame, isTypical);
+        return new(shown, candidate.Misfit.Unexplained, candidate.OtherSample, twins, candidate.Base.NotYet, isSame,
+            isSame || candidate.Total - likeliest.Total < Priors.AsLikely, isTypical);
     }
 
     /// <summary>The mistakes that would also make a program lose the missing shapes.</summary>
