@@ -159,6 +159,12 @@ internal sealed class Evidence
     public double Loss(Misfit misfit) => Math.Min(1,
         Math.Log(1 + misfit.Weight / PixelCount / LeastShare) / Math.Log(1 + Math.Max((double)WrongCount / PixelCount, LeastShare) / LeastShare));
 
+    /// <summary>
+    /// The bits of the pixels that are left unexplained. Their share is unknown before, from all that is wrong down to what other last bits may
+    /// leave: each time that it halves is worth the same.
+    /// </summary>
+    public double BitsOf(Misfit misfit) => Priors.PerHalf * Math.Log2(1 + Math.Min(1, misfit.Weight / Math.Max(1, WrongCount)) / Priors.Rounding);
+
     /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
     public bool IsExplainedBy(WrongProgram program) => Misfit(program.For(Scene)).Weight <= Math.Min(0.5 * WrongCount,
         Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LeastShare * PixelCount, 3 * LeastShare * PixelCount)));

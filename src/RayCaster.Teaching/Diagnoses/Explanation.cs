@@ -15,9 +15,6 @@ internal sealed record Explanation(ImmutableArray<FormulaProgram> Programs, Immu
     /// <summary>The bits of the changes and of what they leave unexplained.</summary>
     public double Total { get; init; }
 
-    /// <summary>What it leaves unexplained costs no more than a change would.</summary>
-    public bool IsExact => Total - Bits <= Priors.NotYet;
-
     /// <summary>How many bits it saves compared with the one that it extends.</summary>
     public double Gain { get; init; } = 1;
 

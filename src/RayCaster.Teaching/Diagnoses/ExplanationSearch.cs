@@ -29,16 +29,11 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     /// <summary>How many unfinished programs are extended by all known mistakes.</summary>
     private const int UnfinishedOnes = 4;
 
-    /// <summary>What two known mistakes cost, in an unfinished program.</summary>
-    private const double Usual = 2 * (Priors.Known + Priors.Variant) + Priors.Rare + Priors.NotYet;
-
-    private const double Ties = 12;
+    /// <summary>What two known mistakes cost, and two that leave what rays along an edge may leave. A shorter explanation ends the search.</summary>
+    private const double Pair = 2 * (Priors.Known + Priors.Variant), NearPair = Pair + 16;
 
     /// <summary>In a scene of more models no edits are tried.</summary>
     private const int MaxModels = 200;
-
-    /// <summary>The share of what is wrong that other last bits may leave.</summary>
-    private const double Rounding = 0.004;
 
     private readonly List<Explanation> found = []; // compared with all of the evidence
     private readonly Explanation right = new([.. pictures.Select(picture => FormulaProgram.For(picture.Scene.Camera))], []);
@@ -47,8 +42,6 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     private double Literal => pictures.Count(picture => picture.WrongCount > 0) * Priors.OtherProgram;
 
     private double Bound => found.Count == 0 ? Literal : Math.Min(Literal, found.Min(explanation => explanation.Total));
-
-    private bool IsExplained => found.Exists(explanation => explanation.IsExact && explanation.Total < Literal);
 
     /// <summary>The programs that were compared with all of the evidence, that with the shortest explanation first.</summary>
     public List<WrongProgram> Run()
@@ -106,19 +99,19 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         var singles = Measured([.. named.Select(right.With)], Few);
         var ways = Measured([.. Ways(missing, kinds.Length)], Few);
         Refine([.. singles.Concat(ways).Concat(Measured([.. wordings.Select(right.With)], Few)).OrderBy(of => of.Total)]);
-        if (IsExplained && Bound < Priors.Known + 2 * Priors.NotYet) return;
+        if (Bound < Priors.Known + Priors.NotYet) return;
 
         // with something that costs little, or in an unfinished program
         List<Explanation> nearest = [];
         foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total))
             if (nearest.Count < Nearest && !nearest.Exists(other => IsLike(one, other))) nearest.Add(one);
         foreach (var one in nearest) Extend(one, cheap);
-        if (IsExplained && Bound < Priors.Unknown) return;
+        if (Bound < Priors.Unknown) return;
         var byColors = Unfinished.ByColors(pictures, done).Take(UnfinishedOnes)
             .Select(way => ways.Find(other => other.Changes.Select(change => change.NotYet).ToHashSet().SetEquals(way.NotYet)));
         Explanation[] unfinished = [.. ways.Take(UnfinishedOnes).Concat(byColors.OfType<Explanation>()).Distinct()];
         foreach (var way in unfinished) Extend(way, named);
-        if (IsExplained && Bound < Usual) return;
+        if (Bound < Pair) return;
 
         // two known changes, in turn beside the shortest so far, and beside one that draws the right colours or is likely
         ProgramChange[] seconds =
@@ -130,16 +123,16 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         ];
         seconds = [.. seconds.Distinct()];
         Refine(Measured([.. PairsOfTheWhole()], Few));
-        if (IsExplained && Bound < Usual) return;
+        if (Bound < Pair) return;
         var rest = new Queue<Explanation>(Firsts(singles));
         List<Explanation> extended = [];
         ExtendBest(Extended / 3);
-        if (Bound < Usual + Ties) return;
+        if (Bound < NearPair) return;
 
         // an edit without a name, and two changes of which one may be such an edit
         ProgramChange[] edits = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Edits(scene, known)];
         Refine(Measured([.. edits.Select(right.With)], Few));
-        if (IsExplained) return;
+        if (Bound < Priors.Known + Priors.Unknown) return;
         foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(1).Concat(ways.Take(1))) Extend(one, edits);
         ExtendBest(Extended);
 
@@ -151,7 +144,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
                     : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => IsLike(of, other)))
                         .MinBy(of => of.Total);
                 if (first is null && !rest.TryDequeue(out first)) return;
-                if (Bound < Usual + Ties && extended.Count >= Least) return;
+                if (Bound < NearPair && extended.Count >= Least) return;
                 if (extended.Contains(first)) continue; // two that draw the same alone may differ beside a second change
                 extended.Add(first);
                 if (first.Bits + Priors.Style < Bound) Extend(first, seconds);
@@ -234,15 +227,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         return candidate with
         {
             Misfits = misfits,
-            Total = candidate.Bits + misfits.Select((misfit, i) =>
-                BitsOf(misfit, evidence[i])).Sum(),
+            Total = candidate.Bits + misfits.Select((misfit, i) => evidence[i].BitsOf(misfit)).Sum(),
         };
     }
-
-    /// <summary>
-    /// The bits of a picture's unexplained pixels. Their share is unknown before, from all that is wrong down to what other last bits may leave:
-    /// each time that it halves is worth the same.
-    /// </summary>
-    private static double BitsOf(Misfit misfit, Evidence picture) =>
-        Priors.PerHalf * Math.Log2(1 + Math.Min(1, misfit.Weight / Math.Max(1, picture.WrongCount)) / Rounding);
 }

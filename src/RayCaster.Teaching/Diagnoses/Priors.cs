@@ -16,8 +16,14 @@ internal static class Priors
     /// <summary>A known mistake that fewer people make, and one that is unlikely by what else is known of the program.</summary>
     public const double Rare = 1, Unlikely = 1.5;
 
+    /// <summary>One model that is not drawn; another number in the scene: which one, and its value.</summary>
+    public const double MissingModel = 9, OtherNumber = 16;
+
     /// <summary>What it is worth to leave half as many pixels unexplained.</summary>
     public const double PerHalf = 8;
+
+    /// <summary>The share of what is wrong that other last bits may leave.</summary>
+    public const double Rounding = 0.004;
 
     /// <summary>Some other program, which may draw anything, for each picture.</summary>
     public const double OtherProgram = 44;
