@@ -6,17 +6,11 @@ internal sealed record JointDiagnosis
     /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
     private const double MayLeave = 0.5;
 
-    /// <summary>A program is near the pictures if it leaves less than this share of what is wrong.</summary>
-    private const double Near = 0.8;
-
     /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
     private const double OneKind = 0.9;
 
     /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
     private const double Slight = 0.05;
-
-    /// <summary>Losses that differ by less are taken as equal.</summary>
-    private const double Alike = 0.01;
 
     private static readonly WrongProgram right = new(Unfinished.Nothing, [], false);
 
@@ -75,7 +69,7 @@ internal sealed record JointDiagnosis
         return new()
         {
             Unexplained = [.. wrong.Select(picture => picture.Scene)],
-            Nearest = found.Verdict.Misfit.Unexplained < Near * wrong.Length ? found.Verdict : null,
+            Nearest = found.Verdict.Total < Judgement.Mentioned * wrong.Length ? found.Verdict : null,
             Steps = steps,
             Note = note,
         };
@@ -94,12 +88,12 @@ internal sealed record JointDiagnosis
     {
         var ranked = new ExplanationSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null, null, null).Run();
         var verdict = ranked[0];
-        WrongProgram[] alike = [.. ranked.Where(other => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike)];
+        var alike = ranked.TakeWhile(other => other.Total < verdict.Total + Priors.AsLikely);
         return new()
         {
             Verdict = verdict,
             HidingMistakes = !verdict.Base.Kinds.Any() ? []
-                : [.. alike.Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 })
+                : [.. ranked.TakeWhile(other => other.Total < verdict.Total + Priors.Known).Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 })
                     .Select(other => other.Variants[0]).DistinctBy(mistake => mistake.Id)],
             Alternatives =
             [

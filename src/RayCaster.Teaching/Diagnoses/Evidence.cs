@@ -12,7 +12,7 @@ internal sealed class Evidence
     private const int LeastTests = 50_000, MaxTests = 1_000_000;
 
     /// <summary>How many wrong pixels, and how many others, tell most programs apart.</summary>
-    private const int FewPixelsAlike = 32, ManyPixelsAlike = 150;
+    private const int FewPixelsAlike = 32;
 
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.1;
@@ -20,15 +20,10 @@ internal sealed class Evidence
     /// <summary>If a greater share of the pixels is wrong, those on outlines do not matter.</summary>
     private const double FewPixels = 0.03;
 
-    /// <summary>
-    /// Unexplained shares of several pictures are compared by their logarithms: a tenth is to a hundredth as a hundredth is to a thousandth.
-    /// Shares below this one are taken as equal.
-    /// </summary>
-    private const double LeastShare = 0.002;
-
     private readonly ConcurrentDictionary<(int Wrong, int Other), ConcurrentBag<FormulaEvaluator>> evaluators = []; // that no thread uses now
     private readonly FormulaProgram? basis; // that others differ from; the slides' if null
     private readonly int most;
+    private readonly int allWrong; // also those that a first mistake explains
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
     /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
@@ -49,7 +44,7 @@ internal sealed class Evidence
             wrong = [.. judge.WrongPixels(difference)];
             OutlineCount -= wrong.Count;
         }
-        WrongCount = wrong.Count;
+        WrongCount = allWrong = wrong.Count;
         IsOnlyOutlines = difference is not null && judge.AreStray(difference, wrong);
         wrongPixels = Spread(wrong, most);
         otherPixels = Spread(other, most);
@@ -65,12 +60,13 @@ internal sealed class Evidence
         wrongPixels = [.. isExplained[false]];
         otherPixels = [.. isExplained[true]];
         WrongCount = (int)whole.Misfit(first).Unexplained;
+        allWrong = whole.allWrong;
     }
 
     private Evidence(Evidence whole, int[] pixels)
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
-        (wrongPixels, otherPixels, WrongCount) = (pixels, [], PixelCount);
+        (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
     }
 
     /// <summary>The same pixels in another order, all of them taken for wrong, in which each colour that the picture shows counts alike: a mistake
@@ -132,13 +128,6 @@ internal sealed class Evidence
         return new(program.SizeOf(Scene.Camera), colors);
     }
 
-    /// <summary>Whether two programs draw the same, as far as some pixels show.</summary>
-    public bool DrawAlike(FormulaProgram one, FormulaProgram other)
-    {
-        var (wrong, rest) = (Math.Min(ManyPixelsAlike, wrongPixels.Length), Math.Min(ManyPixelsAlike, otherPixels.Length));
-        return Draw(one, wrong, rest).AsSpan().SequenceEqual(Draw(other, wrong, rest));
-    }
-
     /// <summary>Whether a program draws the same picture as another, but for one pixel in two thousand. Most differ in the first pixels.</summary>
     public bool AreAlike(Drawn one, FormulaProgram program) =>
         one.Size == program.SizeOf(Scene.Camera) && AreAlike(one, Draw(program, FewPixelsAlike)) && AreAlike(one, Draw(program));
@@ -155,19 +144,14 @@ internal sealed class Evidence
     /// <param name="Colors">The pixels' places in the student's picture, and their colours.</param>
     public sealed record Drawn((int Width, int Height) Size, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
 
-    /// <summary>A misfit on a scale for several pictures: 0 if nothing is left, 1 if all that is wrong is left, or more.</summary>
-    public double Loss(Misfit misfit) => Math.Min(1,
-        Math.Log(1 + misfit.Weight / PixelCount / LeastShare) / Math.Log(1 + Math.Max((double)WrongCount / PixelCount, LeastShare) / LeastShare));
-
     /// <summary>
     /// The bits of the pixels that are left unexplained. Their share is unknown before, from all that is wrong down to what other last bits may
     /// leave: each time that it halves is worth the same.
     /// </summary>
-    public double BitsOf(Misfit misfit) => Priors.PerHalf * Math.Log2(1 + Math.Min(1, misfit.Weight / Math.Max(1, WrongCount)) / Priors.Rounding);
+    public double BitsOf(Misfit misfit) => Priors.PerHalf * Math.Log2(1 + Math.Min(1, misfit.Weight / Math.Max(1, allWrong)) / Priors.Rounding);
 
-    /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
-    public bool IsExplainedBy(WrongProgram program) => Misfit(program.For(Scene)).Weight <= Math.Min(0.5 * WrongCount,
-        Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LeastShare * PixelCount, 3 * LeastShare * PixelCount)));
+    /// <summary>Whether what a program leaves unexplained is less than "some other program", which may have a mistake too.</summary>
+    public bool IsExplainedBy(WrongProgram program) => BitsOf(Misfit(program.For(Scene))) < Priors.OtherProgram - Priors.Known;
 
     /// <summary>An estimate of how many pixels a program leaves unexplained; all of them for none.</summary>
     /// <param name="share">The share of the chosen pixels that is compared; few show that a mistake is far off.</param>

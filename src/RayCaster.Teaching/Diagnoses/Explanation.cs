@@ -12,6 +12,9 @@ internal sealed record Explanation(ImmutableArray<FormulaProgram> Programs, Immu
     /// <summary>What it leaves unexplained of each picture.</summary>
     public ImmutableArray<Misfit> Misfits { get; init; } = [];
 
+    /// <summary>The same for explanations that draw the same.</summary>
+    public string Left => string.Join(' ', Misfits);
+
     /// <summary>The bits of the changes and of what they leave unexplained.</summary>
     public double Total { get; init; }
 

@@ -55,8 +55,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         catch (TimeoutException)
         {
         }
-        var edits = found.Where(of => of.Changes is [{ Edit: not null }]).ToLookup(of => string.Join(' ', of.Misfits), of => of.Changes[0].Edit!);
-        return [.. found.OrderBy(of => of.Total).Select(of => Named(of, edits[string.Join(' ', of.Misfits)]))
+        var edits = found.Where(of => of.Changes is [{ Edit: not null }]).ToLookup(of => of.Left, of => of.Changes[0].Edit!);
+        return [.. found.OrderBy(of => of.Total).Select(of => Named(of, edits[of.Left]))
             .Where(program => program.Variants.All(mistake => mistake.Place is null || possible?.Invoke(mistake) != false)
                 && pictures.All(picture => program.For(picture.Scene) is not null))]; // in the order in which it is told, too
     }
@@ -76,10 +76,9 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
             var first = mistakes[0];
             mistakes[0] = first.Worded(first.Cause, program => style.In(program) is { } styled ? first.In(styled) : null);
         }
-        var misfit = of.Misfits is [var only] ? only : new(of.Misfits.Select((misfit, i) => pictures[i].Loss(misfit)).Sum(), 0);
         var otherSample = of.Changes.Any(change => change.IsOtherSample);
         if (otherSample && of.Changes.All(change => change.IsOtherSample)) (mistakes, otherSample) = ([WrongProgram.Center], false);
-        return new(new([.. of.Changes.Select(change => change.NotYet).OfType<string>()]), mistakes, otherSample, misfit)
+        return new(new([.. of.Changes.Select(change => change.NotYet).OfType<string>()]), mistakes, otherSample, of.Misfits.Aggregate((sum, misfit) => sum + misfit))
         {
             Total = of.Total,
         };
@@ -102,10 +101,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         if (Bound < Priors.Known + Priors.NotYet) return;
 
         // with something that costs little, or in an unfinished program
-        List<Explanation> nearest = [];
-        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total))
-            if (nearest.Count < Nearest && !nearest.Exists(other => IsLike(one, other))) nearest.Add(one);
-        foreach (var one in nearest) Extend(one, cheap);
+        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(Nearest).ToArray())
+            Extend(one, cheap);
         if (Bound < Priors.Unknown) return;
         var byColors = Unfinished.ByColors(pictures, done).Take(UnfinishedOnes)
             .Select(way => ways.Find(other => other.Changes.Select(change => change.NotYet).ToHashSet().SetEquals(way.NotYet)));
@@ -117,7 +114,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         ProgramChange[] seconds =
         [
             .. pictures.Any(picture => !picture.HasRightSize) ? named
-                : singles.OrderBy(single => single.Bits).DistinctBy(single => (single.Changes[0].Id, string.Join(' ', single.Misfits)))
+                : singles.OrderBy(single => single.Bits).DistinctBy(single => (single.Changes[0].Id, single.Left))
                     .Select(single => single.Changes[0]),
             .. cheap,
         ];
@@ -141,7 +138,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
             for (var turn = 0; extended.Count < most; turn++)
             {
                 var first = turn % 2 == 1 && rest.Count > 0 ? rest.Dequeue()
-                    : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => IsLike(of, other)))
+                    : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => other.Left == of.Left))
                         .MinBy(of => of.Total);
                 if (first is null && !rest.TryDequeue(out first)) return;
                 if (Bound < NearPair && extended.Count >= Least) return;
@@ -176,12 +173,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     private IEnumerable<Explanation> Firsts(List<Explanation> singles)
     {
         var colors = pictures.Select(picture => picture.ByColors()).ToArray();
-        return Measured([.. singles], Few, colors).DistinctBy(of => string.Join(' ', of.Misfits)).Take(30);
+        return Measured([.. singles], Few, colors).DistinctBy(of => of.Left).Take(30);
     }
-
-    /// <summary>Whether two draw the same, as far as few pixels show.</summary>
-    private bool IsLike(Explanation one, Explanation other) => ReferenceEquals(one, other) || (one.Programs[0].IsTurned == other.Programs[0].IsTurned
-        && Enumerable.Range(0, pictures.Count).All(i => pictures[i].DrawAlike(one.Programs[i], other.Programs[i])));
 
     private void Extend(Explanation first, IEnumerable<ProgramChange> changes)
     {
@@ -189,9 +182,10 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         var bound = Bound;
         var before = left.Sum(picture => (double)picture.WrongCount);
         var measured = Measured([.. changes.Select(first.With).Where(with => with is not null && with.Bits < bound)], Few, left);
-        measured = [.. measured.Where(with => with.Misfits.Sum(misfit => misfit.Unexplained) < 0.98 * before).Take(Extensions)];
+        measured = [.. measured.Where(with => with.Total < bound + 16 && with.Misfits.Sum(misfit => misfit.Unexplained) < 0.98 * before).Take(Extensions)];
         measured = Measured([.. measured], More, left);
-        found.AddRange(Measured([.. measured.Take(BestExtensions)], 1).Select(with => with with { Gain = first.Total - with.Total }));
+        measured = [.. measured.Where((with, i) => i < 2 || with.Total < bound + 4).Take(BestExtensions)];
+        found.AddRange(Measured([.. measured], 1).Select(with => with with { Gain = first.Total - with.Total }));
     }
 
     /// <summary>Looks at the best more closely, and at the best of these at all of the evidence.</summary>

@@ -24,8 +24,8 @@ internal sealed class Judgement(
     /// <summary>What explains a picture leaves at most this share of the wrong pixels.</summary>
     public const double Explained = 0.1;
 
-    /// <summary>What explanations cost that are mentioned where none is named.</summary>
-    private const double Mentioned = 1.5 * Priors.OtherProgram;
+    /// <summary>What explanations cost that are mentioned where none is named, for each picture.</summary>
+    public const double Mentioned = 1.5 * Priors.OtherProgram;
 
     /// <summary>How many of the nearest mistakes are mentioned if none explains the picture.</summary>
     private const int Shown = 3;
