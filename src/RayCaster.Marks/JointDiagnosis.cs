@@ -93,7 +93,8 @@ internal sealed record JointDiagnosis
         {
             Verdict = verdict,
             HidingMistakes = !verdict.Base.Kinds.Any() ? []
-                : [.. ranked.TakeWhile(other => other.Total < verdict.Total + Priors.Known).Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 })
+                : [.. ranked.TakeWhile(other => other.Total < verdict.Total + Priors.Known)
+                    .Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 })
                     .Select(other => other.Variants[0]).DistinctBy(mistake => mistake.Id)],
             Alternatives =
             [

@@ -19,12 +19,16 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     /// <summary>The share of the evidence that a first and a second look compares.</summary>
     private const double Few = 0.008, More = 0.05;
 
+    /// <summary>By how many bits few pixels, and more, may overrate what is left. What is longer than the shortest by more is not looked at again.
+    /// </summary>
+    private const double OfFew = 16, OfMore = 4;
+
     /// <summary>How many explanations get a second look, and a last one at all of the evidence.</summary>
     private const int Closer = 150, Closest = 30, Nearest = 12;
 
-    /// <summary>How many explanations are extended by other changes, how many also if an exact one is known, and how many of their extensions get a
-    /// closer look.</summary>
-    private const int Extended = 90, Least = 20, Extensions = 40, BestExtensions = 8;
+    /// <summary>How many explanations are extended by other changes, how many if two mistakes are known that are near, how many because
+    /// they draw the right colours, and how many of their extensions get a closer look.</summary>
+    private const int Extended = 90, Least = 20, ByColors = 30, Extensions = 40, BestExtensions = 8;
 
     /// <summary>How many unfinished programs are extended by all known mistakes.</summary>
     private const int UnfinishedOnes = 4;
@@ -78,10 +82,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         }
         var otherSample = of.Changes.Any(change => change.IsOtherSample);
         if (otherSample && of.Changes.All(change => change.IsOtherSample)) (mistakes, otherSample) = ([WrongProgram.Center], false);
-        return new(new([.. of.Changes.Select(change => change.NotYet).OfType<string>()]), mistakes, otherSample, of.Misfits.Aggregate((sum, misfit) => sum + misfit))
-        {
-            Total = of.Total,
-        };
+        var left = of.Misfits.Aggregate((sum, misfit) => sum + misfit);
+        return new(new([.. of.Changes.Select(change => change.NotYet).OfType<string>()]), mistakes, otherSample, left) { Total = of.Total };
     }
 
     private void Search()
@@ -110,7 +112,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         foreach (var way in unfinished) Extend(way, named);
         if (Bound < Pair) return;
 
-        // two known changes, in turn beside the shortest so far, and beside one that draws the right colours or is likely
+        // two known changes, in turn beside the shortest so far, and beside one that draws the right colours
         ProgramChange[] seconds =
         [
             .. pictures.Any(picture => !picture.HasRightSize) ? named
@@ -121,7 +123,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         seconds = [.. seconds.Distinct()];
         Refine(Measured([.. PairsOfTheWhole()], Few));
         if (Bound < Pair) return;
-        var rest = new Queue<Explanation>(Firsts(singles));
+        var colors = pictures.Select(picture => picture.ByColors()).ToArray();
+        var rest = new Queue<Explanation>(Measured([.. singles], Few, colors).DistinctBy(of => of.Left).Take(ByColors));
         List<Explanation> extended = [];
         ExtendBest(Extended / 3);
         if (Bound < NearPair) return;
@@ -169,23 +172,16 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
                select right.With(usual[i])?.With(second);
     }
 
-    /// <summary>Those that draw most colours right.</summary>
-    private IEnumerable<Explanation> Firsts(List<Explanation> singles)
-    {
-        var colors = pictures.Select(picture => picture.ByColors()).ToArray();
-        return Measured([.. singles], Few, colors).DistinctBy(of => of.Left).Take(30);
-    }
-
     private void Extend(Explanation first, IEnumerable<ProgramChange> changes)
     {
         Evidence[] left = [.. pictures.Select((picture, i) => new Evidence(picture, first.Programs[i]))];
         var bound = Bound;
         var before = left.Sum(picture => (double)picture.WrongCount);
         var measured = Measured([.. changes.Select(first.With).Where(with => with is not null && with.Bits < bound)], Few, left);
-        measured = [.. measured.Where(with => with.Total < bound + 16 && with.Misfits.Sum(misfit => misfit.Unexplained) < 0.98 * before).Take(Extensions)];
-        measured = Measured([.. measured], More, left);
-        measured = [.. measured.Where((with, i) => i < 2 || with.Total < bound + 4).Take(BestExtensions)];
-        found.AddRange(Measured([.. measured], 1).Select(with => with with { Gain = first.Total - with.Total }));
+        var promising = measured.Where(with =>
+            with.Total < bound + OfFew && with.Misfits.Sum(misfit => misfit.Unexplained) < 0.98 * before).Take(Extensions);
+        var best = Measured([.. promising], More, left).Where((with, i) => i < 2 || with.Total < bound + OfMore).Take(BestExtensions);
+        found.AddRange(Measured([.. best], 1).Select(with => with with { Gain = first.Total - with.Total }));
     }
 
     /// <summary>Looks at the best more closely, and at the best of these at all of the evidence.</summary>
