@@ -121,7 +121,8 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
             .. cheap,
         ];
         seconds = [.. seconds.Distinct()];
-        Refine(Measured([.. PairsOfTheWhole()], Few));
+        Refine(Measured([.. PairsOfRays()], Few));
+        foreach (var one in singles.Where(IsOfBytes).DistinctBy(of => of.Changes[0].Id)) Extend(one, seconds);
         if (Bound < Pair) return;
         var colors = pictures.Select(picture => picture.ByColors()).ToArray();
         var rest = new Queue<Explanation>(Measured([.. singles], Few, colors).DistinctBy(of => of.Left).Take(ByColors));
@@ -159,12 +160,15 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         where parts.Count(part => part.NotYet is not (Diagnosis.Attenuation or Diagnosis.Clipping)) < kinds
         select parts.Aggregate((Explanation?)right, (all, part) => all?.With(part));
 
-    /// <summary>Two usual mistakes that both change the whole picture: neither alone explains anything.</summary>
-    private IEnumerable<Explanation?> PairsOfTheWhole()
+    /// <summary>Whether only colours or their places in the file are wrong, in the whole picture, so that it explains little alone.</summary>
+    private static bool IsOfBytes(Explanation one) => (one.Changes[0].Mistake!.Affects & ~(Affects.Color | Affects.File)) == 0;
+
+    /// <summary>Two usual mistakes that both change which hits the whole picture shows: neither alone explains anything.</summary>
+    private IEnumerable<Explanation?> PairsOfRays()
     {
         ProgramChange[] usual =
         [
-            .. ProgramChange.Of(known.Where(mistake => (mistake.Affects & (Affects.Camera | Affects.Hit | Affects.File)) != 0), likely)
+            .. ProgramChange.Of(known.Where(mistake => (mistake.Affects & (Affects.Camera | Affects.Hit)) != 0), likely)
                 .DistinctBy(change => change.Id),
         ];
         return from i in Enumerable.Range(0, usual.Length)

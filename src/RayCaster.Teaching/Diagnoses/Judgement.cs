@@ -54,10 +54,12 @@ internal sealed class Judgement(
     /// <summary>The sentences about another cause, and the bits of its explanation of the picture.</summary>
     private (IReadOnlyList<string> Sentences, double Total) OtherCause(WrongProgram best, bool isEnough)
     {
-        if (best.Total <= Priors.OtherNumber || leftByMissingModel is not null || evidence.IsOnlyOutlines || byModels is null)
+        var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Affects == Affects.Camera);
+        var price = isOfCamera ? Priors.NumberForTwo : Priors.OtherNumber;
+        if (best.Total <= price || leftByMissingModel is not null || evidence.IsOnlyOutlines || byModels is null)
             return ([], double.PositiveInfinity);
         var (misfit, certain) = LikelyCause.Certain(prepared, byModels, evidence);
-        var total = certain is null ? double.PositiveInfinity : Priors.OtherNumber + evidence.BitsOf(misfit);
+        var total = certain is null ? double.PositiveInfinity : price + evidence.BitsOf(misfit);
         if (total < best.Total) return ([certain!], total);
         return (isEnough ? [] : [.. LikelyCause.Hints(byModels, evidence)], double.PositiveInfinity);
     }

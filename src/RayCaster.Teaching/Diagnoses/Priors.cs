@@ -16,8 +16,9 @@ internal static class Priors
     /// <summary>A known mistake that fewer people make, and one that is unlikely by what else is known of the program.</summary>
     public const double Rare = 1, Unlikely = 1.5;
 
-    /// <summary>One model that is not drawn; another number in the scene: which one, and its value.</summary>
-    public const double MissingModel = 9, OtherNumber = 16;
+    /// <summary>One model that is not drawn; another number in the scene: which one, and its value; the same in place of two mistakes of the
+    /// camera, of which some pair draws nearly each angle.</summary>
+    public const double MissingModel = 9, OtherNumber = 16, NumberForTwo = 13.5;
 
     /// <summary>What it is worth to leave half as many pixels unexplained.</summary>
     public const double PerHalf = 8;
