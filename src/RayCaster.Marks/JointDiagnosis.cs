@@ -56,7 +56,7 @@ internal sealed record JointDiagnosis
             return new() { TellsNothing = true, Unexplained = [.. wrong.Select(picture => picture.Scene)] };
         var found = Search(pictures, known);
         SubmittedPicture[] unexplained = [.. wrong.Where(picture => !picture.Evidence.IsExplainedBy(found.Verdict))];
-        if (2 * unexplained.Length <= wrong.Length)
+        if (2 * unexplained.Length < wrong.Length)
         {
             return found with
             {
@@ -69,7 +69,7 @@ internal sealed record JointDiagnosis
         return new()
         {
             Unexplained = [.. wrong.Select(picture => picture.Scene)],
-            Nearest = found.Verdict.Total < Judgement.Mentioned * wrong.Length ? found.Verdict : null,
+            Nearest = found.Verdict.Named.Count > 0 && found.Verdict.Total < Judgement.Mentioned * wrong.Length ? found.Verdict : null,
             Steps = steps,
             Note = note,
         };

@@ -17,6 +17,9 @@ internal sealed class Evidence
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.1;
 
+    /// <summary>The share of a picture's pixels that last bits may change.</summary>
+    private const double LastBits = 0.002;
+
     /// <summary>If a greater share of the pixels is wrong, those on outlines do not matter.</summary>
     private const double FewPixels = 0.03;
 
@@ -150,8 +153,9 @@ internal sealed class Evidence
     /// </summary>
     public double BitsOf(Misfit misfit) => Priors.PerHalf * Math.Log2(1 + Math.Min(1, misfit.Weight / Math.Max(1, allWrong)) / Priors.Rounding);
 
-    /// <summary>Whether what a program leaves unexplained is less than "some other program", which may have a mistake too.</summary>
-    public bool IsExplainedBy(WrongProgram program) => BitsOf(Misfit(program.For(Scene))) < Priors.OtherProgram - Priors.Known;
+    /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
+    public bool IsExplainedBy(WrongProgram program) => Misfit(program.For(Scene)).Weight <= Math.Min(0.5 * WrongCount,
+        Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LastBits * PixelCount, 3 * LastBits * PixelCount)));
 
     /// <summary>An estimate of how many pixels a program leaves unexplained; all of them for none.</summary>
     /// <param name="share">The share of the chosen pixels that is compared; few show that a mistake is far off.</param>
