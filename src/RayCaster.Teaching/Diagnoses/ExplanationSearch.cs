@@ -181,7 +181,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         Evidence[] left = [.. pictures.Select((picture, i) => new Evidence(picture, first.Programs[i]))];
         var bound = Bound;
         var before = left.Sum(picture => (double)picture.WrongCount);
-        var measured = Measured([.. changes.Select(first.With).Where(with => with is not null && with.Bits < bound)], Few, left);
+        var measured = Measured([.. changes.Select(first.With).Where(with => with is not null && with.Bits < bound + Priors.AsLikely)], Few, left);
         var promising = measured.Where(with =>
             with.Total < bound + OfFew && with.Misfits.Sum(misfit => misfit.Unexplained) < 0.98 * before).Take(Extensions);
         var best = Measured([.. promising], More, left).Where((with, i) => i < 2 || with.Total < bound + OfMore).Take(BestExtensions);

@@ -28,7 +28,8 @@ internal sealed record ProgramChange(string Id, double Bits, Func<FormulaProgram
         from part in parts
         let unfinished = new Unfinished([part])
         select new ProgramChange("", Priors.NotYet, program => program.LeftOut.Contains(part) ? null
-            : (program with { LeftOut = program.LeftOut.Union(unfinished.Kinds) }).With(unfinished.AsMistakes)) { NotYet = part };
+            : (program with { LeftOut = program.LeftOut.Union(unfinished.Kinds) }).With(unfinished.AsMistakes))
+        { NotYet = part };
 
     /// <summary>Known mistakes, each in all its variants.</summary>
     public static IEnumerable<ProgramChange> Of(IEnumerable<Mistake> known, Predicate<Mistake>? likely) =>
@@ -38,7 +39,8 @@ internal sealed record ProgramChange(string Id, double Bits, Func<FormulaProgram
             mistake == WrongProgram.Center ? Priors.OtherSample
                 : Priors.Known + (variant == mistake ? 0 : Priors.Variant) + (Priors.RareIds.Contains(mistake.Id) ? Priors.Rare : 0)
                     + (likely is null || likely(mistake) ? 0 : Priors.Unlikely),
-            variant.In) { Mistake = variant };
+            variant.In)
+        { Mistake = variant };
 
     /// <summary>Further wordings of known mistakes.</summary>
     public static IEnumerable<ProgramChange> Wordings(Scene scene, IReadOnlyCollection<Mistake> known) =>
@@ -56,9 +58,9 @@ internal sealed record ProgramChange(string Id, double Bits, Func<FormulaProgram
 
     private static ProgramChange Of(FormulaEdit edit) => new(edit.Label ?? EditNaming.Id,
         edit.Label is null ? Priors.Unknown + Priors.PerCost * (edit.Cost - 0.8) : Priors.Known + Priors.Wording * edit.Cost, edit.On)
-        {
-            Edit = edit,
-        };
+    {
+        Edit = edit,
+    };
 
     /// <summary>Other right styles, which show beside a mistake.</summary>
     public static IEnumerable<ProgramChange> Styles(Scene scene)
