@@ -15,7 +15,7 @@ internal sealed class Evidence
     private const int FewPixelsAlike = 32;
 
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
-    private const double Chance = 0.1;
+    private const double Chance = 0.05;
 
     /// <summary>The share of a picture's pixels that last bits may change.</summary>
     private const double LastBits = 0.002;
