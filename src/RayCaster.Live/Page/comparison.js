@@ -1,8 +1,9 @@
 // The user's own picture beside the scene's: one that was dropped or chosen, or a file that the program watches.
+import { sendPicture } from "./connection.js";
 import { $, show } from "./dom.js";
 import { lay } from "./picture.js";
 import { explain } from "./pixel.js";
-import { ask, on, token } from "./server.js";
+import { ask, on } from "./server.js";
 
 let middle = null, isDiagnosing = false;
 
@@ -25,6 +26,8 @@ on("diagnosis", message => {
   show($("diagnosis-text"), true);
   diagnosing(false);
 });
+
+on("refused", ({ name, problem }) => { $("mine-said").textContent = `${name}: ${problem}`; });
 
 on("closed", () => diagnosing(false));
 
@@ -50,7 +53,7 @@ function diagnose() {
   diagnosing(true);
   $("diagnosis-text").textContent = "Drawing the scene with each known mistake …";
   show($("diagnosis-text"), true);
-  ask({ diagnose: true });
+  ask({ hint: $("hint").value, diagnose: true });
 }
 
 /** Lays the chosen picture over the scene's. */
@@ -60,12 +63,8 @@ function arrange() {
 
 async function send(file) {
   $("mine-said").textContent = `Reading ${file.name} …`;
-  try {
-    const answer = await fetch(`/mine?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file, headers: { Authorization: token } });
-    if (!answer.ok) $("mine-said").textContent = `${file.name}: ${(await answer.text()).trim()}`;
-  } catch {
-    $("mine-said").textContent = `${file.name} cannot be sent: it is too large, or the program has ended.`;
-  }
+  const problem = await sendPicture(file);
+  if (problem) $("mine-said").textContent = `${file.name}: ${problem}`;
 }
 
 $("mine-file").addEventListener("change", event => {

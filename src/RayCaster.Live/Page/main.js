@@ -11,10 +11,9 @@ import "./models.js";
 let scene = null, camera = null;
 
 on("open", () => say("Connected."));
-on("closed", () => {
+on("closed", reason => {
   document.body.classList.add("apart");
-  say("The program has ended or is being built again. This page continues by itself when the program runs again under the same address; " +
-    "otherwise open the address that the terminal shows.");
+  say(reason);
 });
 
 on("scene", message => {

@@ -30,9 +30,10 @@ internal sealed class MinePicture(string? path, CancellationToken end)
         while (await watch.WaitAsync());
     }
 
-    /// <param name="maxPixels">The most pixels that its header may promise.</param>
+    /// <summary>Takes a picture that was dropped, of the scene's size at most.</summary>
+    /// <param name="file">The name of its file.</param>
     /// <exception cref="ProblemException">The file is no picture, or too large.</exception>
-    public void Take(string name, Stream bytes, long maxPixels) => Put(name, PictureFile.Read(bytes, 3 * maxPixels));
+    public void Take(string file, Stream bytes, Scene? scene) => Put(NameOf(file), PictureFile.Read(bytes, 3 * Math.Max(1, View.PixelsOf(scene))));
 
     public void Forget() => Put(null, null);
 
@@ -61,6 +62,13 @@ internal sealed class MinePicture(string? path, CancellationToken end)
         if (View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height))
             return comparison with { Problem = $"the page compares at most {View.MaxPixels:N0} pixels; use \"raycaster compare\"" };
         return comparison with { Result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(scene), scene), end) };
+    }
+
+    /// <summary>The name of a dropped file, without folders.</summary>
+    private static string NameOf(string text)
+    {
+        var name = PrintableText.Of(Path.GetFileName(text.Replace('\\', '/')));
+        return name.Length == 0 ? "your picture" : name[..Math.Min(100, name.Length)];
     }
 
     private static bool IsSame(Picture? a, Picture? b) =>

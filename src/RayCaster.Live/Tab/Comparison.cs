@@ -31,7 +31,7 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
     }
 
     /// <summary>Names the mistake that may have made the picture.</summary>
-    public async Task<string> DiagnoseAsync(HintLevel level, CancellationToken cancellation)
+    public async Task<string> DiagnoseAsync(HintLevel level, TimeSpan time, CancellationToken cancellation)
     {
         if (Result is null || Scene is null) return "";
         if (!SceneDiagnosis.CanJudge(Scene, Result.Mine)) return "The picture must have the scene's size to be diagnosed.";
@@ -40,7 +40,7 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
         {
             if (diagnosis is null)
             {
-                var budget = new SearchBudget(SearchBudget.Usual, cancellation);
+                var budget = new SearchBudget(time, cancellation);
                 var found = await Task.Run(() => Diagnosis.Of(Scene, Result.Mine, budget), CancellationToken.None);
                 cancellation.ThrowIfCancellationRequested();
                 (diagnosis, isCut) = (found, budget.LeavesOut);

@@ -62,9 +62,15 @@ internal sealed class LiveScene
                 Problem problem = new(true, Path, 0, 0, Fault.InWords("raycaster-live", unexpected), "");
                 State = State with { Version = State.Version + 1, Text = default, Problems = [problem], IsGood = false };
             }
-            Interlocked.Exchange(ref outdated, new()).Cancel();
-            Changed?.Invoke();
+            Tell();
         }
+    }
+
+    /// <summary>Reads the file at once: whoever calls this has written it.</summary>
+    public void ReadAgain()
+    {
+        State = Next(Read());
+        Tell();
     }
 
     /// <summary>The state's scene with its triangles numbered as in the mesh files. Those in another order are read again, since a second copy would
@@ -117,6 +123,12 @@ internal sealed class LiveScene
         if (reading.Scene is not { } read) return new(version, reading.Text, reading.Problems, State?.Scene, IsGood: false, State?.InFileOrder);
         var scene = SpatialOrder.Of(read);
         return new(version, reading.Text, reading.Problems, scene, IsGood: true, ReferenceEquals(scene, read) ? null : reading.Text);
+    }
+
+    private void Tell()
+    {
+        Interlocked.Exchange(ref outdated, new()).Cancel();
+        Changed?.Invoke();
     }
 
     private static (DateTime, long)[] StampsOf(SceneReading reading) => [.. reading.MeshFiles.Select(FileWatch.StampOf)];
