@@ -17,14 +17,14 @@ internal static partial class Program
     /// <param name="answers">What this worker answers, as names of <see cref="Pending"/>.</param>
     /// <param name="name">The scene's name, and its text.</param>
     [JSExport]
-    internal static void Start(string answers, string name, string text)
+    internal static Task Start(string answers, string name, string text)
     {
         File.WriteAllText(name, text); // the worker's files are in its memory
         live = new(name, default);
         tab = new(new WorkerPage(), live, mine, new PatientStudio(), default, Enum.Parse<Pending>(answers));
         live.Changed += tab.Wake;
         mine.Changed += tab.CompareAgain;
-        _ = tab.AnswerAsync();
+        return tab.AnswerAsync();
     }
 
     /// <summary>Takes the scene's text, which the user has changed.</summary>

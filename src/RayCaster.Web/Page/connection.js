@@ -7,6 +7,7 @@ const answers = {
   search: "Diagnosis",
 };
 const workers = {};
+let isOpen = false; // whether a worker has said something
 let told = null;   // what to do with what the workers send
 let scene = null;  // its name and its text
 let mine = null;   // the user's picture: its name and its bytes
@@ -20,7 +21,6 @@ export async function connect(listener) {
   scene ??= ["room.json", await (await fetch("room.json")).text()];
   start("view");
   start("study");
-  told.open();
 }
 
 /** Sends one or several requests. */
@@ -54,8 +54,12 @@ function tell(...call) {
 
 function start(name) {
   const worker = workers[name] = new Worker("worker.js", { type: "module" });
-  worker.addEventListener("message", event => told.message(event.data));
-  worker.addEventListener("error", event => fail(event.message));
+  worker.addEventListener("message", event => {
+    if (!isOpen) told.open();
+    isOpen = true;
+    told.message(event.data);
+  });
+  worker.addEventListener("error", event => { if (workers[name] === worker) fail(event.message); });
   worker.postMessage(["Start", answers[name], ...scene]);
   if (mine) worker.postMessage(["Compare", ...mine]);
 }
@@ -68,5 +72,6 @@ function end(name) {
 /** Begins anew after a fault of a worker, as when its memory is full. */
 function fail(reason) {
   Object.keys(workers).forEach(end);
+  isOpen = false;
   told.closed(`RayCaster has ended in this page (${reason}); it starts again.`);
 }

@@ -17,3 +17,4 @@ async function start() {
 
 const program = start();
 addEventListener("message", async ({ data: [method, ...values] }) => (await program)[method](...values));
+addEventListener("unhandledrejection", event => setTimeout(() => { throw event.reason; })); // so that the page hears of it as an error
