@@ -130,12 +130,12 @@ internal sealed class LiveServer : IAsyncDisposable
     {
         using var socket = await context.WebSockets.AcceptWebSocketAsync(context.WebSockets.WebSocketRequestedProtocols[0]);
         using var closed = CancellationTokenSource.CreateLinkedTokenSource(end.Token);
-        var page = new SocketPage(socket);
-        var tab = new Tab(page, Scene, Mine, Studio, closed.Token);
+        var connection = new SocketConnection(socket);
+        var tab = new Tab(connection, Scene, Mine, Studio, closed.Token);
         tabs.TryAdd(tab, 0);
         try
         {
-            await Task.WhenAny(page.ReadAsync(tab, closed.Token), tab.AnswerAsync());
+            await Task.WhenAny(connection.ReadAsync(tab, closed.Token), tab.AnswerAsync());
         }
         finally
         {

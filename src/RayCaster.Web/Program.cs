@@ -21,7 +21,7 @@ internal static partial class Program
     {
         File.WriteAllText(name, text); // the worker's files are in its memory
         live = new(name, default);
-        tab = new(new WorkerPage(), live, mine, new PatientStudio(), default, Enum.Parse<Pending>(answers));
+        tab = new(new WorkerConnection(), live, mine, new PatientStudio(), default, Enum.Parse<Pending>(answers));
         live.Changed += tab.Wake;
         mine.Changed += tab.CompareAgain;
         return tab.AnswerAsync();

@@ -47,6 +47,7 @@ $("hint").addEventListener("change", event => {
 function diagnosing(runs) {
   isDiagnosing = runs;
   $("diagnose").textContent = runs ? "Cancel" : "Diagnose";
+  show($("diagnosing"), runs);
 }
 
 function diagnose() {

@@ -9,7 +9,7 @@ namespace RayCaster.Live;
 /// </summary>
 /// <param name="answers">What the page wants to receive from here.</param>
 internal sealed partial class Tab(
-    IPage page, LiveScene live, MinePicture mine, Studio studio, CancellationToken end, Pending answers = Pending.All)
+    IConnection connection, LiveScene live, MinePicture mine, Studio studio, CancellationToken end, Pending answers = Pending.All)
 {
     private const int MaxUnseen = 2;
 
@@ -228,13 +228,13 @@ internal sealed partial class Tab(
     {
         await sending;
         if (layer == Layer.Picture) sent++;
-        sending = page.SendAsync(frame.Header(layer, version, sent, isFinal), frame, end);
+        sending = connection.SendAsync(frame.Header(layer, version, sent, isFinal), frame, end);
     }
 
     private async Task SendAsync(byte[] message)
     {
         await sending;
-        sending = page.SendAsync(message, end);
+        sending = connection.SendAsync(message, end);
     }
 
     private static bool IsIn(Scene scene, Place place) =>

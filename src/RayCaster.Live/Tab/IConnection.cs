@@ -1,7 +1,7 @@
 namespace RayCaster.Live;
 
 /// <summary>The way to a page in a browser.</summary>
-internal interface IPage
+internal interface IConnection
 {
     /// <summary>Sends a message of <see cref="Messages"/>.</summary>
     Task SendAsync(byte[] message, CancellationToken cancellation);

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices.JavaScript;
 namespace RayCaster.Web;
 
 /// <summary>The page of this Web Worker.</summary>
-internal sealed partial class WorkerPage : IPage
+internal sealed partial class WorkerConnection : IConnection
 {
     public Task SendAsync(byte[] message, CancellationToken cancellation)
     {

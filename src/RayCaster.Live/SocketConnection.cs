@@ -3,7 +3,7 @@ using System.Net.WebSockets;
 namespace RayCaster.Live;
 
 /// <summary>A page at the other end of a WebSocket.</summary>
-internal sealed class SocketPage(WebSocket socket) : IPage
+internal sealed class SocketConnection(WebSocket socket) : IConnection
 {
     private const int MaxBytes = 1 << 16; // of a message; the page's have some hundred
 
