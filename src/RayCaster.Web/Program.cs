@@ -27,13 +27,17 @@ internal static partial class Program
         return tab.AnswerAsync();
     }
 
-    /// <summary>Takes the scene's text, which the user has changed.</summary>
+    /// <summary>Takes a scene that the user has changed or opened.</summary>
     [JSExport]
-    internal static void Change(string text)
+    internal static void Change(string name, string text)
     {
-        File.WriteAllText(live!.Path, text);
-        live.ReadAgain();
+        File.WriteAllText(name, text);
+        live!.ReadAgain(name);
     }
+
+    /// <summary>Sends the text, into which the camera was written.</summary>
+    [JSExport]
+    internal static void ReadBack() => tab!.Post(Messages.Of(new { Kind = "text", Text = File.ReadAllText(live!.Path) }));
 
     /// <summary>Takes the requests that a page also sends to RayCaster.Live's server.</summary>
     [JSExport]

@@ -73,12 +73,14 @@ $("mine-file").addEventListener("change", event => {
   event.target.value = ""; // so that the same file can be chosen again
 });
 addEventListener("dragover", event => {
+  if (!event.dataTransfer.types.includes("Files")) return; // text, which a field may take
   event.preventDefault();
   document.body.classList.add("dropping");
 });
 addEventListener("dragleave", event => { if (!event.relatedTarget) document.body.classList.remove("dropping"); });
 addEventListener("drop", event => {
+  if (!event.dataTransfer.files[0]) return;
   event.preventDefault();
   document.body.classList.remove("dropping");
-  if (event.dataTransfer.files[0]) send(event.dataTransfer.files[0]);
+  send(event.dataTransfer.files[0]);
 });

@@ -29,8 +29,7 @@ function entry(problem) {
     make("p", {}, make("strong", {}, problem.isError ? "Error: " : "Warning: "), problem.message),
     problem.excerpt ? make("pre", { tabindex: 0, role: "group", "aria-label": "The place in the file" }, problem.excerpt) : null,
     problem.place
-      ? make("p", {}, make("span", { class: "served" }, make("a", { href: problem.link }, "Open in VS Code"), " or go to "),
-        make("code", {}, problem.place)) : null);
+      ? make("p", { class: "served" }, make("a", { href: problem.link }, "Open in VS Code"), " or go to ", make("code", {}, problem.place)) : null);
 }
 
 export function errors(scene) {

@@ -32,10 +32,10 @@ internal sealed class LiveScene
     }
 
     /// <summary>The file as the user named it.</summary>
-    public string Path { get; }
+    public string Path { get; private set; }
 
     /// <summary>The same from the root of the file system.</summary>
-    public string FullPath { get; }
+    public string FullPath { get; private set; }
 
     /// <summary>What the file says now.</summary>
     public SceneState State { get; private set; }
@@ -66,9 +66,10 @@ internal sealed class LiveScene
         }
     }
 
-    /// <summary>Reads the file at once: whoever calls this has written it.</summary>
-    public void ReadAgain()
+    /// <summary>Reads a file at once, the same or another one: whoever calls this has written it.</summary>
+    public void ReadAgain(string path)
     {
+        (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));
         State = Next(Read());
         Tell();
     }

@@ -1,16 +1,21 @@
 // The connection to RayCaster in Web Workers. A worker does one thing at a time, so there are three: the camera turns at once while another one
 // counts rays, and a diagnosis that takes too long ends with its worker.
+import { $ } from "./dom.js";
+import { fromLink } from "./link.js";
 
 const answers = {
   view: "Scene, Hover, Frame, Camera, Explanation",
   study: "Map, Comparison, Ledger",
   search: "Diagnosis",
 };
+const mostOfPicture = 50_000_000; // bytes
 const workers = {};
 let isOpen = false; // whether a worker has said something
 let told = null;   // what to do with what the workers send
-let scene = null;  // its name and its text
 let mine = null;   // the user's picture: its name and its bytes
+
+/** The name of the scene's file, and its text. */
+export let scene = null;
 
 /** By how much the first frame's sides are divided while the camera moves. */
 export const firstDivisor = 4;
@@ -18,34 +23,59 @@ export const firstDivisor = 4;
 export async function connect(listener) {
   told = listener;
   document.body.classList.add("alone");
-  scene ??= ["room.json", await (await fetch("room.json")).text()];
+  scene ??= await firstScene();
   start("view");
   start("study");
 }
 
 /** Sends one or several requests. */
 export function send(requests) {
-  if (requests.diagnose === false && workers.search) {
-    end("search");
-    told.message(JSON.stringify({ kind: "diagnosis", text: "The diagnosis was cancelled." }));
-  }
+  if (requests.diagnose === false) cancel();
   if (requests.diagnose && !workers.search) start("search");
   if (requests.forgetMine) mine = null;
-  tell("Ask", JSON.stringify(requests));
+  const message = ["Ask", JSON.stringify(requests)];
+  if ("write" in requests) workers.view.postMessage(message);
+  else tell(...message);
 }
 
-/** Takes the scene's new text. */
-export function change(text) {
-  scene[1] = text;
-  end("search");
-  tell("Change", text);
+/** Takes a scene: the name of its file, and its text. */
+export function change(...next) {
+  scene = next;
+  try {
+    sessionStorage.setItem("scene", JSON.stringify(scene)); // so that it is there again after the page was loaded again
+  } catch {
+    sessionStorage.removeItem("scene"); // it is too long to be kept
+  }
+  cancel();
+  tell("Change", ...scene);
 }
 
-/** Takes a picture of the user's own program. */
+/** Asks for the text after the camera was written into it. */
+export function readBack() {
+  workers.view.postMessage(["ReadBack"]);
+}
+
+/** Takes a picture of the user's own program. Returns why it was refused; null if it was not. */
 export async function sendPicture(file) {
+  if (file.size > mostOfPicture) return "it is larger than any picture that this page shows";
   mine = [file.name, new Uint8Array(await file.arrayBuffer())];
-  end("search");
+  cancel();
   tell("Compare", ...mine);
+  return null;
+}
+
+/** The scene of the link by which the page was opened, or the one before the page was loaded again, or the room. */
+async function firstScene() {
+  const shared = await fromLink().catch(() => { $("scene-said").textContent = "This link is broken: it does not hold a whole scene."; });
+  if (shared) return ["shared.json", shared];
+  return JSON.parse(sessionStorage.getItem("scene")) ?? ["room.json", await (await fetch("room.json")).text()];
+}
+
+/** Ends a diagnosis. */
+function cancel() {
+  if (!workers.search) return;
+  end("search");
+  told.message(JSON.stringify({ kind: "diagnosis", text: "The diagnosis was cancelled." }));
 }
 
 function tell(...call) {
