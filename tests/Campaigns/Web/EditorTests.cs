@@ -43,7 +43,9 @@ public class EditorTests(Chromium chromium, Site site)
         await using var web = await WebPage.OpenAsync(chromium, site);
         await web.Page.WriteSceneAsync(Ball.Replace("\"radius\": 1", "\"radius\": 0"));
         await web.Page.SaysAsync("models[0].radius must be greater than 0");
-        await web.Page.SaysAsync(":4:");
+        await web.Page.ClickOnAsync("aria/Go to line 4[role=\"button\"]");
+        Assert.Equal(Ball.IndexOf("1, \"color\"", StringComparison.Ordinal), await web.Page.EvaluateExpressionAsync<int>(
+            "document.activeElement.selectionStart"));
         Assert.DoesNotContain("VS Code", await web.Page.TextOfAsync("body"));
         await web.Page.WriteSceneAsync(Ball);
         await web.Page.HidesAsync("#problems");
@@ -55,9 +57,7 @@ public class EditorTests(Chromium chromium, Site site)
     {
         await using var web = await WebPage.OpenAsync(chromium, site);
         using var folder = new TemporaryFolder();
-        var chosen = web.Page.WaitForFileChooserAsync();
-        await web.Page.ClickOnAsync("#open-scene");
-        await (await chosen).AcceptAsync(folder.Write("ball.json", Ball));
+        await (await web.Page.ShowsAsync("#open-scene")).UploadFileAsync(folder.Write("ball.json", Ball));
         await web.Page.ShowsPictureOfAsync(Some(Ball));
         Assert.Equal(Ball, await web.Page.SceneTextAsync());
         await web.Page.SaysAsync("ball.json");
@@ -106,7 +106,7 @@ public class EditorTests(Chromium chromium, Site site)
     {
         await using var web = await WebPage.OpenAsync(chromium, site, fragment: "#scene=%00<b>no");
         await web.Page.ShowsPictureOfAsync(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!);
-        await web.Page.WaitForFunctionAsync("() => /link/i.test(document.getElementById('share-said')?.innerText ?? document.body.innerText)");
+        await web.Page.WaitForFunctionAsync("() => /link/i.test(document.getElementById('scene-said').innerText)");
         Assert.Empty(web.Complaints);
     }
 

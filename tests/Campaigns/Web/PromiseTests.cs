@@ -92,31 +92,57 @@ public class PromiseTests(Chromium chromium, Site site)
     }
 
     [BrowserFact]
-    public Task ATextOfTenMegabytesThatIsNoSceneIsRefused() => IsRefused(
-        "'x'.repeat(10_000_000)", "'x' is not expected here");
+    public Task ATextOfMoreThanTenMegabytesIsRefused() => IsRefusedAsync("'x'.repeat(10_000_001)", "which takes 10 MB of text");
 
     [BrowserFact]
-    public Task AMillionModelsAreRefused() => IsRefused(
-        """'{"models":[' + '{"type":"sphere","center":[0,0,0],"radius":1},'.repeat(1_000_000) + ']}'""", "at most");
+    public Task ATextOfTenMegabytesThatIsNoSceneIsRefused() => IsRefusedAsync("'x'.repeat(10_000_000)", "1 error");
 
     [BrowserFact]
-    public Task DeepNestingIsRefused() => IsRefused(
+    public Task AMillionModelsAreRefused() => IsRefusedAsync(
+        """'{"models":[' + '{"type":"sphere","center":[0,0,0],"radius":1},'.repeat(1_000_000) + ']}'""", "which takes 10 MB of text");
+
+    [BrowserFact]
+    public Task AMillionModelsWithoutATypeAreRefused() => IsRefusedAsync(
+        """'{"models":[' + '{},'.repeat(1_000_000) + ']}'""", "and at least 980 more");
+
+    [BrowserFact]
+    public Task DeepNestingIsRefused() => IsRefusedAsync(
         """'{"models":' + '['.repeat(1_000_000)""", "arrays and objects are nested deeper than 64");
 
-    /// <summary>The page tells why it does not draw a scene, and draws the next one.</summary>
-    private async Task IsRefused(string script, string message)
+    /// <summary>As many models as ten megabytes hold are drawn, and the page goes on.</summary>
+    [BrowserFact]
+    public async Task TwoHundredThousandModelsAreDrawn()
     {
         await using var web = await WebPage.OpenAsync(chromium, site);
-        var page = web.Page;
-        await page.WriteSceneAsync(await page.EvaluateExpressionAsync<string>(script));
-        await page.SaysAsync(message);
+        await web.Page.WriteSceneAsync(await web.Page.EvaluateExpressionAsync<string>("""
+            '{"camera":{"position":[6,0,2],"target":[0,0,0],"width":40,"height":30},"models":[' +
+                '{"type":"sphere","center":[0,0,0],"radius":1},'.repeat(200_000) + ']}'
+            """));
+        await web.Page.SaysAsync("40 × 30 pixels, 200000 models");
+        await web.Page.ShowsSizeAsync(40, 30);
+        await IsDrawnAsync(web);
+    }
+
+    /// <summary>The page tells why it does not draw a scene, and draws the next one.</summary>
+    private async Task IsRefusedAsync(string script, string message)
+    {
+        await using var web = await WebPage.OpenAsync(chromium, site);
+        await web.Page.WriteSceneAsync(await web.Page.EvaluateExpressionAsync<string>(script));
+        await web.Page.WaitForFunctionAsync("() => !document.getElementById('problems').hidden || document.getElementById('scene-said').innerText");
+        Assert.Contains(message, await web.Page.TextOfAsync("#status") + await web.Page.TextOfAsync("#scene"));
+        await IsDrawnAsync(web);
+    }
+
+    private static async Task IsDrawnAsync(WebPage web)
+    {
         const string Next = """
-            { "camera": { "position": [6, 0, 2.5], "target": [-6, 0, 0], "width": 40, "height": 30 },
+            { "camera": { "position": [6, 0, 2.5], "target": [-6, 0, 0], "width": 44, "height": 30 },
               "models": [ { "type": "sphere", "center": [0, 0, 1], "radius": 1, "color": [1, 0.5, 0.1] } ] }
             """;
-        await page.WriteSceneAsync(Next);
-        await page.ShowsPictureOfAsync(SceneReader.Parse(System.Text.Encoding.UTF8.GetBytes(Next), "scene.json", "").Scene!);
-        await page.HidesAsync("#problems");
+        await web.Page.WriteSceneAsync(Next);
+        await web.Page.ShowsPictureOfAsync(SceneReader.Parse(System.Text.Encoding.UTF8.GetBytes(Next), "scene.json", "").Scene!);
+        await web.Page.HidesAsync("#problems");
+        Assert.Equal("", await web.Page.TextOfAsync("#scene-said"));
         Assert.Empty(web.Complaints);
     }
 }

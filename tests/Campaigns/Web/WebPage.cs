@@ -26,7 +26,7 @@ internal sealed class WebPage : IAsyncDisposable
         var server = await site.ServeAsync(below);
         var alone = await chromium.AloneAsync(isProxied ? server.Root : null);
         var (page, complaints) = await chromium.OpenAsync(server.Address + fragment, size, alone: alone);
-        page.DefaultTimeout = 180_000; // beside other work
+        page.DefaultTimeout = 120_000; // beside other work
         return new(server, alone, page, complaints);
     }
 
