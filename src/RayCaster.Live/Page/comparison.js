@@ -5,6 +5,9 @@ import { lay } from "./picture.js";
 import { explain } from "./pixel.js";
 import { ask, on } from "./server.js";
 
+/** What to do with a file that is dropped on the page. */
+export const dropped = { onFile: send };
+
 let middle = null, isDiagnosing = false;
 
 on("comparison", message => {
@@ -82,5 +85,5 @@ addEventListener("drop", event => {
   if (!event.dataTransfer.files[0]) return;
   event.preventDefault();
   document.body.classList.remove("dropping");
-  send(event.dataTransfer.files[0]);
+  dropped.onFile(event.dataTransfer.files[0]);
 });

@@ -1,23 +1,19 @@
-// What only the page without a server has: the scene's text in an editor, scenes in files and links, and the way to work offline.
-import { change, readBack, scene } from "./connection.js";
+// What only the page without a server has: the scene's text in an editor, scenes in files and links, and work without a network.
+import { dropped } from "./comparison.js";
+import { change, scene, toView } from "./connection.js";
 import { $, make, show } from "./dom.js";
-import { fromLink, most, toLink } from "./link.js";
-import "./problems.js"; // its list is made before the buttons in it
+import { longest, toLink } from "./link.js";
+import "./problems.js"; // it makes its list before the buttons in it are made here
 import { on } from "./server.js";
 
-const pause = 300;         // milliseconds without a key
-const longestLink = 8_000; // characters; many programs cut a longer one
+const most = 10_000_000; // bytes of a file
 const editor = $("scene-text");
 let timer = 0;
 
 editor.after($("problems"));
 $("problem-list").setAttribute("role", "status"); // an alert would interrupt whoever types
 
-on("open", () => {
-  if (editor.disabled) editor.value = scene[1];
-  editor.disabled = false;
-});
-
+on("open", () => { editor.value ||= scene[1]; });
 on("scene", ({ good, problems }) => {
   editor.setAttribute("aria-invalid", !good);
   problems.forEach(({ place }, i) => {
@@ -25,84 +21,59 @@ on("scene", ({ good, problems }) => {
     if (line) $("problem-list").children[i].append(make("button", { type: "button", onclick: () => goTo(line, column) }, `Go to line ${line}`));
   });
 });
-
-on("written", ({ problem }) => { if (!problem) readBack(); });
-on("text", ({ text }) => take(scene[0], editor.value = text));
+on("written", ({ problem }) => { if (!problem) toView("ReadBack"); });
+on("text", ({ text }) => take(text));
 
 editor.addEventListener("input", () => {
   clearTimeout(timer);
-  timer = setTimeout(() => take(scene[0], editor.value), pause);
+  timer = setTimeout(() => take(editor.value), 300);
 });
 
 /** Shows a scene. */
-function take(name, text) {
+function take(text, name = scene[0]) {
   clearTimeout(timer);
+  if (editor.value !== text) editor.value = text;
   show($("share"), false);
-  say(text.length > most ? "The scene is too long for this page, which takes 10 MB of text." : "");
-  if (text.length <= most) change(name, text);
+  say("");
+  change(name, text);
+}
+
+/** Moves the caret to a place of the text. */
+function goTo(line, column) {
+  const at = editor.value.split("\n", line - 1).reduce((sum, { length }) => sum + length + 1, column - 1);
+  editor.setSelectionRange(at, at);
+  editor.focus();
 }
 
 function say(text) {
   $("scene-said").textContent = text;
 }
 
-/** Moves the caret to a place of the text. */
-function goTo(line, column) {
-  const before = editor.value.split("\n").slice(0, line - 1);
-  const at = before.join("\n").length + (before.length > 0) + Number(column) - 1;
-  editor.setSelectionRange(at, at);
-  editor.focus();
-}
-
 async function open(file) {
-  try {
-    if (file.size > most) say(`${file.name} is too long for this page, which takes 10 MB of text.`);
-    else take(file.name, editor.value = await file.text());
-  } catch {
-    say(`${file.name} cannot be read.`);
-  }
+  if (file.size > most) say(`${file.name} is too large: this page takes scenes of at most 10 MB.`);
+  else take(await file.text(), file.name);
 }
 
 $("open-scene").addEventListener("change", event => {
-  if (event.target.files[0]) open(event.target.files[0]);
+  [...event.target.files].forEach(open);
   event.target.value = ""; // so that the same file can be chosen again
 });
-addEventListener("drop", event => {
-  const file = event.dataTransfer.files[0];
-  if (!file?.name.toLowerCase().endsWith(".json")) return; // a picture (comparison.js)
-  event.preventDefault();
-  event.stopImmediatePropagation();
-  document.body.classList.remove("dropping");
-  open(file);
-}, { capture: true });
+const { onFile } = dropped;
+dropped.onFile = file => file.name.toLowerCase().endsWith(".json") ? open(file) : onFile(file);
 
 $("save-scene").addEventListener("click", () =>
   make("a", { download: scene[0], href: URL.createObjectURL(new Blob([editor.value], { type: "application/json" })) }).click());
 
 $("share-scene").addEventListener("click", async () => {
-  const link = location.href.split("#")[0] + await toLink(editor.value);
-  const isShort = link.length <= longestLink;
-  show($("share"), isShort);
-  if (!isShort) return say(`The link would have ${link.length} characters, and many programs cut it. Save the scene as a file instead.`);
+  const link = await toLink(editor.value);
+  show($("share"), link.length <= longest);
+  if (link.length > longest) return say(`The link would have ${link.length} characters; many programs cut it. Save the scene as a file instead.`);
   $("share-link").value = link;
-  try {
-    await navigator.clipboard.writeText(link);
-    say("The link is copied.");
-  } catch {
-    $("share-link").select();
-    say("The browser does not allow the page to copy. The link is selected; press Ctrl + C.");
-  }
+  $("share-link").select();
+  const isCopied = await navigator.clipboard?.writeText(link).then(() => true, () => false);
+  say(isCopied ? "The link is copied." : "The link is selected: press Ctrl + C to copy it.");
 });
 
-addEventListener("hashchange", async () => {
-  const text = await fromLink().catch(() => say("This link is broken: it does not hold a whole scene."));
-  if (text) take("shared.json", editor.value = text);
-});
+addEventListener("hashchange", () => { if (location.hash.startsWith("#scene=")) location.reload(); });
 
-/** Keeps the page for times without a network. A newer one that was loaded last time takes the place of this one now. */
-async function keep() {
-  const { waiting } = await navigator.serviceWorker.register("offline.js");
-  navigator.serviceWorker.addEventListener("controllerchange", () => { if (waiting) location.reload(); });
-  waiting?.postMessage("start");
-}
-if ("serviceWorker" in navigator) keep().catch(() => { /* private windows do not allow it: then the page needs the network */ });
+navigator.serviceWorker?.register("offline.js").catch(() => { /* private windows do not allow it */ });

@@ -1,14 +1,8 @@
 // The connection to RayCaster in Web Workers. A worker does one thing at a time, so there are three: the camera turns at once while another one
 // counts rays, and a diagnosis that takes too long ends with its worker.
-import { $ } from "./dom.js";
 import { fromLink } from "./link.js";
 
-const answers = {
-  view: "Scene, Hover, Frame, Camera, Explanation",
-  study: "Map, Comparison, Ledger",
-  search: "Diagnosis",
-};
-const mostOfPicture = 50_000_000; // bytes
+const answers = { view: "Scene, Hover, Frame, Camera, Explanation", study: "Map, Comparison, Ledger", search: "Diagnosis" };
 const workers = {};
 let isOpen = false; // whether a worker has said something
 let told = null;   // what to do with what the workers send
@@ -23,7 +17,7 @@ export const firstDivisor = 4;
 export async function connect(listener) {
   told = listener;
   document.body.classList.add("alone");
-  scene ??= await firstScene();
+  if (!scene) change(...await firstScene());
   start("view");
   start("study");
 }
@@ -33,9 +27,7 @@ export function send(requests) {
   if (requests.diagnose === false) cancel();
   if (requests.diagnose && !workers.search) start("search");
   if (requests.forgetMine) mine = null;
-  const message = ["Ask", JSON.stringify(requests)];
-  if ("write" in requests) workers.view.postMessage(message);
-  else tell(...message);
+  ("write" in requests ? toView : tell)("Ask", JSON.stringify(requests));
 }
 
 /** Takes a scene: the name of its file, and its text. */
@@ -50,14 +42,14 @@ export function change(...next) {
   tell("Change", ...scene);
 }
 
-/** Asks for the text after the camera was written into it. */
-export function readBack() {
-  workers.view.postMessage(["ReadBack"]);
+/** Calls a method of the worker that shows the scene: only it writes the camera into the text. */
+export function toView(...call) {
+  workers.view?.postMessage(call);
 }
 
 /** Takes a picture of the user's own program. Returns why it was refused; null if it was not. */
 export async function sendPicture(file) {
-  if (file.size > mostOfPicture) return "it is larger than any picture that this page shows";
+  if (file.size > 50_000_000) return "it is larger than any picture that this page shows";
   mine = [file.name, new Uint8Array(await file.arrayBuffer())];
   cancel();
   tell("Compare", ...mine);
@@ -66,9 +58,8 @@ export async function sendPicture(file) {
 
 /** The scene of the link by which the page was opened, or the one before the page was loaded again, or the room. */
 async function firstScene() {
-  const shared = await fromLink().catch(() => { $("scene-said").textContent = "This link is broken: it does not hold a whole scene."; });
-  if (shared) return ["shared.json", shared];
-  return JSON.parse(sessionStorage.getItem("scene")) ?? ["room.json", await (await fetch("room.json")).text()];
+  const shared = await fromLink();
+  return shared ? ["shared.json", shared] : JSON.parse(sessionStorage.getItem("scene")) ?? ["room.json", await (await fetch("room.json")).text()];
 }
 
 /** Ends a diagnosis. */
