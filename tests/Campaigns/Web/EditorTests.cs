@@ -110,5 +110,43 @@ public class EditorTests(Chromium chromium, Site site)
         Assert.Empty(web.Complaints);
     }
 
+    /// <summary>Some systems allow names that are longer than those of the files in a worker's memory.</summary>
+    [BrowserFact]
+    public async Task ASceneOfALongNameIsDrawn()
+    {
+        await using var web = await WebPage.OpenAsync(chromium, site);
+        await web.Page.DropAsync(new string('球', 100) + ".json", System.Text.Encoding.UTF8.GetBytes(Ball));
+        await web.Page.ShowsPictureOfAsync(Some(Ball));
+        Assert.Empty(web.Complaints);
+    }
+
+    [BrowserFact]
+    public async Task TheCameraIsWrittenIntoTheText()
+    {
+        await using var web = await WebPage.OpenAsync(chromium, site);
+        await web.Page.WriteSceneAsync(Ball);
+        await web.Page.ShowsSizeAsync(40, 30);
+        await web.Page.FocusAsync("#stage");
+        await web.Page.PressAsync("ArrowLeft");
+        await web.Page.ClickOnAsync("#camera-write:not([disabled])");
+        await web.Page.WaitForFunctionAsync("text => document.getElementById('scene-text').value !== text", Ball);
+        var text = await web.Page.SceneTextAsync();
+        Assert.Contains("// a ball", text);
+        await web.Page.ShowsPictureOfAsync(Some(text));
+        Assert.Empty(web.Complaints);
+    }
+
+    [BrowserFact]
+    public async Task TheTextIsThereAgainAfterThePageWasLoadedAgain()
+    {
+        await using var web = await WebPage.OpenAsync(chromium, site);
+        await web.Page.WriteSceneAsync(Ball);
+        await web.Page.ShowsSizeAsync(40, 30);
+        await web.Page.ReloadAsync();
+        await web.Page.ShowsPictureOfAsync(Some(Ball));
+        Assert.Equal(Ball, await web.Page.SceneTextAsync());
+        Assert.Empty(web.Complaints);
+    }
+
     private static Scene Some(string text) => SceneReader.Parse(System.Text.Encoding.UTF8.GetBytes(text), "scene.json", "").Scene!;
 }
