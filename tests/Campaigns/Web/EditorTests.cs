@@ -110,16 +110,6 @@ public class EditorTests(Chromium chromium, Site site)
         Assert.Empty(web.Complaints);
     }
 
-    /// <summary>Some systems allow names that are longer than those of the files in a worker's memory.</summary>
-    [BrowserFact]
-    public async Task ASceneOfALongNameIsDrawn()
-    {
-        await using var web = await WebPage.OpenAsync(chromium, site);
-        await web.Page.DropAsync(new string('球', 100) + ".json", System.Text.Encoding.UTF8.GetBytes(Ball));
-        await web.Page.ShowsPictureOfAsync(Some(Ball));
-        Assert.Empty(web.Complaints);
-    }
-
     [BrowserFact]
     public async Task TheCameraIsWrittenIntoTheText()
     {
