@@ -66,7 +66,7 @@ function arrange() {
 }
 
 async function send(file) {
-  $("mine-said").textContent = `Reading ${file.name} …`;
+  $("mine-said").textContent = `Comparing ${file.name} …`;
   const problem = await sendPicture(file);
   if (problem) $("mine-said").textContent = `${file.name}: ${problem}`;
 }

@@ -8,7 +8,7 @@ internal sealed class MinePicture(string? path, CancellationToken end)
 
     private readonly Lock sync = new();
     private (int Version, string? Name, Picture? Picture, string? Problem) now;
-    private (SceneState? State, int Version, Task<Comparison>? Comparison) last;
+    private (SceneState? State, int Version, Comparison? Comparison) last;
 
     public event Action? Changed;
 
@@ -44,24 +44,18 @@ internal sealed class MinePicture(string? path, CancellationToken end)
         return (picture?.Width, picture?.Height) == (camera.Width, camera.Height) ? picture : null;
     }
 
-    /// <summary>Compares with a scene's picture, once for all pages.</summary>
-    public Task<Comparison> CompareAsync(LiveScene live, SceneState state, Studio studio)
+    /// <summary>The comparison with a scene's picture, one for all pages.</summary>
+    public Comparison CompareWith(SceneState state, string sceneName)
     {
         lock (sync)
         {
-            var (version, name, picture, problem) = now;
-            if (!ReferenceEquals(last.State, state) || last.Version != version)
-                last = (state, version, Task.Run(() => CompareAsync(new(name, problem, null, state.Scene, live.Path), picture, studio)));
-            return last.Comparison!;
+            if (ReferenceEquals(last.State, state) && last.Version == now.Version) return last.Comparison!;
+            var scene = state.Scene!;
+            var isTooLarge = now.Picture is not null && View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height);
+            var problem = isTooLarge ? $"the page compares at most {View.MaxPixels:N0} pixels; use \"raycaster compare\"" : now.Problem;
+            last = (state, now.Version, new(now.Name, problem, isTooLarge ? null : now.Picture, scene, sceneName));
+            return last.Comparison;
         }
-    }
-
-    private async Task<Comparison> CompareAsync(Comparison comparison, Picture? picture, Studio studio)
-    {
-        if (picture is null || comparison.Scene is not { } scene) return comparison;
-        if (View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height))
-            return comparison with { Problem = $"the page compares at most {View.MaxPixels:N0} pixels; use \"raycaster compare\"" };
-        return comparison with { Result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(scene), scene), end) };
     }
 
     /// <summary>The name of a dropped file, without folders.</summary>

@@ -167,7 +167,7 @@ internal sealed partial class Tab(
         var diagnoses = Takes(Pending.Diagnosis);
         if (!Takes(Pending.Comparison) && !diagnoses) return;
         var level = hint;
-        var comparison = await mine.CompareAsync(live, state, studio).WaitAsync(end);
+        var comparison = mine.CompareWith(state, live.Path);
         if (!ReferenceEquals(comparison, compared))
         {
             diagnosing.Cancel();
@@ -181,7 +181,7 @@ internal sealed partial class Tab(
 
     private async Task SendAsync(Comparison comparison, int version)
     {
-        await SendAsync(comparison.Message());
+        await SendAsync(await studio.DoAsync(comparison.Message, end));
         foreach (var (layer, frame) in comparison.Frames()) await SendFrameAsync(frame, layer, version, isFinal: true);
     }
 
