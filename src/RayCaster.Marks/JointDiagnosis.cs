@@ -1,25 +1,16 @@
 namespace RayCaster.Marks;
 
-/// <summary>What is wrong with a program, by its pictures of several scenes together (<see cref="DiagnosisSearch"/>).</summary>
+/// <summary>What is wrong with a program, by its pictures of several scenes together (<see cref="ExplanationSearch"/>).</summary>
 internal sealed record JointDiagnosis
 {
     /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
     private const double MayLeave = 0.5;
 
-    /// <summary>A program is near the pictures if it leaves less than this share of what is wrong.</summary>
-    private const double Near = 0.8;
-
     /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
     private const double OneKind = 0.9;
 
-    /// <summary>How many wrong pictures are also diagnosed one by one, if no program explains all of them.</summary>
-    private const int DiagnosedAlone = 2;
-
     /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
     private const double Slight = 0.05;
-
-    /// <summary>Losses that differ by less are taken as equal.</summary>
-    private const double Alike = 0.01;
 
     private static readonly WrongProgram right = new(Unfinished.Nothing, [], false);
 
@@ -63,9 +54,9 @@ internal sealed record JointDiagnosis
         if (wrong.Length == 0) return new();
         if (pictures.All(picture => picture.Evidence.Picture.IsOneColor))
             return new() { TellsNothing = true, Unexplained = [.. wrong.Select(picture => picture.Scene)] };
-        var found = Search(pictures, known, wrong);
+        var found = Search(pictures, known);
         SubmittedPicture[] unexplained = [.. wrong.Where(picture => !picture.Evidence.IsExplainedBy(found.Verdict))];
-        if (2 * unexplained.Length <= wrong.Length)
+        if (2 * unexplained.Length < wrong.Length)
         {
             return found with
             {
@@ -78,7 +69,7 @@ internal sealed record JointDiagnosis
         return new()
         {
             Unexplained = [.. wrong.Select(picture => picture.Scene)],
-            Nearest = found.Verdict.Misfit.Unexplained < Near * wrong.Length ? found.Verdict : null,
+            Nearest = found.Verdict.Named.Count > 0 && found.Verdict.Total < Judgement.Mentioned * wrong.Length ? found.Verdict : null,
             Steps = steps,
             Note = note,
         };
@@ -93,36 +84,25 @@ internal sealed record JointDiagnosis
     }
 
     /// <summary>The program that leaves the least, and those that leave as little.</summary>
-    private static JointDiagnosis Search(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known, SubmittedPicture[] wrong)
+    private static JointDiagnosis Search(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known)
     {
-        var search = new DiagnosisSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null);
-        var ranked = search.Run();
-        // Pairs of mistakes that change whole pictures are tried on few pixels, so what single pictures are diagnosed with is tried, too.
-        if (!wrong.All(picture => picture.Evidence.IsExplainedBy(ranked[0])))
-            ranked = search.With([.. wrong.Take(DiagnosedAlone).SelectMany(NamedFor)], ranked);
-        var verdict = search.Ranking.WithoutIdle(ranked[0]);
-        WrongProgram[] alike = [.. ranked.Where(other => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike)];
+        var ranked = new ExplanationSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null, null, null).Run();
+        var verdict = ranked[0];
+        var alike = ranked.TakeWhile(other => other.Total < verdict.Total + Priors.AsLikely);
         return new()
         {
             Verdict = verdict,
             HidingMistakes = !verdict.Base.Kinds.Any() ? []
-                : [.. alike.Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 })
+                : [.. ranked.TakeWhile(other => other.Total < verdict.Total + Priors.Known)
+                    .Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 })
                     .Select(other => other.Variants[0]).DistinctBy(mistake => mistake.Id)],
             Alternatives =
             [
-                .. alike.Where(other => other.Parts == ranked[0].Parts).Select(search.Ranking.WithoutIdle)
+                .. alike.Where(other => other.Parts == ranked[0].Parts)
                     .Where(other => other.Id != verdict.Id).DistinctBy(other => other.Id),
             ],
         };
     }
-
-    /// <summary>What a diagnosis of a single picture names, each mistake in the variant that fits.</summary>
-    private static IEnumerable<WrongProgram> NamedFor(SubmittedPicture picture) =>
-        from suspect in picture.Scene.Judge.Judge(picture.Evidence.Picture).Suspects
-        where suspect.Mistakes.All(mistake => mistake.Place is null)
-        let way = new Unfinished(suspect.NotYet)
-        select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)],
-            suspect.OtherSample && suspect.Mistakes.All(mistake => mistake.Id != "center"));
 
     /// <summary>A program without one of its mistakes or missing parts, if this explains only a few pixels; otherwise null.</summary>
     private static WrongProgram? WithoutSlight(WrongProgram program, SubmittedPicture[] wrong) =>

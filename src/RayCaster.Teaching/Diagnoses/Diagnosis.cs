@@ -60,12 +60,12 @@ public sealed class Diagnosis
         if (TooManyModels) return;
 
         var byModels = evidence.HasRightSize ? new SceneDifference(scene, new(picture, right), prepared.Threads) : null;
-        double? leftByMissingModel = null;
+        Misfit? leftByMissingModel = null;
         if (byModels?.MissingModel is { } missing)
         {
             MissingModel = ModelName.Of(scene, missing);
             leftByMissingModel = evidence.Misfit(
-                scene with { Models = [.. scene.Models.Where((_, i) => i != missing)] }, FormulaProgram.For(scene.Camera)).Unexplained;
+                scene with { Models = [.. scene.Models.Where((_, i) => i != missing)] }, FormulaProgram.For(scene.Camera));
         }
         answer = new Judgement(prepared, evidence, done, likely, byModels, leftByMissingModel).Decide();
         if (plain is null) return;
@@ -139,5 +139,5 @@ public sealed class Diagnosis
     /// </summary>
     private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Affects & Affects.Camera) == 0
         && mistake.Variants.Any(variant => ((double[])[0.1, 1]).All(share =>
-            strict.Misfit(variant.In(FormulaProgram.For(prepared.Scene.Camera)), share).Unexplained <= Judgement.MaxLeft * strict.WrongCount));
+            strict.Misfit(variant.In(FormulaProgram.For(prepared.Scene.Camera)), share).Unexplained <= Judgement.Explained * strict.WrongCount));
 }

@@ -137,7 +137,7 @@ public static class DiagnosisReport
         Diagnosis diagnosis, (int Width, int Height) picture, (int Width, int Height) scene, IReadOnlyList<Mistake> hidden, string? warning)
     {
         var suspects = diagnosis.Suspects
-            .Select((suspect, i) => Json(suspect, i == 0 ? "likely" : suspect.SamePicture ? "as likely" : "less likely"))
+            .Select((suspect, i) => Json(suspect, i == 0 ? "likely" : suspect.AsLikely ? "as likely" : "less likely"))
             .Concat(diagnosis.Nearest.Select(nearest => Json(nearest, "nearest, explains too little")));
         return TextOf(new()
         {

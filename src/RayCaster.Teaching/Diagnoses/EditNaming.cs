@@ -19,10 +19,11 @@ internal static class EditNaming
     private const int MaxNames = 5;
 
     /// <summary>The known mistake whose label the likeliest labelled edit has; else a mistake that is not in the catalogue.</summary>
-    public static Mistake Of(EditGroup group)
+    /// <param name="edits">All that draw the same, the likeliest first.</param>
+    public static Mistake Of(IReadOnlyList<FormulaEdit> edits)
     {
-        var first = group.Edits[0];
-        FormulaEdit[] likely = [.. group.Edits.Where(edit => edit.Cost <= group.Cost + Likely)];
+        var first = edits[0];
+        FormulaEdit[] likely = [.. edits.Where(edit => edit.Cost <= first.Cost + Likely)];
         if (Array.Find(likely, edit => edit.Label is not null) is { } known)
             return MistakeCatalog.Named(known.Label!)!.Worded($"{SectionOf(known.Section.Kind)}: {Describe(known)}", first.On);
 

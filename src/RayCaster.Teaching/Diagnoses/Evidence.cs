@@ -11,26 +11,22 @@ internal sealed class Evidence
     /// <summary>About how many triangles are tried in the screening and in the last round, if each ray must try every triangle of a mesh.</summary>
     private const int LeastTests = 50_000, MaxTests = 1_000_000;
 
-    /// <summary>How many pixels rule out most pairs of mistakes.</summary>
-    private const int ProbePixels = 5;
-
     /// <summary>How many wrong pixels, and how many others, tell most programs apart.</summary>
     private const int FewPixelsAlike = 32;
 
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.1;
 
+    /// <summary>The share of a picture's pixels that last bits may change.</summary>
+    private const double LastBits = 0.002;
+
     /// <summary>If a greater share of the pixels is wrong, those on outlines do not matter.</summary>
     private const double FewPixels = 0.03;
 
-    /// <summary>
-    /// Unexplained shares of several pictures are compared by their logarithms: a tenth is to a hundredth as a hundredth is to a thousandth.
-    /// Shares below this one are taken as equal.
-    /// </summary>
-    private const double LeastShare = 0.002;
-
     private readonly ConcurrentDictionary<(int Wrong, int Other), ConcurrentBag<FormulaEvaluator>> evaluators = []; // that no thread uses now
+    private readonly FormulaProgram? basis; // that others differ from; the slides' if null
     private readonly int most;
+    private readonly int allWrong; // also those that a first mistake explains
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
     /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
@@ -51,7 +47,7 @@ internal sealed class Evidence
             wrong = [.. judge.WrongPixels(difference)];
             OutlineCount -= wrong.Count;
         }
-        WrongCount = wrong.Count;
+        WrongCount = allWrong = wrong.Count;
         IsOnlyOutlines = difference is not null && judge.AreStray(difference, wrong);
         wrongPixels = Spread(wrong, most);
         otherPixels = Spread(other, most);
@@ -61,17 +57,19 @@ internal sealed class Evidence
     public Evidence(Evidence whole, FormulaProgram first)
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
+        basis = first with { MovedBytes = 0 };
         var drawn = whole.Draw(first);
         var isExplained = drawn.Colors.ToLookup(pixel => PictureJudge.IsNear(pixel.Color, Picture.At(pixel.Pixel)), pixel => pixel.Pixel);
         wrongPixels = [.. isExplained[false]];
         otherPixels = [.. isExplained[true]];
         WrongCount = (int)whole.Misfit(first).Unexplained;
+        allWrong = whole.allWrong;
     }
 
     private Evidence(Evidence whole, int[] pixels)
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
-        (wrongPixels, otherPixels, WrongCount) = (pixels, [], PixelCount);
+        (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
     }
 
     /// <summary>The same pixels in another order, all of them taken for wrong, in which each colour that the picture shows counts alike: a mistake
@@ -100,12 +98,6 @@ internal sealed class Evidence
     /// That is not wrong, and must not be evidence: a mistake that changes a camera's number by its last bit would explain it.
     /// </summary>
     public int OutlineCount { get; }
-
-    /// <summary>Some of the pixels in which it is wrong, and some in which it is not; each beginning is spread over the picture.</summary>
-    public ReadOnlySpan<int> WrongPixels => wrongPixels;
-
-    /// <inheritdoc cref="WrongPixels"/>
-    public ReadOnlySpan<int> OtherPixels => otherPixels;
 
     /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
     public double DarkerShare { get; }
@@ -155,34 +147,15 @@ internal sealed class Evidence
     /// <param name="Colors">The pixels' places in the student's picture, and their colours.</param>
     public sealed record Drawn((int Width, int Height) Size, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
 
-    /// <summary>Whether a program may explain the picture: it draws a few pixels, except for one, as the picture shows them.</summary>
-    public bool MayBeExplainedBy(FormulaProgram? program)
-    {
-        if (program is null || !CanDraw(program)) return false;
-        return program.Scatters || Explained(program).Count(isExplained => !isExplained) < 2;
-    }
-
-    /// <summary>Whether a program draws one of the first few wrong pixels right.</summary>
-    public bool IsImprovedBy(FormulaProgram? program) =>
-        program is not null && CanDraw(program)
-            && Explained(program).Take(Math.Min(ProbePixels, wrongPixels.Length)).Any(isExplained => isExplained);
-
-    /// <summary>Of a few wrong pixels, then of a few others, whether a program draws them as the picture shows them.</summary>
-    private IEnumerable<bool> Explained(FormulaProgram program)
-    {
-        var (wrong, other) = (Math.Min(ProbePixels, wrongPixels.Length), Math.Min(ProbePixels, otherPixels.Length));
-        var rgb = Draw(program, wrong, other);
-        return wrongPixels[..wrong].Concat(otherPixels[..other])
-            .Select((pixel, i) => PictureJudge.IsNear((rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]), Picture.At(pixel)));
-    }
-
-    /// <summary>A misfit on a scale for several pictures: 0 if nothing is left, 1 if all that is wrong is left, or more.</summary>
-    public double Loss(Misfit misfit) => Math.Min(1,
-        Math.Log(1 + misfit.Weight / PixelCount / LeastShare) / Math.Log(1 + Math.Max((double)WrongCount / PixelCount, LeastShare) / LeastShare));
+    /// <summary>
+    /// The bits of the pixels that are left unexplained. Their share is unknown before, from all that is wrong down to what other last bits may
+    /// leave: each time that it halves is worth the same.
+    /// </summary>
+    public double BitsOf(Misfit misfit) => Priors.PerHalf * Math.Log2(1 + Math.Min(1, misfit.Weight / Math.Max(1, allWrong)) / Priors.Rounding);
 
     /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
     public bool IsExplainedBy(WrongProgram program) => Misfit(program.For(Scene)).Weight <= Math.Min(0.5 * WrongCount,
-        Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LeastShare * PixelCount, 3 * LeastShare * PixelCount)));
+        Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LastBits * PixelCount, 3 * LastBits * PixelCount)));
 
     /// <summary>An estimate of how many pixels a program leaves unexplained; all of them for none.</summary>
     /// <param name="share">The share of the chosen pixels that is compared; few show that a mistake is far off.</param>
@@ -241,7 +214,7 @@ internal sealed class Evidence
         if (wrong + other == 0) return [];
         if (program.MovedBytes != 0) return FormulaEvaluator.Draw(Scene, program, PixelsOf(wrong, other));
         var idle = evaluators.GetOrAdd((wrong, other), _ => []);
-        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), FormulaProgram.For(Scene.Camera));
+        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), basis ?? FormulaProgram.For(Scene.Camera));
         var rgb = evaluator.Draw(program);
         idle.Add(evaluator);
         return rgb;
@@ -254,7 +227,8 @@ internal sealed class Evidence
     private int Affordable(int pixels, FormulaProgram program, double share = 1) =>
         program.RaysWithin(Scene, LeastTests + share * MaxTests, pixels);
 
-    private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height);
+    private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height)
+        && program.TrianglesTried(Scene) <= WrongProgram.MaxTriangles;
 
     /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
     private static int[] Spread(List<int> all, int most)

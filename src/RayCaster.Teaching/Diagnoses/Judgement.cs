@@ -19,30 +19,13 @@ internal sealed record Answer(Finding Finding)
 /// <param name="leftByMissingModel">What is left unexplained if one model is missing; null if no missing model explains the picture.</param>
 internal sealed class Judgement(
     SceneDiagnosis prepared, Evidence evidence, IReadOnlyCollection<string> done, Predicate<Mistake>? likely,
-    SceneDifference? byModels, double? leftByMissingModel)
+    SceneDifference? byModels, Misfit? leftByMissingModel)
 {
-    /// <summary>A certain cause leaves at most this share of the wrong pixels unexplained.</summary>
-    public const double Explained = 0.05;
+    /// <summary>What explains a picture leaves at most this share of the wrong pixels.</summary>
+    public const double Explained = 0.1;
 
-    /// <summary>A mistake that leaves a greater share of the wrong pixels fits only by chance; several mistakes may leave less, but more if they
-    /// leave at most a third of what one leaves. A mistake whose pixels may lie anywhere leaves more.</summary>
-    public const double MaxLeft = 0.1;
-
-    private const double MaxLeftByPair = 0.05, MaxLeftByBetterPair = 0.08, Third = 1 / 3.0, MaxLeftIfScattered = 0.18;
-
-    /// <summary>If an unfinished program leaves at most this share of the wrong pixels, the rest is right; more with rays through the other sample
-    /// point of each pixel. If a mistake leaves more than the first share, other numbers of the scene are tried.</summary>
-    private const double Nearly = 0.001, NearlyOtherSample = 0.01;
-
-    /// <summary>Another number of the scene is named in place of one mistake, or of two, if it leaves less than this share of what they leave.
-    /// </summary>
-    private const double NumberForOne = 0.25, NumberForPair = 0.8;
-
-    /// <summary>Mistakes are named in place of missing shapes or a missing model if they leave at most this share of what these leave.</summary>
-    private const double Much = 0.25;
-
-    /// <summary>A mistake is mentioned at all if it leaves at most this share of the wrong pixels; two mistakes may leave less.</summary>
-    private const double Mentioned = 0.8, MentionedPair = 0.4;
+    /// <summary>What explanations cost that are mentioned where none is named, for each picture.</summary>
+    public const double Mentioned = 1.5 * Priors.OtherProgram;
 
     /// <summary>How many of the nearest mistakes are mentioned if none explains the picture.</summary>
     private const int Shown = 3;
@@ -52,81 +35,50 @@ internal sealed class Judgement(
 
     private readonly SuspectFinder suspects = new(prepared, evidence);
 
-    private readonly int wrong = evidence.WrongCount;
-
-    private double leftByOne;
-
-    /// <summary>Searches, and decides.</summary>
+    /// <summary>Searches, and decides: named is what is shorter than any other explanation.</summary>
     public Answer Decide()
     {
-        var search = new DiagnosisSearch([evidence], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible);
-        var ranked = search.Run();
-        leftByOne = ranked.Where(IsOne).Select(candidate => candidate.Misfit.Unexplained).DefaultIfEmpty(0).Min();
-        var best = search.Ranking.WithoutIdle(Best(ranked));
-        var isEnough = IsEnough(best);
-        var (sentences, isBetter) = OtherCause(best, isEnough);
-        if (isEnough && !isBetter) return Naming(best, ranked, search.Ranking, sentences);
+        var ranked = new ExplanationSearch([evidence], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible).Run();
+        var best = ranked[0];
+        var byMissingModel = leftByMissingModel is { } left ? Priors.MissingModel + evidence.BitsOf(left) : double.PositiveInfinity;
+        var isEnough = best.Total < Math.Min(Priors.OtherProgram, byMissingModel);
+        var (sentences, byNumber) = OtherCause(best, isEnough);
+        if (isEnough && best.Total <= byNumber) return Naming(best, ranked, sentences);
 
         if (evidence.IsOnlyOutlines) return new(Finding.Matches);
         if (leftByMissingModel is not null) return new(Finding.NoneOfThese);
         if (sentences.Count == 0 && LikelyCause.OfTheWhole(evidence) is { } whole) sentences = [whole];
-        return new(Finding.NoneOfThese) { Likely = sentences, Nearest = isBetter ? [] : NearestOf(ranked, best) };
+        return new(Finding.NoneOfThese) { Likely = sentences, Nearest = byNumber < best.Total ? [] : NearestOf(ranked, best) };
     }
 
-    private WrongProgram Best(List<WrongProgram> ranked)
+    /// <summary>The sentences about another cause, and the bits of its explanation of the picture.</summary>
+    private (IReadOnlyList<string> Sentences, double Total) OtherCause(WrongProgram best, bool isEnough)
     {
-        var best = ranked.Find(candidate => candidate.Misfit.Unexplained <= MayLeave(candidate)) ?? ranked[0];
-        if (!best.Base.Kinds.Any() || best.Misfit.Unexplained <= Nearly * wrong) return best;
-        // few wrong pixels may be all that shows of a misplaced shape
-        return ranked.Find(candidate => !candidate.Base.Kinds.Any() && candidate.Misfit.Unexplained <= Much * best.Misfit.Unexplained) ?? best;
-    }
-
-    /// <summary>Whether a candidate explains the picture. Where one missing model is enough, two mistakes are not assumed.</summary>
-    private bool IsEnough(WrongProgram best)
-    {
-        var left = best.Misfit.Unexplained;
-        return leftByMissingModel is not { } byModel ? left <= Math.Max(Explained * wrong, MayLeave(best))
-            : left <= Explained * wrong && (best.Variants.Count < 2 || left < Much * byModel);
-    }
-
-    /// <summary>What a candidate may leave unexplained, in pixels.</summary>
-    private double MayLeave(WrongProgram candidate) => wrong * (candidate.Variants is [{ Id: "tri-area" }] ? MaxLeftIfScattered
-        : IsOne(candidate) ? MaxLeft : candidate.Misfit.Unexplained <= Third * leftByOne ? MaxLeftByBetterPair : MaxLeftByPair);
-
-    private static bool IsOne(WrongProgram candidate) => candidate.Variants.Count + candidate.Base.Kinds.Count() < 2;
-
-    /// <summary>The sentences about another cause, and whether it explains the picture better than the best candidate.</summary>
-    private (IReadOnlyList<string> Sentences, bool IsBetter) OtherCause(WrongProgram best, bool isEnough)
-    {
-        // Two mistakes of the camera may make the picture of another angle of view, or by chance nearly so: the more exact of both is named.
         var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Affects == Affects.Camera);
-        if ((best.Misfit.Unexplained <= Nearly * wrong && !isOfCamera) || leftByMissingModel is not null || evidence.IsOnlyOutlines
-            || byModels is null) return ([], false);
-        var most = best.Misfit * (best.Named.Count < 2 ? NumberForOne : isOfCamera ? 1 : NumberForPair);
+        var price = isOfCamera ? Priors.NumberForTwo : Priors.OtherNumber;
+        if (best.Total <= price || leftByMissingModel is not null || evidence.IsOnlyOutlines || byModels is null)
+            return ([], double.PositiveInfinity);
         var (misfit, certain) = LikelyCause.Certain(prepared, byModels, evidence);
-        if (certain is not null && misfit.CompareTo(most) < 0) return ([certain], true);
-        if (!isEnough) return ([.. LikelyCause.Hints(byModels, evidence)], false);
-        return (certain is not null && misfit.Unexplained <= CandidateRanking.Idle * wrong ? [certain] : [], false);
+        var total = certain is null ? double.PositiveInfinity : price + evidence.BitsOf(misfit);
+        if (total < best.Total) return ([certain!], total);
+        return (isEnough ? [] : [.. LikelyCause.Hints(byModels, evidence)], double.PositiveInfinity);
     }
 
     private IReadOnlyList<Suspect> NearestOf(List<WrongProgram> ranked, WrongProgram best)
     {
-        var likeliest = best.For(prepared.Scene) ?? FormulaProgram.For(prepared.Scene.Camera);
         return
         [
-            .. ranked.Where(candidate => candidate.Variants.Count > 0
-                    && candidate.Misfit.Unexplained < (candidate.Variants.Count > 1 ? MentionedPair : Mentioned) * wrong)
+            .. ranked.Where(candidate => candidate.Variants.Count > 0 && candidate.Total < Mentioned)
                 .DistinctBy(candidate => IdsOf(candidate.Variants)).Take(Shown)
-                .OrderBy(candidate => candidate.Misfit.Unexplained).Select(candidate => suspects.Of(candidate, likeliest)),
+                .OrderBy(candidate => candidate.Misfit.Unexplained).Select(candidate => suspects.Of(candidate, best)),
         ];
     }
 
     /// <summary>Names the best candidate, and others that also explain the picture.</summary>
-    private Answer Naming(WrongProgram best, List<WrongProgram> ranked, CandidateRanking ranking, IReadOnlyList<string> sentences)
+    private Answer Naming(WrongProgram best, List<WrongProgram> ranked, IReadOnlyList<string> sentences)
     {
         string[] missing = [.. best.Base.Kinds];
-        if (best.Variants.Count == 0 && missing.Length > 0
-            && best.Misfit.Unexplained > (best.OtherSample ? NearlyOtherSample : Nearly) * wrong)
+        if (best.Variants.Count == 0 && missing.Length > 0 && evidence.BitsOf(best.Misfit) > Priors.NotYet)
         {
             // Beside missing shapes a small mistake counts for little, so the rest is judged by itself.
             var drawn = new Unfinished(missing).PartOf(prepared.Scene);
@@ -134,25 +86,20 @@ internal sealed class Judgement(
             if (rest.Finding != Finding.Matches)
                 return new(rest.Finding) { NotYet = [.. missing, .. rest.NotYet], Suspects = rest.Suspects, Likely = rest.Likely };
         }
-        var named = ranked.Where(candidate => candidate.Named.Count > 0 && candidate.Misfit.Unexplained <= MayLeave(candidate))
-            .DistinctBy(candidate => candidate.Id).Take(Examined).Select(ranking.WithoutIdle).Prepend(best)
-            .Where(candidate => candidate.Named.Count > 0);
+        var named = ranked.Where(candidate => candidate.Named.Count > 0 && candidate.Total < Priors.OtherProgram)
+            .DistinctBy(candidate => candidate.Id).Take(Examined);
         if (best.Named.Count == 0) // what may have lost those shapes, if they are written already
-            named = named.Where(candidate =>
-                candidate.Base.NotYet.Count == 0 && candidate.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * wrong);
+            named = named.Where(candidate => candidate.Base.NotYet.Count == 0 && candidate.Total < best.Total + Priors.Known);
         else if (missing.Length > 0) named = named.Take(1);
         if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(suspects.HidingMistakes(best));
         WrongProgram[] first = [.. named.DistinctBy(candidate => IdsOf(candidate.Named)).Take(MaxNamed)];
-        var likeliest = first is [var top, ..] ? top.For(prepared.Scene) : null;
         return new(best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished)
         {
             NotYet = best.Base.NotYet,
             Likely = sentences,
             Suspects =
             [
-                .. first.Take(1).Concat(first.Skip(1).OrderBy(candidate => candidate.Misfit.Unexplained))
-                    .Select(candidate => suspects.Of(candidate, likeliest!))
-                    .DistinctBy(suspect => IdsOf(suspect.Mistakes)),
+                .. first.Select(candidate => suspects.Of(candidate, first[0])).DistinctBy(suspect => IdsOf(suspect.Mistakes)),
             ],
         };
     }

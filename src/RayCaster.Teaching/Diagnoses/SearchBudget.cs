@@ -8,7 +8,7 @@ namespace RayCaster.Teaching;
 public sealed class SearchBudget(TimeSpan processorTime, CancellationToken cancellation = default)
 {
     /// <summary>The limit if the user sets no other.</summary>
-    public static readonly TimeSpan Usual = TimeSpan.FromSeconds(10);
+    public static readonly TimeSpan Usual = TimeSpan.FromSeconds(6);
 
     private readonly TimeSpan end = Spent + processorTime;
 

@@ -6,7 +6,7 @@ namespace RayCaster.Teaching;
 internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
 {
     /// <param name="likeliest">The picture of the first suspect.</param>
-    public Suspect Of(WrongProgram candidate, FormulaProgram likeliest)
+    public Suspect Of(WrongProgram candidate, WrongProgram likeliest)
     {
         Mistake[] twins = [];
         var own = candidate.For(prepared.Scene)!;
@@ -19,9 +19,10 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
                 .Where(other => other.Id != named.Id && other.Variants.Any(
                     variant => AreAlike(drawn, new WrongProgram(way, [variant], candidate.OtherSample))))];
         }
-        var isSame = own.Scatters == likeliest.Scatters && evidence.AreAlike(drawn, likeliest);
+        var isSame = likeliest.For(prepared.Scene) is { } first && own.Scatters == first.Scatters && evidence.AreAlike(drawn, first);
         var isTypical = candidate.Misfit.Unexplained <= Judgement.Explained * evidence.WrongCount && candidate.Unusual == 0;
-        return new(shown, candidate.Misfit.Unexplained, candidate.OtherSample, twins, candidate.Base.NotYet, isSame, isTypical);
+        return new(shown, candidate.Misfit.Unexplained, candidate.OtherSample, twins, candidate.Base.NotYet, isSame,
+            isSame || candidate.Total - likeliest.Total < Priors.AsLikely, isTypical);
     }
 
     /// <summary>The mistakes that would also make a program lose the missing shapes.</summary>

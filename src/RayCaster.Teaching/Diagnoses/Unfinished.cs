@@ -35,17 +35,6 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
         return NotYet.Contains(Clipping) ? program.With(program[SectionKind.Rule].With(Formula.When.Text, "t > bias and t < ∞")) : program;
     }
 
-    /// <summary>Every subset of missing parts: of the kinds of shape, except all of them, with and without attenuation and clipping.</summary>
-    public static IEnumerable<Unfinished> Ways(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
-    {
-        var kinds = KindsOf(pictures);
-        return from subset in Subsets([.. kinds.Except(done)])
-               where subset.Length < kinds.Length
-               from rest in Rest(done)
-               where subset.Length + rest.Length > 0
-               select new Unfinished([.. subset, .. rest]);
-    }
-
     /// <summary>
     /// The ways in which only such kinds are missing whose colours the picture does not show: a colour shows what is drawn, at any place. The ways
     /// without the most kinds come first. Clipping may be the only missing part.

@@ -34,6 +34,15 @@ internal sealed class EditFactory
         lock (known) return known.TryGetValue(section, out var edits) ? edits : known[section] = new EditFactory(section).Make();
     }
 
+    /// <summary>The edits of a section that are written in Mistakes.txt under a name.</summary>
+    public static IEnumerable<FormulaEdit> NamedEditsOf(FormulaSection section)
+    {
+        var factory = new EditFactory(section);
+        var ids = factory.AddNamed();
+        return factory.edits.Select(edit => edit.Label is null ? edit with { Label = ids.GetValueOrDefault(TextOf(edit.Section)) } : edit)
+            .Where(edit => edit.Label is not null);
+    }
+
     private List<FormulaEdit> Make()
     {
         var scope = section.Scope.Values.ToDictionary(name => name.Symbol!);

@@ -16,7 +16,6 @@ internal sealed class FormulaEvaluator
     private static readonly UInt128 ofRay = Symbol.Of("P").Bit | Symbol.Of("d").Bit;
 
     private readonly Scene scene;
-    private readonly bool proposes;
     private readonly int count; // pixels: those that are drawn, and with the last one again and again as many as the arithmetic needs
     private readonly BatchArithmetic arithmetic;
     private readonly Batch[] givens;
@@ -28,10 +27,8 @@ internal sealed class FormulaEvaluator
 
     /// <param name="pixels">Columns from the left and lines from the top of the file.</param>
     /// <param name="program">The program that others differ from.</param>
-    /// <param name="proposes">Whether formulas decide only about that triangle of a large mesh which the definition hits. Otherwise an edited
-    /// formula decides about each triangle, one by one.</param>
-    public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program, bool proposes = false)
-        : this(scene, pixels.Count, proposes)
+    public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program)
+        : this(scene, pixels.Count)
     {
         Place(pixels);
         arithmetic.Keeps = true;
@@ -39,10 +36,9 @@ internal sealed class FormulaEvaluator
         arithmetic.Keeps = false;
     }
 
-    private FormulaEvaluator(Scene scene, int pixels, bool proposes)
+    private FormulaEvaluator(Scene scene, int pixels)
     {
         this.scene = scene;
-        this.proposes = proposes;
         count = (pixels + Vector<double>.Count - 1) / Vector<double>.Count * Vector<double>.Count;
         arithmetic = new(count);
         givens = GivensOf(scene.Camera);
@@ -77,7 +73,7 @@ internal sealed class FormulaEvaluator
     {
         if (program.MovedBytes != 0) return DrawMoved(scene, program, pixels);
         var rgb = new byte[3 * pixels.Count];
-        var evaluator = new FormulaEvaluator(scene, Math.Min(Block, pixels.Count), proposes: false);
+        var evaluator = new FormulaEvaluator(scene, Math.Min(Block, pixels.Count));
         for (var first = 0; first < pixels.Count; first += Block)
         {
             evaluator.Place([.. pixels.Skip(first).Take(Block)]);
@@ -201,7 +197,7 @@ internal sealed class FormulaEvaluator
         if (kind is null || (parts[part].IsLarge && !AreTrianglesEdited(program))) return HitsOf(model, rule, camera);
         var section = program[kind.Value];
         if (parts[part].IsLarge)
-            return proposes ? Decided(ProposedBy((Mesh)model, camera)) : OfAll((Mesh)model);
+            return program.ProposesTriangles ? Decided(ProposedBy((Mesh)model, camera)) : OfAll((Mesh)model);
 
         var before = basis is null ? null : StyleOf(section, basis.Program);
         var old = before is null ? null : RightFrame(part, before, basis!.Frame);

@@ -25,6 +25,10 @@ internal sealed record FormulaProgram
     /// <summary>Whether last bits decide for each pixel if a triangle shows there.</summary>
     public bool Scatters { get; init; }
 
+    /// <summary>Whether formulas decide only about that triangle of a large mesh which the definition hits. Otherwise an edited formula decides
+    /// about each triangle, one by one.</summary>
+    public bool ProposesTriangles { get; init; }
+
     /// <summary>Whether the file is as wide as the scene's picture is high, and the other way round.</summary>
     public bool IsTurned => this[SectionKind.File].Has(Formula.Turned);
 
@@ -51,7 +55,7 @@ internal sealed record FormulaProgram
         .Aggregate((Affects)0, (all, kind) => all | Mistake.AffectedBy(kind));
 
     /// <summary>How many triangles of meshes each ray must try, one by one, because their formulas are not the slides'.</summary>
-    public long TrianglesTried(Scene scene) => FormulaEvaluator.AreTrianglesEdited(this)
+    public long TrianglesTried(Scene scene) => !ProposesTriangles && FormulaEvaluator.AreTrianglesEdited(this)
         ? scene.Models.OfType<Mesh>().Where(mesh => mesh.TriangleCount > FormulaEvaluator.MaxTriangles).Sum(mesh => (long)mesh.TriangleCount) : 0;
 
     /// <summary>How many of some rays are cast within so many tries.</summary>

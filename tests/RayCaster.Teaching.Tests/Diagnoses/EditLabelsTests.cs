@@ -35,7 +35,7 @@ public class EditLabelsTests
         var scene = DiagnosisTests.scene;
         foreach (var edit in edits.Where(edit => edit.Label == id && edit.Operator == EditOperator.OtherLaw && edit.Place is not null).Take(count))
         {
-            var mistake = EditNaming.Of(new(0, [edit]));
+            var mistake = EditNaming.Of([edit]);
             Assert.Equal(id, mistake.Id);
             var suspect = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [mistake])).Suspects[0];
             Assert.Contains(id, suspect.Mistakes.Concat(suspect.Twins).Select(named => named.Id));

@@ -15,7 +15,7 @@ public class FormulaProgramTests
         var slides = FormulaProgram.For(generic.Camera);
         var evaluator = new FormulaEvaluator(generic, [(1, 2), (30, 20), (70, 40)], slides);
         foreach (var edit in Enum.GetValues<SectionKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(EditFactory.EditsOf)
-            .Where((_, i) => i % step == 0)) Assert.Null(Record.Exception(() => evaluator.Draw(edit.In(slides))));
+            .Where((_, i) => i % step == 0)) Assert.Null(Record.Exception(() => evaluator.Draw(edit.On(slides)!)));
     }
 
     [Theory]

@@ -1,0 +1,227 @@
+using System.Collections.Concurrent;
+
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// Looks for the shortest explanations of a program's pictures: few and likely changes that leave few pixels unexplained. All single changes are
+/// tried on few pixels and the best on more; then the shortest so far are extended by second changes that explain what they leave.
+/// </summary>
+/// <param name="pictures">The pictures, each of another scene; the bits of all are added.</param>
+/// <param name="known">The known mistakes that are tried.</param>
+/// <param name="done">What the program certainly draws.</param>
+/// <param name="threads">How many threads draw; one per core if null.</param>
+/// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
+/// <param name="budget">How long the search may take; null for any time.</param>
+/// <param name="possible">Which edits are tried that have no name; all if null.</param>
+internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
+    int? threads, Predicate<Mistake>? likely, SearchBudget? budget, Predicate<Mistake>? possible)
+{
+    /// <summary>The share of the evidence that a first and a second look compares.</summary>
+    private const double Few = 0.008, More = 0.05;
+
+    /// <summary>By how many bits few pixels, and more, may overrate what is left. What is longer than the shortest by more is not looked at again.
+    /// </summary>
+    private const double OfFew = 16, OfMore = 4;
+
+    /// <summary>How many explanations get a second look, and a last one at all of the evidence.</summary>
+    private const int Closer = 150, Closest = 30, Nearest = 12;
+
+    /// <summary>How many explanations are extended by other changes, how many if two mistakes are known that are near, how many because
+    /// they draw the right colours, and how many of their extensions get a closer look.</summary>
+    private const int Extended = 90, Least = 20, ByColors = 30, Extensions = 40, BestExtensions = 8;
+
+    /// <summary>How many unfinished programs are extended by all known mistakes.</summary>
+    private const int UnfinishedOnes = 4;
+
+    /// <summary>What two known mistakes cost, and two that leave what rays along an edge may leave. A shorter explanation ends the search.</summary>
+    private const double Pair = 2 * (Priors.Known + Priors.Variant), NearPair = Pair + 16;
+
+    /// <summary>In a scene of more models no edits are tried.</summary>
+    private const int MaxModels = 200;
+
+    private readonly List<Explanation> found = []; // compared with all of the evidence
+    private readonly Explanation right = new([.. pictures.Select(picture => FormulaProgram.For(picture.Scene.Camera))], []);
+
+    /// <summary>What nothing explains.</summary>
+    private double Literal => pictures.Count(picture => picture.WrongCount > 0) * Priors.OtherProgram;
+
+    private double Bound => found.Count == 0 ? Literal : Math.Min(Literal, found.Min(explanation => explanation.Total));
+
+    /// <summary>The programs that were compared with all of the evidence, that with the shortest explanation first.</summary>
+    public List<WrongProgram> Run()
+    {
+        found.Add(Measure(right, 1, pictures)); // also if the time is over: there would be nothing to judge by
+        try
+        {
+            Search();
+            found.AddRange(Measured([.. found.OrderBy(of => of.Total).Take(10).Where(of => of.Changes.Length > 1).SelectMany(Less)], 1));
+        }
+        catch (TimeoutException)
+        {
+        }
+        var edits = found.Where(of => of.Changes is [{ Edit: not null }]).ToLookup(of => of.Left, of => of.Changes[0].Edit!);
+        return [.. found.OrderBy(of => of.Total).Select(of => Named(of, edits[of.Left]))
+            .Where(program => program.Variants.All(mistake => mistake.Place is null || possible?.Invoke(mistake) != false)
+                && pictures.All(picture => program.For(picture.Scene) is not null))]; // in the order in which it is told, too
+    }
+
+    /// <summary>Without each of its changes.</summary>
+    private IEnumerable<Explanation?> Less(Explanation of) =>
+        of.Changes.Select(change => of.Changes.Remove(change).Aggregate((Explanation?)right, (all, own) => all?.With(own)));
+
+    /// <param name="alike">The edits that draw the same.</param>
+    private WrongProgram Named(Explanation of, IEnumerable<FormulaEdit> alike)
+    {
+        var mistakes = of.Changes.Where(change => change.Id != "" && !change.IsOtherSample).Select(change => change.Mistake
+            ?? EditNaming.Of([.. (of.Changes.Length > 1 ? [change.Edit!] : alike).OrderBy(edit => edit.Cost)])).ToList();
+        foreach (var style in of.Changes.Where(change => change is { Id: "", NotYet: null }))
+        {
+            if (mistakes.Count == 0) continue;
+            var first = mistakes[0];
+            mistakes[0] = first.Worded(first.Cause, program => style.In(program) is { } styled ? first.In(styled) : null);
+        }
+        var otherSample = of.Changes.Any(change => change.IsOtherSample);
+        if (otherSample && of.Changes.All(change => change.IsOtherSample)) (mistakes, otherSample) = ([WrongProgram.Center], false);
+        var left = of.Misfits.Aggregate((sum, misfit) => sum + misfit);
+        return new(new([.. of.Changes.Select(change => change.NotYet).OfType<string>()]), mistakes, otherSample, left) { Total = of.Total };
+    }
+
+    private void Search()
+    {
+        string[] kinds = Unfinished.KindsOf(pictures);
+        string[] parts = [.. kinds.Length > 1 ? kinds : [], Diagnosis.Attenuation, Diagnosis.Clipping];
+        ProgramChange[] missing = [.. ProgramChange.Missing(parts.Except(done))];
+        ProgramChange[] named = [.. ProgramChange.Of(known, likely)];
+        var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
+        ProgramChange[] wordings = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Wordings(scene, known)];
+        ProgramChange[] cheap = [.. missing, .. ProgramChange.Styles(scene), .. named.Where(change => change.IsOtherSample)];
+
+        // one change, or a program that is not finished
+        var singles = Measured([.. named.Select(right.With)], Few);
+        var ways = Measured([.. Ways(missing, kinds.Length)], Few);
+        Refine([.. singles.Concat(ways).Concat(Measured([.. wordings.Select(right.With)], Few)).OrderBy(of => of.Total)]);
+        if (Bound < Priors.Known + Priors.NotYet) return;
+
+        // with something that costs little, or in an unfinished program
+        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(Nearest).ToArray())
+            Extend(one, cheap);
+        if (Bound < Priors.Unknown) return;
+        var byColors = Unfinished.ByColors(pictures, done).Take(UnfinishedOnes)
+            .Select(way => ways.Find(other => other.Changes.Select(change => change.NotYet).ToHashSet().SetEquals(way.NotYet)));
+        Explanation[] unfinished = [.. ways.Take(UnfinishedOnes).Concat(byColors.OfType<Explanation>()).Distinct()];
+        foreach (var way in unfinished) Extend(way, named);
+        if (Bound < Pair) return;
+
+        // two known changes, in turn beside the shortest so far, and beside one that draws the right colours
+        ProgramChange[] seconds =
+        [
+            .. pictures.Any(picture => !picture.HasRightSize) ? named
+                : singles.OrderBy(single => single.Bits).DistinctBy(single => (single.Changes[0].Id, single.Left))
+                    .Select(single => single.Changes[0]),
+            .. cheap,
+        ];
+        seconds = [.. seconds.Distinct()];
+        Refine(Measured([.. PairsOfRays()], Few));
+        foreach (var one in singles.Where(IsOfBytes).DistinctBy(of => of.Changes[0].Id)) Extend(one, seconds);
+        if (Bound < Pair) return;
+        var colors = pictures.Select(picture => picture.ByColors()).ToArray();
+        var rest = new Queue<Explanation>(Measured([.. singles], Few, colors).DistinctBy(of => of.Left).Take(ByColors));
+        List<Explanation> extended = [];
+        ExtendBest(Extended / 3);
+        if (Bound < NearPair) return;
+
+        // an edit without a name, and two changes of which one may be such an edit
+        ProgramChange[] edits = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Edits(scene, known)];
+        Refine(Measured([.. edits.Select(right.With)], Few));
+        if (Bound < Priors.Known + Priors.Unknown) return;
+        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(1).Concat(ways.Take(1))) Extend(one, edits);
+        ExtendBest(Extended);
+
+        void ExtendBest(int most)
+        {
+            for (var turn = 0; extended.Count < most; turn++)
+            {
+                var first = turn % 2 == 1 && rest.Count > 0 ? rest.Dequeue()
+                    : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => other.Left == of.Left))
+                        .MinBy(of => of.Total);
+                if (first is null && !rest.TryDequeue(out first)) return;
+                if (Bound < NearPair && extended.Count >= Least) return;
+                if (extended.Contains(first)) continue; // two that draw the same alone may differ beside a second change
+                extended.Add(first);
+                if (first.Bits + Priors.Style < Bound) Extend(first, seconds);
+            }
+        }
+    }
+
+    /// <summary>Every subset of what may be missing, but for a program that draws nothing.</summary>
+    private IEnumerable<Explanation?> Ways(ProgramChange[] missing, int kinds) =>
+        from bits in Enumerable.Range(1, (1 << missing.Length) - 1)
+        let parts = missing.Where((_, i) => (bits >> i & 1) != 0)
+        where parts.Count(part => part.NotYet is not (Diagnosis.Attenuation or Diagnosis.Clipping)) < kinds
+        select parts.Aggregate((Explanation?)right, (all, part) => all?.With(part));
+
+    /// <summary>Whether only colours or their places in the file are wrong, in the whole picture, so that it explains little alone.</summary>
+    private static bool IsOfBytes(Explanation one) => (one.Changes[0].Mistake!.Affects & ~(Affects.Color | Affects.File)) == 0;
+
+    /// <summary>Two usual mistakes that both change which hits the whole picture shows: neither alone explains anything.</summary>
+    private IEnumerable<Explanation?> PairsOfRays()
+    {
+        ProgramChange[] usual =
+        [
+            .. ProgramChange.Of(known.Where(mistake => (mistake.Affects & (Affects.Camera | Affects.Hit)) != 0), likely)
+                .DistinctBy(change => change.Id),
+        ];
+        return from i in Enumerable.Range(0, usual.Length)
+               from second in usual[(i + 1)..]
+               select right.With(usual[i])?.With(second);
+    }
+
+    private void Extend(Explanation first, IEnumerable<ProgramChange> changes)
+    {
+        Evidence[] left = [.. pictures.Select((picture, i) => new Evidence(picture, first.Programs[i]))];
+        var bound = Bound;
+        var before = left.Sum(picture => (double)picture.WrongCount);
+        var measured = Measured([.. changes.Select(first.With).Where(with => with is not null && with.Bits < bound + Priors.AsLikely)], Few, left);
+        var promising = measured.Where(with =>
+            with.Total < bound + OfFew && with.Misfits.Sum(misfit => misfit.Unexplained) < 0.98 * before).Take(Extensions);
+        var best = Measured([.. promising], More, left).Where((with, i) => i < 2 || with.Total < bound + OfMore).Take(BestExtensions);
+        found.AddRange(Measured([.. best], 1).Select(with => with with { Gain = first.Total - with.Total }));
+    }
+
+    /// <summary>Looks at the best more closely, and at the best of these at all of the evidence.</summary>
+    private void Refine(List<Explanation> candidates)
+    {
+        var closer = Measured([.. candidates.Take(Closer)], More);
+        found.AddRange(Measured([.. closer.Take(Closest)], 1));
+    }
+
+    /// <summary>Compares them with a share of the evidence, and sorts them.</summary>
+    private List<Explanation> Measured(IReadOnlyList<Explanation?> candidates, double share, IReadOnlyList<Evidence>? left = null)
+    {
+        var evidence = left ?? pictures;
+        var measured = new ConcurrentBag<(int, Explanation)>();
+        Parallel.For(0, candidates.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, (i, loop) =>
+        {
+            if (budget?.IsSpent() == true) loop.Stop();
+            else if (candidates[i] is { } candidate) measured.Add((i, Measure(candidate, share, evidence)));
+        });
+        budget?.ThrowIfSpent();
+        return [.. measured.OrderBy(one => one.Item2.Total).ThenBy(one => one.Item1).Select(one => one.Item2)];
+    }
+
+    private static Explanation Measure(Explanation candidate, double share, IReadOnlyList<Evidence> evidence)
+    {
+        var isOne = candidate.Changes.Count(change => change.IsMistake) < 2;
+        ImmutableArray<Misfit> misfits =
+        [
+            .. evidence.Select((picture, i) => picture.Misfit(
+                isOne || candidate.Programs[i].TrianglesTried(picture.Scene) <= WrongProgram.MaxTrianglesBeside ? candidate.Programs[i] : null,
+                share)),
+        ];
+        return candidate with
+        {
+            Misfits = misfits,
+            Total = candidate.Bits + misfits.Select((misfit, i) => evidence[i].BitsOf(misfit)).Sum(),
+        };
+    }
+}
