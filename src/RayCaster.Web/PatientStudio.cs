@@ -8,7 +8,7 @@ internal sealed class PatientStudio : Studio
 
     private const int Step = 64; // lines of the engine's tiles
 
-    /// <summary>Interpreted code takes some ten times as long.</summary>
+    /// <summary>The browser interprets the program, and a search then takes some ten times as long.</summary>
     public override TimeSpan SearchTime => TimeSpan.FromMinutes(2);
 
     public override async Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation)

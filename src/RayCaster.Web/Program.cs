@@ -1,8 +1,10 @@
 using System.Runtime.InteropServices.JavaScript;
+using System.Runtime.Versioning;
 
 namespace RayCaster.Web;
 
 /// <summary>What a Web Worker of the page calls (Page/worker.js).</summary>
+[SupportedOSPlatform("browser")]
 internal static partial class Program
 {
     private static readonly MinePicture mine = new(null, default);

@@ -6,7 +6,7 @@ on("scene", scene => {
   fill($("problem-list"), scene.problems, scene.more);
   const found = errors(scene).length;
   $("problems-title").textContent = scene.isGone ? "The scene file is gone"
-    : `The scene file has ${found > 0 ? count(found, "error") : count(scene.problems.length, "warning")}`;
+    : `The scene file has ${found > 0 ? count(found + scene.more, "error") : count(scene.problems.length, "warning")}`;
   $("problems-about").textContent = scene.good ? "" : scene.width > 0 ? "The picture is the last good one." : "There is no picture yet.";
   show($("problems"), scene.problems.length > 0);
   document.body.classList.toggle("stale", !scene.good);
