@@ -3,17 +3,15 @@ using System.Runtime.Versioning;
 
 namespace RayCaster.Web;
 
-/// <summary>What a Web Worker of the page calls (Page/worker.js).</summary>
+/// <summary>What a Web Worker of the page calls (Page/worker.js), and how it is called.</summary>
 [SupportedOSPlatform("browser")]
-internal static partial class Program
+internal sealed partial class Program : IConnection
 {
     private static readonly MinePicture mine = new(null, default);
     private static LiveScene? live;
     private static Tab? tab;
 
-    private static void Main()
-    {
-    }
+    private static void Main() { } // the worker calls the methods below
 
     /// <summary>Begins to answer the page.</summary>
     /// <param name="answers">What this worker answers, as names of <see cref="Pending"/>.</param>
@@ -23,8 +21,9 @@ internal static partial class Program
     {
         File.WriteAllText(name, text); // the worker's files are in its memory
         live = new(name, default);
-        tab = new(new WorkerConnection(), live, mine, new PatientStudio(), default, Enum.Parse<Pending>(answers));
+        tab = new(new Program(), live, mine, new PatientStudio(), default, Enum.Parse<Pending>(answers));
         live.Changed += tab.Wake;
+        live.Written += () => tab.Post(Messages.Of(new { Kind = "text", Text = File.ReadAllText(live.Path) }));
         mine.Changed += tab.CompareAgain;
         return tab.AnswerAsync();
     }
@@ -36,10 +35,6 @@ internal static partial class Program
         File.WriteAllText(name, text);
         live!.ReadAgain(name);
     }
-
-    /// <summary>Sends the text, into which the camera was written.</summary>
-    [JSExport]
-    internal static void ReadBack() => tab!.Post(Messages.Of(new { Kind = "text", Text = File.ReadAllText(live!.Path) }));
 
     /// <summary>Takes the requests that a page also sends to RayCaster.Live's server.</summary>
     [JSExport]
@@ -58,4 +53,22 @@ internal static partial class Program
             tab!.Post(Messages.Of(new { Kind = "refused", Name = file, Problem = problem.Message }));
         }
     }
+
+    public Task SendAsync(byte[] message, CancellationToken cancellation)
+    {
+        Post(Encoding.UTF8.GetString(message));
+        return Task.CompletedTask;
+    }
+
+    public Task SendAsync(byte[] header, Frame frame, CancellationToken cancellation)
+    {
+        PostFrame(header, frame.Pixels.Span);
+        return Task.CompletedTask;
+    }
+
+    [JSImport("post", "worker")]
+    private static partial void Post(string message);
+
+    [JSImport("postFrame", "worker")]
+    private static partial void PostFrame([JSMarshalAs<JSType.MemoryView>] Span<byte> header, [JSMarshalAs<JSType.MemoryView>] Span<byte> pixels);
 }

@@ -5,8 +5,7 @@ import { lay } from "./picture.js";
 import { explain } from "./pixel.js";
 import { ask, on } from "./server.js";
 
-/** What to do with a file that is dropped on the page. */
-export const dropped = { onFile: send };
+export const dropped = { onFile: send }; // what to do with a file that is dropped on the page
 
 let middle = null, isDiagnosing = false;
 

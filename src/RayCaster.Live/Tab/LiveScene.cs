@@ -43,7 +43,7 @@ internal sealed class LiveScene
     /// <summary>Cancelled as soon as the file changes.</summary>
     public CancellationToken Outdated => outdated.Token;
 
-    public event Action? Changed;
+    public event Action? Changed, Written; // Written: a camera into the file
 
     public async Task FollowAsync()
     {
@@ -95,6 +95,7 @@ internal sealed class LiveScene
                 // Writing to the disk takes some milliseconds, in which somebody may save the scene.
                 if (!File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text.Span)) throw new OperationCanceledException();
             });
+            Written?.Invoke();
             return null;
         }
         catch (OperationCanceledException)

@@ -72,7 +72,7 @@ internal sealed partial class Tab
                     mine.Forget();
                     break;
                 case "write":
-                    WriteCamera(value.GetInt32());
+                    if (answers.HasFlag(Pending.Camera)) WriteCamera(value.GetInt32());
                     break;
                 default:
                     throw new FormatException($"there is no request '{name}'");

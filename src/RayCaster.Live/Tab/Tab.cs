@@ -166,7 +166,6 @@ internal sealed partial class Tab(
     {
         var diagnoses = Takes(Pending.Diagnosis);
         if (!Takes(Pending.Comparison) && !diagnoses) return;
-        var level = hint;
         var comparison = mine.CompareWith(state, live.Path);
         if (!ReferenceEquals(comparison, compared))
         {
@@ -176,7 +175,7 @@ internal sealed partial class Tab(
         }
         if (!diagnoses) return;
         diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end);
-        _ = SendDiagnosisAsync(comparison, level, diagnosing.Token);
+        _ = SendDiagnosisAsync(comparison, hint, diagnosing.Token);
     }
 
     private async Task SendAsync(Comparison comparison, int version)

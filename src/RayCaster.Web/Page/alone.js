@@ -1,13 +1,13 @@
 // What only the page without a server has: the scene's text in an editor, scenes in files and links, and work without a network.
 import { dropped } from "./comparison.js";
-import { change, scene, toView } from "./connection.js";
+import { change, scene } from "./connection.js";
 import { $, make, show } from "./dom.js";
 import { longest, toLink } from "./link.js";
 import "./problems.js"; // it makes its list before the buttons in it are made here
 import { on } from "./server.js";
 
 const most = 10_000_000; // bytes of a file
-const editor = $("scene-text");
+const editor = $("scene-text"), said = $("scene-said");
 let timer = 0;
 
 editor.after($("problems"));
@@ -21,8 +21,7 @@ on("scene", ({ good, problems }) => {
     if (line) $("problem-list").children[i].append(make("button", { type: "button", onclick: () => goTo(line, column) }, `Go to line ${line}`));
   });
 });
-on("written", ({ problem }) => { if (!problem) toView("ReadBack"); });
-on("text", ({ text }) => take(text));
+on("text", ({ text }) => take(text)); // the camera was written into it
 
 editor.addEventListener("input", () => {
   clearTimeout(timer);
@@ -32,9 +31,10 @@ editor.addEventListener("input", () => {
 /** Shows a scene. */
 function take(text, name = scene[0]) {
   clearTimeout(timer);
+  if (text.length > most) return refuse(name);
   if (editor.value !== text) editor.value = text;
   show($("share"), false);
-  say("");
+  said.textContent = "";
   change(name, text);
 }
 
@@ -45,13 +45,13 @@ function goTo(line, column) {
   editor.focus();
 }
 
-function say(text) {
-  $("scene-said").textContent = text;
+async function open(file) {
+  if (file.size > most) refuse(file.name);
+  else take(await file.text(), file.name);
 }
 
-async function open(file) {
-  if (file.size > most) say(`${file.name} is too large: this page takes scenes of at most 10 MB.`);
-  else take(await file.text(), file.name);
+function refuse(name) {
+  said.textContent = `${name} is too large: this page takes scenes of at most 10 MB.`;
 }
 
 $("open-scene").addEventListener("change", event => {
@@ -67,11 +67,12 @@ $("save-scene").addEventListener("click", () =>
 $("share-scene").addEventListener("click", async () => {
   const link = await toLink(editor.value);
   show($("share"), link.length <= longest);
-  if (link.length > longest) return say(`The link would have ${link.length} characters; many programs cut it. Save the scene as a file instead.`);
   $("share-link").value = link;
   $("share-link").select();
-  const isCopied = await navigator.clipboard?.writeText(link).then(() => true, () => false);
-  say(isCopied ? "The link is copied." : "The link is selected: press Ctrl + C to copy it.");
+  const isCopied = link.length <= longest && await navigator.clipboard?.writeText(link).then(() => true, () => false);
+  said.textContent = isCopied ? "The link is copied."
+    : link.length <= longest ? "The link is selected: press Ctrl + C to copy it."
+    : `The link would have ${link.length} characters; many programs cut it. Save the scene as a file instead.`;
 });
 
 addEventListener("hashchange", () => { if (location.hash.startsWith("#scene=")) location.reload(); });

@@ -17,9 +17,8 @@ export const firstDivisor = 4;
 export async function connect(listener) {
   told = listener;
   document.body.classList.add("alone");
-  if (!scene) change(...await firstScene());
-  start("view");
-  start("study");
+  if (!scene) change(...await fromLink() ?? JSON.parse(sessionStorage.getItem("scene")) ?? ["room.json", await (await fetch("room.json")).text()]);
+  ["view", "study"].forEach(start);
 }
 
 /** Sends one or several requests. */
@@ -27,24 +26,15 @@ export function send(requests) {
   if (requests.diagnose === false) cancel();
   if (requests.diagnose && !workers.search) start("search");
   if (requests.forgetMine) mine = null;
-  ("write" in requests ? toView : tell)("Ask", JSON.stringify(requests));
+  tell("Ask", JSON.stringify(requests));
 }
 
-/** Takes a scene: the name of its file, and its text. */
+/** Takes a scene: the name of its file, and its text. It is there again after the page was loaded again, but for a very long one. */
 export function change(...next) {
   scene = next;
-  try {
-    sessionStorage.setItem("scene", JSON.stringify(scene)); // so that it is there again after the page was loaded again
-  } catch {
-    sessionStorage.removeItem("scene"); // it is too long to be kept
-  }
+  sessionStorage.setItem("scene", JSON.stringify(scene[1].length < 1_000_000 ? scene : null));
   cancel();
   tell("Change", ...scene);
-}
-
-/** Calls a method of the worker that shows the scene: only it writes the camera into the text. */
-export function toView(...call) {
-  workers.view?.postMessage(call);
 }
 
 /** Takes a picture of the user's own program. Returns why it was refused; null if it was not. */
@@ -54,12 +44,6 @@ export async function sendPicture(file) {
   cancel();
   tell("Compare", ...mine);
   return null;
-}
-
-/** The scene of the link by which the page was opened, or the one before the page was loaded again, or the room. */
-async function firstScene() {
-  const shared = await fromLink();
-  return shared ? ["shared.json", shared] : JSON.parse(sessionStorage.getItem("scene")) ?? ["room.json", await (await fetch("room.json")).text()];
 }
 
 /** Ends a diagnosis. */
