@@ -1,10 +1,8 @@
 using System.Runtime.InteropServices.JavaScript;
-using System.Runtime.Versioning;
 
 namespace RayCaster.Web;
 
 /// <summary>What a Web Worker of the page calls (Page/worker.js), and how it is called.</summary>
-[SupportedOSPlatform("browser")]
 internal sealed partial class Program : IConnection
 {
     private static readonly MinePicture mine = new(null, default);
