@@ -129,31 +129,34 @@ internal sealed class LiveServer : IAsyncDisposable
     private async Task ServeTabAsync(HttpContext context)
     {
         using var socket = await context.WebSockets.AcceptWebSocketAsync(context.WebSockets.WebSocketRequestedProtocols[0]);
-        var tab = new Tab(socket, this, end.Token);
+        using var closed = CancellationTokenSource.CreateLinkedTokenSource(end.Token);
+        var connection = new SocketConnection(socket);
+        var tab = new Tab(connection, Scene, Mine, Studio, closed.Token);
         tabs.TryAdd(tab, 0);
         try
         {
-            await tab.RunAsync();
+            await Task.WhenAny(connection.ReadAsync(tab, closed.Token), tab.AnswerAsync());
         }
         finally
         {
             tabs.TryRemove(tab, out _);
+            await closed.CancelAsync();
+            socket.Abort();
         }
     }
 
     /// <summary>Receives a picture of the user's own program, of the scene's size at most.</summary>
     private async Task TakeMineAsync(HttpContext context)
     {
-        var camera = Scene.State.Scene?.Camera;
-        var pixels = Math.Min(View.MaxPixels, (long)(camera?.Width ?? 0) * (camera?.Height ?? 0));
+        var scene = Scene.State.Scene;
         // The longest format is a PPM in text: three numbers of four characters for each pixel. The rest is for its comments.
-        context.Features.Get<IHttpMaxRequestBodySizeFeature>()!.MaxRequestBodySize = 12 * pixels + 65_536;
+        context.Features.Get<IHttpMaxRequestBodySizeFeature>()!.MaxRequestBodySize = 12 * View.PixelsOf(scene) + 65_536;
         try
         {
             using var bytes = new MemoryStream();
             await context.Request.Body.CopyToAsync(bytes, context.RequestAborted);
             bytes.Position = 0;
-            Mine.Take(NameOf(context.Request.Query["name"].ToString()), bytes, Math.Max(1, pixels));
+            Mine.Take(context.Request.Query["name"].ToString(), bytes, scene);
             context.Response.StatusCode = StatusCodes.Status204NoContent;
         }
         catch (BadHttpRequestException e)
@@ -164,12 +167,5 @@ internal sealed class LiveServer : IAsyncDisposable
         {
             await RefuseAsync(context, StatusCodes.Status422UnprocessableEntity, e.Message);
         }
-    }
-
-    /// <summary>The name of a dropped file, without folders.</summary>
-    private static string NameOf(string text)
-    {
-        var name = PrintableText.Of(Path.GetFileName(text.Replace('\\', '/')));
-        return name.Length == 0 ? "your picture" : name[..Math.Min(100, name.Length)];
     }
 }

@@ -1,8 +1,11 @@
 // The user's own picture beside the scene's: one that was dropped or chosen, or a file that the program watches.
+import { sendPicture } from "./connection.js";
 import { $, show } from "./dom.js";
 import { lay } from "./picture.js";
 import { explain } from "./pixel.js";
-import { ask, on, token } from "./server.js";
+import { ask, on } from "./server.js";
+
+export const dropped = { onFile: send }; // what to do with a file that is dropped on the page
 
 let middle = null, isDiagnosing = false;
 
@@ -26,6 +29,8 @@ on("diagnosis", message => {
   diagnosing(false);
 });
 
+on("refused", ({ name, problem }) => { $("mine-said").textContent = `${name}: ${problem}`; });
+
 on("closed", () => diagnosing(false));
 
 $("mine-show").addEventListener("change", arrange);
@@ -44,13 +49,14 @@ $("hint").addEventListener("change", event => {
 function diagnosing(runs) {
   isDiagnosing = runs;
   $("diagnose").textContent = runs ? "Cancel" : "Diagnose";
+  show($("diagnosing"), runs);
 }
 
 function diagnose() {
   diagnosing(true);
   $("diagnosis-text").textContent = "Drawing the scene with each known mistake …";
   show($("diagnosis-text"), true);
-  ask({ diagnose: true });
+  ask({ hint: $("hint").value, diagnose: true });
 }
 
 /** Lays the chosen picture over the scene's. */
@@ -59,13 +65,9 @@ function arrange() {
 }
 
 async function send(file) {
-  $("mine-said").textContent = `Reading ${file.name} …`;
-  try {
-    const answer = await fetch(`/mine?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file, headers: { Authorization: token } });
-    if (!answer.ok) $("mine-said").textContent = `${file.name}: ${(await answer.text()).trim()}`;
-  } catch {
-    $("mine-said").textContent = `${file.name} cannot be sent: it is too large, or the program has ended.`;
-  }
+  $("mine-said").textContent = `Comparing ${file.name} …`;
+  const problem = await sendPicture(file);
+  if (problem) $("mine-said").textContent = `${file.name}: ${problem}`;
 }
 
 $("mine-file").addEventListener("change", event => {
@@ -73,12 +75,14 @@ $("mine-file").addEventListener("change", event => {
   event.target.value = ""; // so that the same file can be chosen again
 });
 addEventListener("dragover", event => {
+  if (!event.dataTransfer.types.includes("Files")) return; // text, which a field may take
   event.preventDefault();
   document.body.classList.add("dropping");
 });
 addEventListener("dragleave", event => { if (!event.relatedTarget) document.body.classList.remove("dropping"); });
 addEventListener("drop", event => {
+  if (!event.dataTransfer.files[0]) return;
   event.preventDefault();
   document.body.classList.remove("dropping");
-  if (event.dataTransfer.files[0]) send(event.dataTransfer.files[0]);
+  dropped.onFile(event.dataTransfer.files[0]);
 });

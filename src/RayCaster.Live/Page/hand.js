@@ -1,4 +1,5 @@
 // Drag, wheel, keys and touch. The page sends how far the hand has moved; the server computes the camera.
+import { firstDivisor } from "./connection.js";
 import { $ } from "./dom.js";
 import { pixelAt, size } from "./picture.js";
 import { ask } from "./server.js";
@@ -14,7 +15,7 @@ let travelled = 0, wasMany = false;
 let pending = null;           // moves that are not sent yet
 let timer = 0;
 let asked = 0;                // the time of the request whose frame has not come yet; 0 for none
-let divisor = 1, took = 16;   // of the frames' size while the camera moves, and the mean time of one in milliseconds
+let divisor = firstDivisor, took = 16;   // of the frames' size while the camera moves, and the mean time of one in milliseconds
 
 /** What to do when somebody points, clicks, or presses an arrow key. */
 export const hand = { onPoint: () => {}, onClick: () => {}, onStep: () => false };
@@ -104,6 +105,6 @@ stage.addEventListener("frame", event => {
   if (event.detail.isFinal || asked === 0) return;
   took += (performance.now() - asked - took) / 4; // a mean of the last frames in which the newest weighs most
   asked = 0;
-  const other = took > 26 ? Math.min(4, divisor + 1) : took < 9 ? Math.max(1, divisor - 1) : divisor;
+  const other = took > 100 ? Math.min(8, divisor + 1) : took > 26 && divisor < 4 ? divisor + 1 : took < 9 ? Math.max(1, divisor - 1) : divisor;
   if (other !== divisor) [divisor, took] = [other, 16];
 });

@@ -11,10 +11,9 @@ import "./models.js";
 let scene = null, camera = null;
 
 on("open", () => say("Connected."));
-on("closed", () => {
+on("closed", reason => {
   document.body.classList.add("apart");
-  say("The program has ended or is being built again. This page continues by itself when the program runs again under the same address; " +
-    "otherwise open the address that the terminal shows.");
+  say(reason);
 });
 
 on("scene", message => {
@@ -32,7 +31,7 @@ on("scene", message => {
   const found = errors(scene);
   say(scene.good
     ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`
-    : scene.isGone ? `${scene.path} is gone.` : `${count(found.length, "error")} in ${scene.path}: ${found[0].message}`);
+    : scene.isGone ? `${scene.path} is gone.` : `${count(found.length + scene.more, "error")} in ${scene.path}: ${found[0].message}`);
   const picture = `The picture of ${scene.path}, ${scene.width} by ${scene.height} pixels, ${count(scene.modelCount, "model")}` +
     (scene.good ? "" : "; it is the last good one");
   for (const id of ["picture", "stage"]) $(id).setAttribute("aria-label", picture);

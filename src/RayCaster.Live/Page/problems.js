@@ -6,7 +6,7 @@ on("scene", scene => {
   fill($("problem-list"), scene.problems, scene.more);
   const found = errors(scene).length;
   $("problems-title").textContent = scene.isGone ? "The scene file is gone"
-    : `The scene file has ${found > 0 ? count(found, "error") : count(scene.problems.length, "warning")}`;
+    : `The scene file has ${found > 0 ? count(found + scene.more, "error") : count(scene.problems.length, "warning")}`;
   $("problems-about").textContent = scene.good ? "" : scene.width > 0 ? "The picture is the last good one." : "There is no picture yet.";
   show($("problems"), scene.problems.length > 0);
   document.body.classList.toggle("stale", !scene.good);
@@ -29,7 +29,7 @@ function entry(problem) {
     make("p", {}, make("strong", {}, problem.isError ? "Error: " : "Warning: "), problem.message),
     problem.excerpt ? make("pre", { tabindex: 0, role: "group", "aria-label": "The place in the file" }, problem.excerpt) : null,
     problem.place
-      ? make("p", {}, make("a", { href: problem.link }, "Open in VS Code"), " or go to ", make("code", {}, problem.place)) : null);
+      ? make("p", { class: "served" }, make("a", { href: problem.link }, "Open in VS Code"), " or go to ", make("code", {}, problem.place)) : null);
 }
 
 export function errors(scene) {

@@ -1,15 +1,8 @@
-// The connection to the server: sends requests, receives messages and frames, and connects again after a break.
+// What the page and the program say to each other: requests, messages and frames; connects again after a break.
+import { connect as open, send } from "./connection.js";
 
 const delay = { first: 200, longest: 3000 }; // milliseconds between attempts
 const listeners = {};
-// The program's address has the token after "#". It stays in this tab: no other page and no other port gets it.
-const given = /#token=(\w+)/.exec(location.hash);
-if (given) {
-  sessionStorage.setItem("token", given[1]);
-  history.replaceState(null, "", location.pathname);
-}
-export const token = sessionStorage.getItem("token") ?? "none";
-let socket = null;
 let wait = delay.first;
 let everOpen = false;
 const memory = {}; // the newest request of each kind that the server must know after a break
@@ -23,7 +16,7 @@ export function on(kind, listener) {
 /** Sends one or several requests; the server takes them in order. */
 export function ask(requests) {
   for (const [name, value] of Object.entries(requests)) if (remembered.has(name)) memory[name] = value;
-  if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(requests));
+  send(requests);
 }
 
 /** Notes a request that the server must know after a break. */
@@ -32,23 +25,23 @@ export function remember(name, value) {
 }
 
 export function connect() {
-  socket = new WebSocket(`ws://${location.host}/live`, token);
-  socket.binaryType = "arraybuffer";
-  socket.addEventListener("open", () => {
-    wait = delay.first;
-    if (everOpen) for (const [name, value] of Object.entries(memory)) if (value !== null) ask({ [name]: value });
-    everOpen = true;
-    tell("open");
-  });
-  socket.addEventListener("message", event => {
-    if (typeof event.data !== "string") return tell("frame", asFrame(event.data));
-    const message = JSON.parse(event.data);
-    tell(message.kind, message);
-  });
-  socket.addEventListener("close", () => {
-    tell("closed");
-    setTimeout(connect, wait);
-    wait = Math.min(2 * wait, delay.longest);
+  open({
+    open() {
+      wait = delay.first;
+      if (everOpen) for (const [name, value] of Object.entries(memory)) if (value !== null) ask({ [name]: value });
+      everOpen = true;
+      tell("open");
+    },
+    message(data) {
+      if (typeof data !== "string") return tell("frame", asFrame(data));
+      const message = JSON.parse(data);
+      tell(message.kind, message);
+    },
+    closed(reason) {
+      tell("closed", reason);
+      setTimeout(connect, wait);
+      wait = Math.min(2 * wait, delay.longest);
+    },
   });
 }
 

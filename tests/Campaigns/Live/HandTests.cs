@@ -54,24 +54,10 @@ public class HandTests(Chromium chromium)
         await using var live = await LivePage.OpenAsync();
         var (page, complaints) = await chromium.OpenAsync(live);
         PictureFile.Write(live.Folder["mine.png"], ScalarRenderer.Render(SceneReader.Read(live.Scene).Scene!));
-        var transfer = await page.EvaluateFunctionHandleAsync("""
-            base64 => {
-                const transfer = new DataTransfer();
-                transfer.items.add(new File([Uint8Array.from(atob(base64), c => c.charCodeAt(0))], 'mine.png', { type: 'image/png' }));
-                return transfer;
-            }
-            """, Convert.ToBase64String(File.ReadAllBytes(live.Folder["mine.png"])));
-        await DispatchAsync("dragover");
-        await page.ShowsAsync("body.dropping");
-        await DispatchAsync("drop");
+        await page.DropAsync("mine.png", File.ReadAllBytes(live.Folder["mine.png"]), () => page.ShowsAsync("body.dropping"));
         await page.SaysAsync("mine.png is compared: identical.");
         Assert.Null(await page.QuerySelectorAsync("body.dropping"));
         Assert.Empty(complaints);
-
-        Task DispatchAsync(string type) => page.EvaluateFunctionAsync("""
-            (type, dataTransfer) => document.getElementById('camera').dispatchEvent(
-                new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }))
-            """, type, transfer);
     }
 
     /// <summary>WCAG 2.2: 4.5 for text, on every background that is behind it.</summary>
@@ -85,35 +71,7 @@ public class HandTests(Chromium chromium)
             await page.FocusAsync("#stage");
             await page.PressAsync("Enter");
             await page.ShowsAsync("#pixel-head");
-            Assert.Equal("", await page.EvaluateFunctionAsync<string>("""
-                () => {
-                    const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
-                    const bytes = color => {
-                        canvas.clearRect(0, 0, 1, 1);
-                        canvas.fillStyle = color;
-                        canvas.fillRect(0, 0, 1, 1);
-                        return [...canvas.getImageData(0, 0, 1, 1).data];
-                    };
-                    const linear = level => level <= 0.04045 ? level / 12.92 : ((level + 0.055) / 1.055) ** 2.4;
-                    const light = ([r, g, b]) => 0.2126 * linear(r / 255) + 0.7152 * linear(g / 255) + 0.0722 * linear(b / 255);
-                    const behind = element => {
-                        for (; element; element = element.parentElement) {
-                            const color = bytes(getComputedStyle(element).backgroundColor);
-                            if (color[3] === 255) return color;
-                        }
-                        return [255, 255, 255];
-                    };
-                    const faint = [];
-                    for (const element of document.querySelectorAll('body *:not(script)')) {
-                        if (element.disabled || element.closest('svg') || !element.checkVisibility()) continue;
-                        if (![...element.childNodes].some(node => node.nodeType === Node.TEXT_NODE && node.data.trim())) continue;
-                        const [text, back] = [light(bytes(getComputedStyle(element).color)), light(behind(element))];
-                        const ratio = (Math.max(text, back) + 0.05) / (Math.min(text, back) + 0.05);
-                        if (ratio < 4.5) faint.push(`${element.textContent.slice(0, 30)}: ${ratio.toFixed(2)}`);
-                    }
-                    return faint.join('\n');
-                }
-                """));
+            Assert.Equal("", await page.FaintTextsAsync());
         }
     }
 }

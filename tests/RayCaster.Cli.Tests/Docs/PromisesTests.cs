@@ -26,7 +26,8 @@ public class PromisesTests
     [Fact]
     public void FilesAreWrittenInOnePlace() =>
         NowhereBut(
-            ["WrittenFiles.cs", "HandOutFolder.cs", "CarriedTool.cs", "ClassMarks.cs", "PrivateFile.cs", "Browser.cs"],
+            ["WrittenFiles.cs", "HandOutFolder.cs", "CarriedTool.cs", "ClassMarks.cs", "PrivateFile.cs", "Browser.cs",
+                "RayCaster.Web/Program.cs"], // in a browser, where files are in memory
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)"
             + @"|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 
@@ -61,7 +62,7 @@ public class PromisesTests
     private static void NowhereBut(string[] files, string pattern)
     {
         foreach (var path in SourceFiles())
-            if (!files.Contains(Path.GetFileName(path)))
+            if (!files.Any(file => path.Replace('\\', '/').EndsWith($"/{file}", StringComparison.Ordinal)))
                 Assert.Equal((path, ""), (path, Regex.Match(File.ReadAllText(path), pattern).Value));
     }
 

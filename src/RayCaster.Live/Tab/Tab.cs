@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using System.Net.WebSockets;
 using System.Threading.Channels;
 
 namespace RayCaster.Live;
@@ -8,12 +7,13 @@ namespace RayCaster.Live;
 /// The connection to one page in a browser. Of each kind of request only the newest is kept, and a frame is sent only after the page has shown the
 /// one before the last, so a slow or stopped browser costs nothing.
 /// </summary>
-internal sealed partial class Tab(WebSocket socket, LiveServer server, CancellationToken cancellation)
+/// <param name="answers">What the page wants to receive from here.</param>
+internal sealed partial class Tab(
+    IConnection connection, LiveScene live, MinePicture mine, Studio studio, CancellationToken end, Pending answers = Pending.All)
 {
     private const int MaxUnseen = 2;
 
     private readonly Channel<bool> wake = Channel.CreateBounded<bool>(new BoundedChannelOptions(1) { FullMode = BoundedChannelFullMode.DropWrite });
-    private readonly CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
     private readonly ConcurrentQueue<byte[]> posted = new();
     private Task sending = Task.CompletedTask;
     private bool hasFault; // the page shows a fault of the code
@@ -33,10 +33,6 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private SceneState? known; // the state that the page knows
     private CancellationTokenSource outdated = new();
 
-    /// <summary>What is still to be sent to the page.</summary>
-    [Flags]
-    private enum Pending { Hover = 1, Frame = 2, Camera = 4, Explanation = 8, Map = 16, Comparison = 32, Diagnosis = 64, Ledger = 128 }
-
     /// <summary>A pixel of the picture that the page shows, from the left and from the top.</summary>
     private sealed record Place(int Column, int Line);
 
@@ -55,29 +51,15 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         Wake();
     }
 
-    /// <summary>Serves the page until it closes or breaks the rules.</summary>
-    public async Task RunAsync()
-    {
-        try
-        {
-            await Task.WhenAny(ReadAsync(), SendAsync());
-        }
-        finally
-        {
-            await end.CancelAsync();
-            socket.Abort();
-        }
-    }
-
-    /// <summary>Answers the requests, the quickest first.</summary>
-    private async Task SendAsync()
+    /// <summary>Answers the requests, the quickest first, until the page cannot be reached.</summary>
+    public async Task AnswerAsync()
     {
         Wake();
-        await foreach (var _ in wake.Reader.ReadAllAsync(end.Token))
+        await foreach (var _ in wake.Reader.ReadAllAsync(end))
         {
             try
             {
-                var state = server.Scene.State;
+                var state = live.State;
                 await SendSceneAsync(state);
                 while (posted.TryDequeue(out var message)) await SendAsync(message);
                 if (state.Scene is null) continue;
@@ -95,7 +77,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
                 lock (sync) Refresh();
                 Wake();
             }
-            catch (Exception fault) when (socket.State == WebSocketState.Open && !end.IsCancellationRequested)
+            catch (Exception fault) when (!end.IsCancellationRequested)
             {
                 // Often a formula that was changed. The page shows the fault until a picture is drawn again.
                 hasFault = true;
@@ -107,7 +89,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private async Task SendSceneAsync(SceneState state)
     {
         if (ReferenceEquals(known, state)) return;
-        await SendAsync(Messages.OfScene(server.Scene, state));
+        if (answers.HasFlag(Pending.Scene)) await SendAsync(Messages.OfScene(live, state));
         lock (sync)
         {
             // After a change of the camera in the file the page shows the file's camera, not the one that was turned.
@@ -127,7 +109,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     {
         lock (sync)
         {
-            var isPending = pending.HasFlag(message);
+            var isPending = (pending & answers).HasFlag(message);
             pending &= ~message;
             return isPending;
         }
@@ -138,7 +120,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         if (sent - shown >= MaxUnseen || !Takes(Pending.Frame)) return;
         var moves = isMoving;
         var wanted = moves ? view with { Divisor = divisor } : view;
-        var frame = await server.Studio.DrawAsync(state.Scene!, wanted, moves ? end.Token : Outdated());
+        var frame = await studio.DrawAsync(state.Scene!, wanted, moves ? end : Outdated());
         await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
         if (hasFault) await SendAsync(Messages.OfFault(null));
         hasFault = false;
@@ -165,9 +147,9 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         if (!IsIn(seen.Of(state.Scene!), place)) return;
         await SendAsync(await Task.Run(() =>
         {
-            var scene = seen.Of(server.Scene.InFileOrder(state));
-            var mine = seen.Camera is null ? server.Mine.PictureFor(scene.Camera) : null;
-            return Messages.OfExplanation(scene, place.Column, place.Line, mine);
+            var scene = seen.Of(live.InFileOrder(state));
+            var reference = seen.Camera is null ? mine.PictureFor(scene.Camera) : null;
+            return Messages.OfExplanation(scene, place.Column, place.Line, reference);
         }));
     }
 
@@ -175,27 +157,31 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     {
         if (isMoving || !Takes(Pending.Map) || map is not { } kind) return;
         var scene = view.Of(state.Scene!);
-        var (legend, frame) = await server.Studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
+        var (legend, frame) = await studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
         await SendAsync(legend);
         await SendFrameAsync(frame, Layer.Map, state.Version, isFinal: true);
     }
 
     private async Task SendComparisonAsync(SceneState state)
     {
-        if (!Takes(Pending.Comparison)) return;
         var diagnoses = Takes(Pending.Diagnosis);
-        var level = hint;
-        var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio).WaitAsync(end.Token);
+        if (!Takes(Pending.Comparison) && !diagnoses) return;
+        var comparison = mine.CompareWith(state, live.Path);
         if (!ReferenceEquals(comparison, compared))
         {
             diagnosing.Cancel();
             compared = comparison;
-            await SendAsync(comparison.Message());
-            foreach (var (layer, frame) in comparison.Frames()) await SendFrameAsync(frame, layer, state.Version, isFinal: true);
+            if (answers.HasFlag(Pending.Comparison)) await SendAsync(comparison, state.Version);
         }
         if (!diagnoses) return;
-        diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end.Token);
-        _ = SendDiagnosisAsync(comparison, level, diagnosing.Token);
+        diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end);
+        _ = SendDiagnosisAsync(comparison, hint, diagnosing.Token);
+    }
+
+    private async Task SendAsync(Comparison comparison, int version)
+    {
+        await SendAsync(await studio.DoAsync(comparison.Message, end));
+        foreach (var (layer, frame) in comparison.Frames()) await SendFrameAsync(frame, layer, version, isFinal: true);
     }
 
     /// <summary>Sends the diagnosis later: it takes seconds, in which the page can be used.</summary>
@@ -204,7 +190,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         string text;
         try
         {
-            text = await comparison.DiagnoseAsync(level, cancellation);
+            text = await comparison.DiagnoseAsync(level, studio.SearchTime, cancellation);
         }
         catch (Exception) when (cancellation.IsCancellationRequested)
         {
@@ -231,7 +217,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         lock (sync)
         {
             outdated.Dispose(); // its work is done; without this each would stay registered until the page closes
-            outdated = CancellationTokenSource.CreateLinkedTokenSource(server.Scene.Outdated, end.Token);
+            outdated = CancellationTokenSource.CreateLinkedTokenSource(live.Outdated, end);
             return outdated.Token;
         }
     }
@@ -241,19 +227,13 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     {
         await sending;
         if (layer == Layer.Picture) sent++;
-        sending = SendAsync(frame.Header(layer, version, sent, isFinal), frame);
-    }
-
-    private async Task SendAsync(byte[] header, Frame frame)
-    {
-        await socket.SendAsync(header.AsMemory(), WebSocketMessageType.Binary, false, end.Token);
-        await socket.SendAsync(frame.Pixels, WebSocketMessageType.Binary, true, end.Token);
+        sending = connection.SendAsync(frame.Header(layer, version, sent, isFinal), frame, end);
     }
 
     private async Task SendAsync(byte[] message)
     {
         await sending;
-        sending = socket.SendAsync(message.AsMemory(), WebSocketMessageType.Text, true, end.Token).AsTask();
+        sending = connection.SendAsync(message, end);
     }
 
     private static bool IsIn(Scene scene, Place place) =>

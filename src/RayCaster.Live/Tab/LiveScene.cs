@@ -32,10 +32,10 @@ internal sealed class LiveScene
     }
 
     /// <summary>The file as the user named it.</summary>
-    public string Path { get; }
+    public string Path { get; private set; }
 
     /// <summary>The same from the root of the file system.</summary>
-    public string FullPath { get; }
+    public string FullPath { get; private set; }
 
     /// <summary>What the file says now.</summary>
     public SceneState State { get; private set; }
@@ -43,7 +43,7 @@ internal sealed class LiveScene
     /// <summary>Cancelled as soon as the file changes.</summary>
     public CancellationToken Outdated => outdated.Token;
 
-    public event Action? Changed;
+    public event Action? Changed, Written; // Written: a camera into the file
 
     public async Task FollowAsync()
     {
@@ -62,9 +62,16 @@ internal sealed class LiveScene
                 Problem problem = new(true, Path, 0, 0, Fault.InWords("raycaster-live", unexpected), "");
                 State = State with { Version = State.Version + 1, Text = default, Problems = [problem], IsGood = false };
             }
-            Interlocked.Exchange(ref outdated, new()).Cancel();
-            Changed?.Invoke();
+            Tell();
         }
+    }
+
+    /// <summary>Reads a file at once, the same or another one: whoever calls this has written it.</summary>
+    public void ReadAgain(string path)
+    {
+        (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));
+        State = Next(Read());
+        Tell();
     }
 
     /// <summary>The state's scene with its triangles numbered as in the mesh files. Those in another order are read again, since a second copy would
@@ -88,6 +95,7 @@ internal sealed class LiveScene
                 // Writing to the disk takes some milliseconds, in which somebody may save the scene.
                 if (!File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text.Span)) throw new OperationCanceledException();
             });
+            Written?.Invoke();
             return null;
         }
         catch (OperationCanceledException)
@@ -117,6 +125,12 @@ internal sealed class LiveScene
         if (reading.Scene is not { } read) return new(version, reading.Text, reading.Problems, State?.Scene, IsGood: false, State?.InFileOrder);
         var scene = SpatialOrder.Of(read);
         return new(version, reading.Text, reading.Problems, scene, IsGood: true, ReferenceEquals(scene, read) ? null : reading.Text);
+    }
+
+    private void Tell()
+    {
+        Interlocked.Exchange(ref outdated, new()).Cancel();
+        Changed?.Invoke();
     }
 
     private static (DateTime, long)[] StampsOf(SceneReading reading) => [.. reading.MeshFiles.Select(FileWatch.StampOf)];

@@ -18,7 +18,7 @@ internal sealed class Frame(int width, int height)
     private readonly byte[] pixels = GC.AllocateUninitializedArray<byte>(4 * width * height);
 
     /// <summary>The pixels, line 0 at the top.</summary>
-    public ReadOnlyMemory<byte> Pixels => pixels;
+    public Memory<byte> Pixels => pixels;
 
     /// <summary>Six numbers of four bytes, which the server sends before the pixels.</summary>
     /// <param name="number">The count of the page's frames so far.</param>

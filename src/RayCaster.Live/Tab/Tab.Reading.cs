@@ -1,4 +1,3 @@
-using System.Net.WebSockets;
 using System.Text.Json;
 
 namespace RayCaster.Live;
@@ -6,27 +5,21 @@ namespace RayCaster.Live;
 /// <summary>Receives the page's requests.</summary>
 internal sealed partial class Tab
 {
-    private const int MaxBytes = 1 << 16; // of a message; the page's have some hundred
-
-    private async Task ReadAsync()
+    /// <summary>Takes a message of requests.</summary>
+    /// <returns>False if the page sends no such message: another program does.</returns>
+    public bool Take(ReadOnlyMemory<byte> requests)
     {
-        var bytes = new byte[MaxBytes];
-        while (true)
+        try
         {
-            using var stream = WebSocketStream.CreateReadableMessageStream(socket);
-            var length = await stream.ReadAtLeastAsync(bytes, MaxBytes, throwOnEndOfStream: false, end.Token);
-            if (length == MaxBytes) return;
-            try
-            {
-                using var message = JsonDocument.Parse(bytes.AsMemory(0, length));
-                foreach (var request in message.RootElement.EnumerateObject()) Take(request.Name, request.Value);
-            }
-            catch (Exception e) when (e is JsonException or InvalidOperationException or FormatException or IndexOutOfRangeException)
-            {
-                return; // the page sends no such message, so another program does: the connection ends
-            }
-            Wake();
+            using var message = JsonDocument.Parse(requests);
+            foreach (var request in message.RootElement.EnumerateObject()) Take(request.Name, request.Value);
         }
+        catch (Exception e) when (e is JsonException or InvalidOperationException or FormatException or IndexOutOfRangeException)
+        {
+            return false;
+        }
+        Wake();
+        return true;
     }
 
     private void Take(string name, JsonElement value)
@@ -73,13 +66,13 @@ internal sealed partial class Tab
                     break;
                 case "diagnose":
                     diagnosing.Cancel();
-                    if (value.GetBoolean()) pending |= Pending.Diagnosis | Pending.Comparison;
+                    if (value.GetBoolean()) pending |= Pending.Diagnosis;
                     break;
                 case "forgetMine":
-                    server.Mine.Forget();
+                    mine.Forget();
                     break;
                 case "write":
-                    WriteCamera(value.GetInt32());
+                    if (answers.HasFlag(Pending.Camera)) WriteCamera(value.GetInt32());
                     break;
                 default:
                     throw new FormatException($"there is no request '{name}'");
@@ -102,7 +95,7 @@ internal sealed partial class Tab
     /// <summary>Moves the camera. Each move counts, even if no frame is drawn before the next.</summary>
     private void Move(Func<Camera, Camera> move)
     {
-        if (server.Scene.State.Scene is not { } scene) return;
+        if (live.State.Scene is not { } scene) return;
         view = view with { Camera = move(view.Camera ?? scene.Camera) };
         isMoving = true;
         pending |= Pending.Frame;
@@ -121,7 +114,7 @@ internal sealed partial class Tab
     /// <summary>Restores a camera that the page remembers, or with null the scene's own.</summary>
     private void SeeThrough(JsonElement value)
     {
-        var camera = IsNull(value) || server.Scene.State.Scene is not { } scene ? null : scene.Camera.With(
+        var camera = IsNull(value) || live.State.Scene is not { } scene ? null : scene.Camera.With(
             position: VectorOf(value.GetProperty("position")), target: VectorOf(value.GetProperty("target")));
         view = view with { Camera = camera?.ValidationError is null ? camera : null };
         outdated.Cancel();
@@ -140,7 +133,7 @@ internal sealed partial class Tab
         {
             try
             {
-                return camera is null ? "" : server.Scene.WriteCamera(camera, version) ?? "";
+                return camera is null ? "" : live.WriteCamera(camera, version) ?? "";
             }
             catch (Exception e) when (e is ProblemException or IOException or UnauthorizedAccessException)
             {

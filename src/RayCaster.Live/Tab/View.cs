@@ -19,6 +19,9 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1)
         return scene with { Camera = camera };
     }
 
+    /// <summary>How many pixels of a scene's picture a page shows at most; 0 if there is no scene.</summary>
+    public static long PixelsOf(Scene? scene) => Math.Min(MaxPixels, (long)(scene?.Camera.Width ?? 0) * (scene?.Camera.Height ?? 0));
+
     /// <summary>The size at which a page shows a scene's picture.</summary>
     public static (int Width, int Height) SizeOf(Camera camera)
     {

@@ -8,7 +8,7 @@ internal sealed class MinePicture(string? path, CancellationToken end)
 
     private readonly Lock sync = new();
     private (int Version, string? Name, Picture? Picture, string? Problem) now;
-    private (SceneState? State, int Version, Task<Comparison>? Comparison) last;
+    private (SceneState? State, int Version, Comparison? Comparison) last;
 
     public event Action? Changed;
 
@@ -30,9 +30,10 @@ internal sealed class MinePicture(string? path, CancellationToken end)
         while (await watch.WaitAsync());
     }
 
-    /// <param name="maxPixels">The most pixels that its header may promise.</param>
+    /// <summary>Takes a picture that was dropped, of the scene's size at most.</summary>
+    /// <param name="file">The name of its file.</param>
     /// <exception cref="ProblemException">The file is no picture, or too large.</exception>
-    public void Take(string name, Stream bytes, long maxPixels) => Put(name, PictureFile.Read(bytes, 3 * maxPixels));
+    public void Take(string file, Stream bytes, Scene? scene) => Put(NameOf(file), PictureFile.Read(bytes, 3 * Math.Max(1, View.PixelsOf(scene))));
 
     public void Forget() => Put(null, null);
 
@@ -43,24 +44,25 @@ internal sealed class MinePicture(string? path, CancellationToken end)
         return (picture?.Width, picture?.Height) == (camera.Width, camera.Height) ? picture : null;
     }
 
-    /// <summary>Compares with a scene's picture, once for all pages.</summary>
-    public Task<Comparison> CompareAsync(LiveScene live, SceneState state, Studio studio)
+    /// <summary>The comparison with a scene's picture, one for all pages.</summary>
+    public Comparison CompareWith(SceneState state, string sceneName)
     {
         lock (sync)
         {
-            var (version, name, picture, problem) = now;
-            if (!ReferenceEquals(last.State, state) || last.Version != version)
-                last = (state, version, Task.Run(() => CompareAsync(new(name, problem, null, state.Scene, live.Path), picture, studio)));
-            return last.Comparison!;
+            if (ReferenceEquals(last.State, state) && last.Version == now.Version) return last.Comparison!;
+            var scene = state.Scene!;
+            var isTooLarge = now.Picture is not null && View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height);
+            var problem = isTooLarge ? $"the page compares at most {View.MaxPixels:N0} pixels; use \"raycaster compare\"" : now.Problem;
+            last = (state, now.Version, new(now.Name, problem, isTooLarge ? null : now.Picture, scene, sceneName));
+            return last.Comparison;
         }
     }
 
-    private async Task<Comparison> CompareAsync(Comparison comparison, Picture? picture, Studio studio)
+    /// <summary>The name of a dropped file, without folders.</summary>
+    private static string NameOf(string text)
     {
-        if (picture is null || comparison.Scene is not { } scene) return comparison;
-        if (View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height))
-            return comparison with { Problem = $"the page compares at most {View.MaxPixels:N0} pixels; use \"raycaster compare\"" };
-        return comparison with { Result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(scene), scene), end) };
+        var name = PrintableText.Of(Path.GetFileName(text.Replace('\\', '/')));
+        return name.Length == 0 ? "your picture" : name[..Math.Min(100, name.Length)];
     }
 
     private static bool IsSame(Picture? a, Picture? b) =>

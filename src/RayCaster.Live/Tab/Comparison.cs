@@ -3,11 +3,15 @@ namespace RayCaster.Live;
 /// <summary>The comparison of the user's own picture with the scene's, in words and in pictures.</summary>
 /// <param name="Name">The picture's name; null if there is no picture.</param>
 /// <param name="Problem">Why it cannot be compared; null if it can.</param>
-internal sealed record Comparison(string? Name, string? Problem, PictureComparison? Result, Scene? Scene, string SceneName)
+/// <param name="Mine">The picture; null if it cannot be compared.</param>
+internal sealed record Comparison(string? Name, string? Problem, Picture? Mine, Scene Scene, string SceneName)
 {
     private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds
     private Diagnosis? diagnosis;
     private bool isCut;
+
+    /// <summary>The comparison, which the first use makes.</summary>
+    private PictureComparison? Result => Mine is null ? null : field ??= new(Mine, Renderer.Render(Scene), Scene);
 
     /// <summary>The words for the page, without the diagnosis.</summary>
     public byte[] Message() => Messages.Of(new
@@ -25,23 +29,23 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
     public IEnumerable<(Layer, Frame)> Frames()
     {
         if (Result?.Difference is not { } difference) yield break;
-        yield return (Layer.Mine, Frame.Of(Result.Mine));
+        yield return (Layer.Mine, Frame.Of(Mine!));
         yield return (Layer.Difference, Frame.Of(HeatMap.Of(difference)));
         yield return (Layer.ByObject, Frame.Of(HeatMap.ByModel(Result)));
     }
 
     /// <summary>Names the mistake that may have made the picture.</summary>
-    public async Task<string> DiagnoseAsync(HintLevel level, CancellationToken cancellation)
+    public async Task<string> DiagnoseAsync(HintLevel level, TimeSpan time, CancellationToken cancellation)
     {
-        if (Result is null || Scene is null) return "";
-        if (!SceneDiagnosis.CanJudge(Scene, Result.Mine)) return "The picture must have the scene's size to be diagnosed.";
+        if (Mine is null) return "";
+        if (!SceneDiagnosis.CanJudge(Scene, Mine)) return "The picture must have the scene's size to be diagnosed.";
         await turn.WaitAsync(cancellation);
         try
         {
             if (diagnosis is null)
             {
-                var budget = new SearchBudget(SearchBudget.Usual, cancellation);
-                var found = await Task.Run(() => Diagnosis.Of(Scene, Result.Mine, budget), CancellationToken.None);
+                var budget = new SearchBudget(time, cancellation);
+                var found = await Task.Run(() => Diagnosis.Of(Scene, Mine, budget), CancellationToken.None);
                 cancellation.ThrowIfCancellationRequested();
                 (diagnosis, isCut) = (found, budget.LeavesOut);
             }

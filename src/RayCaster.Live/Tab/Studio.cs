@@ -1,11 +1,14 @@
 namespace RayCaster.Live;
 
 /// <summary>Draws for all pages, one picture after another: each takes every core.</summary>
-internal sealed class Studio
+internal class Studio
 {
     private readonly SemaphoreSlim turn = new(1, 1);
 
-    public Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation) =>
+    /// <summary>How much processor time a diagnosis may take.</summary>
+    public virtual TimeSpan SearchTime => SearchBudget.Usual;
+
+    public virtual Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation) =>
         DoAsync(() => Draw(view.Of(scene), cancellation), cancellation);
 
     /// <summary>Does work that takes all cores, after the work before it.</summary>

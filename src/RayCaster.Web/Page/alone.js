@@ -1,0 +1,75 @@
+// What only the page without a server has: the scene's text in an editor, scenes in files and links, and work without a network.
+import { dropped } from "./comparison.js";
+import { change, scene } from "./connection.js";
+import { $, make, show } from "./dom.js";
+import { longest, toLink } from "./link.js";
+import "./problems.js"; // it makes its list before the buttons in it are made here
+import { on } from "./server.js";
+
+const most = 10_000_000; // letters of a scene
+const editor = $("scene-text"), said = $("scene-said");
+let timer = 0;
+
+editor.after($("problems"));
+$("problem-list").setAttribute("role", "status"); // an alert would interrupt whoever types
+
+on("open", () => { editor.value ||= scene[1]; });
+on("scene", ({ good, problems }) => {
+  editor.setAttribute("aria-invalid", !good);
+  problems.forEach(({ place }, i) => {
+    const [, line, column] = /:(\d+):(\d+)$/.exec(place) ?? [];
+    if (line) $("problem-list").children[i].append(make("button", { type: "button", onclick: () => goTo(line, column) }, `Go to line ${line}`));
+  });
+});
+on("text", ({ text }) => take(text)); // the camera was written into it
+
+editor.addEventListener("input", () => {
+  clearTimeout(timer);
+  timer = setTimeout(() => take(editor.value), 300);
+});
+
+/** Shows a scene. */
+function take(text, name = scene[0]) {
+  clearTimeout(timer);
+  if (text.length > most) return void (said.textContent = `${name} is too large: this page takes scenes of at most 10 MB.`);
+  if (editor.value !== text) editor.value = text;
+  show($("share"), false);
+  said.textContent = "";
+  change(name, text);
+}
+
+/** Moves the caret to a place of the text. */
+function goTo(line, column) {
+  const at = editor.value.split("\n", line - 1).reduce((sum, { length }) => sum + length + 1, column - 1);
+  editor.setSelectionRange(at, at);
+  editor.focus();
+}
+
+async function open(file) {
+  take(await file.slice(0, 4 * most).text(), file.name); // a letter has four bytes at most
+}
+
+$("open-scene").addEventListener("change", event => {
+  [...event.target.files].forEach(open);
+  event.target.value = ""; // so that the same file can be chosen again
+});
+const { onFile } = dropped;
+dropped.onFile = file => file.name.toLowerCase().endsWith(".json") ? open(file) : onFile(file);
+
+$("save-scene").addEventListener("click", () =>
+  make("a", { download: scene[0], href: URL.createObjectURL(new Blob([editor.value], { type: "application/json" })) }).click());
+
+$("share-scene").addEventListener("click", async () => {
+  const link = await toLink(editor.value);
+  show($("share"), link.length <= longest);
+  $("share-link").value = link;
+  $("share-link").select();
+  const isCopied = link.length <= longest && await navigator.clipboard?.writeText(link).then(() => true, () => false);
+  said.textContent = isCopied ? "The link is copied."
+    : link.length <= longest ? "The link is selected: press Ctrl + C to copy it."
+    : `The link would have ${link.length} characters; many programs cut it. Save the scene as a file instead.`;
+});
+
+addEventListener("hashchange", () => { if (location.hash.startsWith("#scene=")) location.reload(); });
+
+navigator.serviceWorker?.register("offline.js").catch(() => { /* private windows do not allow it */ });

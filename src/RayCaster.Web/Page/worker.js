@@ -1,0 +1,20 @@
+// A Web Worker that runs RayCaster. A message is an exported method of Program.cs and its arguments; the answers are those of a server.
+import { dotnet } from "./_framework/dotnet.js";
+
+async function start() {
+  const { getAssemblyExports, getConfig, setModuleImports } = await dotnet.create();
+  setModuleImports("worker", {
+    post: message => postMessage(message),
+    postFrame: (header, pixels) => {
+      const frame = new Uint8Array(header.byteLength + pixels.byteLength);
+      header.copyTo(frame);
+      pixels.copyTo(frame.subarray(header.byteLength));
+      postMessage(frame.buffer, [frame.buffer]);
+    },
+  });
+  return (await getAssemblyExports(getConfig().mainAssemblyName)).RayCaster.Web.Program;
+}
+
+const program = start();
+addEventListener("message", async ({ data: [method, ...values] }) => (await program)[method](...values));
+addEventListener("unhandledrejection", event => setTimeout(() => { throw event.reason; })); // so that the page hears of it as an error

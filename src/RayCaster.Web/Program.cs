@@ -1,0 +1,72 @@
+using System.Runtime.InteropServices.JavaScript;
+
+namespace RayCaster.Web;
+
+/// <summary>What a Web Worker of the page calls (Page/worker.js), and how it is called.</summary>
+internal sealed partial class Program : IConnection
+{
+    private static readonly MinePicture mine = new(null, default);
+    private static LiveScene? live;
+    private static Tab? tab;
+
+    private static void Main() { } // the worker calls the methods below
+
+    /// <summary>Begins to answer the page.</summary>
+    /// <param name="answers">What this worker answers, as names of <see cref="Pending"/>.</param>
+    /// <param name="name">The scene's name, and its text.</param>
+    [JSExport]
+    internal static Task Start(string answers, string name, string text)
+    {
+        File.WriteAllText(name, text); // the worker's files are in its memory
+        live = new(name, default);
+        tab = new(new Program(), live, mine, new PatientStudio(), default, Enum.Parse<Pending>(answers));
+        live.Changed += tab.Wake;
+        live.Written += () => tab.Post(Messages.Of(new { Kind = "text", Text = File.ReadAllText(live.Path) }));
+        mine.Changed += tab.CompareAgain;
+        return tab.AnswerAsync();
+    }
+
+    /// <summary>Takes a scene that the user has changed or opened.</summary>
+    [JSExport]
+    internal static void Change(string name, string text)
+    {
+        File.WriteAllText(name, text);
+        live!.ReadAgain(name);
+    }
+
+    /// <summary>Takes the requests that a page also sends to RayCaster.Live's server.</summary>
+    [JSExport]
+    internal static void Ask(string requests) => tab!.Take(Encoding.UTF8.GetBytes(requests));
+
+    /// <summary>Takes a picture of the user's own program.</summary>
+    [JSExport]
+    internal static void Compare(string file, byte[] bytes)
+    {
+        try
+        {
+            mine.Take(file, new MemoryStream(bytes), live!.State.Scene);
+        }
+        catch (ProblemException problem)
+        {
+            tab!.Post(Messages.Of(new { Kind = "refused", Name = file, Problem = problem.Message }));
+        }
+    }
+
+    public Task SendAsync(byte[] message, CancellationToken cancellation)
+    {
+        Post(Encoding.UTF8.GetString(message));
+        return Task.CompletedTask;
+    }
+
+    public Task SendAsync(byte[] header, Frame frame, CancellationToken cancellation)
+    {
+        PostFrame(header, frame.Pixels.Span);
+        return Task.CompletedTask;
+    }
+
+    [JSImport("post", "worker")]
+    private static partial void Post(string message);
+
+    [JSImport("postFrame", "worker")]
+    private static partial void PostFrame([JSMarshalAs<JSType.MemoryView>] Span<byte> header, [JSMarshalAs<JSType.MemoryView>] Span<byte> pixels);
+}
