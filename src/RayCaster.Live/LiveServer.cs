@@ -145,7 +145,7 @@ internal sealed class LiveServer : IAsyncDisposable
         }
     }
 
-    /// <summary>Receives a picture of the user's own program, of the scene's size at most.</summary>
+    /// <summary>Receives a picture of the user's own program, of the scene's size or a million pixels at most.</summary>
     private async Task TakeMineAsync(HttpContext context)
     {
         var scene = Scene.State.Scene;
@@ -161,7 +161,7 @@ internal sealed class LiveServer : IAsyncDisposable
         }
         catch (BadHttpRequestException e)
         {
-            await RefuseAsync(context, e.StatusCode, "The file is larger than any picture of this scene's size.");
+            await RefuseAsync(context, e.StatusCode, "The file is larger than any picture of this scene's size, and of a million pixels.");
         }
         catch (ProblemException e)
         {

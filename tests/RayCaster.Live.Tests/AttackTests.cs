@@ -92,10 +92,22 @@ public class AttackTests
     }
 
     [Fact]
+    public async Task APictureLargerThanTheScenesIsComparedAndToldByItsSize()
+    {
+        await using var page = await LivePage.OpenAsync();
+        using var file = new MemoryStream();
+        PictureFile.Write(file, new Picture(60, 45), PictureFormat.Png);
+        await page.ConnectAsync();
+        Assert.Equal(HttpStatusCode.NoContent, (await PostAsync(page, file.ToArray())).StatusCode);
+        var told = await page.MessageAsync("comparison", message => message.GetProperty("text").GetString() is not null);
+        Assert.Contains("60 x 45", told.GetProperty("text").GetString());
+    }
+
+    [Fact]
     public async Task AnUploadLargerThanThePictureIsCutOff()
     {
         await using var page = await LivePage.OpenAsync();
-        var answer = await PostAsync(page, new byte[12 * 40 * 30 + 65_537]);
+        var answer = await PostAsync(page, new byte[12 * 1_000_000 + 65_537]);
         Assert.Equal(HttpStatusCode.RequestEntityTooLarge, answer.StatusCode);
     }
 

@@ -9,6 +9,12 @@ export const dropped = { onFile: send }; // what to do with a file that is dropp
 
 let middle = null, isDiagnosing = false;
 
+on("scene", ({ good }) => { // a new comparison follows
+  if (!good || $("compared").hidden) return;
+  $("mine-said").textContent = "Comparing again …";
+  $("diagnose").disabled = true;
+});
+
 on("comparison", message => {
   const name = message.name;
   $("mine-said").textContent = message.problem ? `${name}: ${message.problem}` : name ? `${name} is compared: ${message.verdict}.` : "";
@@ -20,6 +26,7 @@ on("comparison", message => {
   for (const option of $("mine-show").options) option.disabled = !message.hasLayers && option.value !== "none";
   if (!message.hasLayers) $("mine-show").value = "none";
   diagnosing(false);
+  $("diagnose").disabled = false;
   arrange();
 });
 
@@ -66,7 +73,7 @@ function arrange() {
 
 async function send(file) {
   $("mine-said").textContent = `Comparing ${file.name} …`;
-  const problem = await sendPicture(file);
+  const problem = await sendPicture(file).catch(() => "it cannot be read");
   if (problem) $("mine-said").textContent = `${file.name}: ${problem}`;
 }
 

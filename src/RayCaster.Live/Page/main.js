@@ -8,7 +8,8 @@ import { ask, connect, on, remember } from "./server.js";
 import "./comparison.js";
 import "./models.js";
 
-let scene = null, camera = null;
+let scene = null, camera = null, pointed = null;
+const drawn = new Promise(resolve => $("stage").addEventListener("frame", resolve, { once: true }));
 
 on("open", () => say("Connected."));
 on("closed", reason => {
@@ -29,9 +30,11 @@ on("scene", message => {
   const isSmaller = scene.shownWidth !== scene.width || scene.shownHeight !== scene.height;
   const smaller = isSmaller ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
   const found = errors(scene);
-  say(scene.good
+  const news = scene.good
     ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`
-    : scene.isGone ? `${scene.path} is gone.` : `${count(found.length + scene.more, "error")} in ${scene.path}: ${found[0].message}`);
+    : scene.isGone ? `${scene.path} is gone.` : `${count(found.length + scene.more, "error")} in ${scene.path}: ${found[0].message}`;
+  scene.width > 0 ? drawn.then(() => say(news)) : say(news);
+  if (pointed) ask({ hover: pointed });
   const picture = `The picture of ${scene.path}, ${scene.width} by ${scene.height} pixels, ${count(scene.modelCount, "model")}` +
     (scene.good ? "" : "; it is the last good one");
   for (const id of ["picture", "stage"]) $(id).setAttribute("aria-label", picture);
@@ -68,6 +71,7 @@ on("hover", at => {
 });
 hand.onPoint = pixel => {
   $("hover").setAttribute("aria-live", "off"); // a screen reader would read without end while the pointer moves
+  pointed = pixel ?? pointed;
   if (pixel) ask({ hover: pixel });
 };
 hand.onClick = explain;
@@ -82,6 +86,7 @@ $("map-kind").addEventListener("change", event => {
 $("map-strength").addEventListener("input", event => { $("map").style.opacity = event.target.value / 100; });
 
 on("legend", legend => {
+  if (!$("map-kind").value) return; // it was chosen, and is no longer
   const isRamp = legend.colors.length > 0 && legend.map !== "model";
   $("legend-words").textContent = `${legend.map === "model" ? "Each model has the colour beside its name. " : ""}Black: the ray hits nothing.`;
   show($("legend-words"), true);

@@ -30,10 +30,10 @@ internal sealed class MinePicture(string? path, CancellationToken end)
         while (await watch.WaitAsync());
     }
 
-    /// <summary>Takes a picture that was dropped, of the scene's size at most.</summary>
+    /// <summary>Takes a picture that was dropped, of the scene's size or a million pixels at most.</summary>
     /// <param name="file">The name of its file.</param>
     /// <exception cref="ProblemException">The file is no picture, or too large.</exception>
-    public void Take(string file, Stream bytes, Scene? scene) => Put(NameOf(file), PictureFile.Read(bytes, 3 * Math.Max(1, View.PixelsOf(scene))));
+    public void Take(string file, Stream bytes, Scene? scene) => Put(NameOf(file), PictureFile.Read(bytes, 3 * View.PixelsOf(scene)));
 
     public void Forget() => Put(null, null);
 

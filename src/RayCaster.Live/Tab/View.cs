@@ -19,8 +19,8 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1)
         return scene with { Camera = camera };
     }
 
-    /// <summary>How many pixels of a scene's picture a page shows at most; 0 if there is no scene.</summary>
-    public static long PixelsOf(Scene? scene) => Math.Min(MaxPixels, (long)(scene?.Camera.Width ?? 0) * (scene?.Camera.Height ?? 0));
+    /// <summary>How many pixels the user's own picture may have: as many as the scene's, or a million, so that another size is compared.</summary>
+    public static long PixelsOf(Scene? scene) => Math.Clamp((long)(scene?.Camera.Width ?? 0) * (scene?.Camera.Height ?? 0), 1_000_000, MaxPixels);
 
     /// <summary>The size at which a page shows a scene's picture.</summary>
     public static (int Width, int Height) SizeOf(Camera camera)

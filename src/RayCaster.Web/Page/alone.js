@@ -28,6 +28,8 @@ editor.addEventListener("input", () => {
   timer = setTimeout(() => take(editor.value), 300);
 });
 
+editor.addEventListener("change", () => { if (editor.value !== scene[1]) take(editor.value); }); // before a button works with the old text
+
 /** Shows a scene. */
 function take(text, name = scene[0]) {
   clearTimeout(timer);
@@ -45,8 +47,8 @@ function goTo(line, column) {
   editor.focus();
 }
 
-async function open(file) {
-  take(await file.slice(0, 4 * most).text(), file.name); // a letter has four bytes at most
+function open(file) { // a letter has four bytes at most
+  file.slice(0, 4 * most).text().then(text => take(text, file.name), () => { said.textContent = `${file.name} cannot be read.`; });
 }
 
 $("open-scene").addEventListener("change", event => {

@@ -5,6 +5,7 @@ import { fromLink } from "./link.js";
 const answers = { view: "Scene, Hover, Frame, Camera, Explanation", study: "Map, Comparison, Ledger", search: "Diagnosis" };
 const workers = {};
 let isOpen = false; // whether a worker has said something
+let isSearching = false; // whether a diagnosis runs
 let told = null;   // what to do with what the workers send
 let mine = null;   // the user's picture: its name and its bytes
 
@@ -24,6 +25,7 @@ export async function connect(listener) {
 /** Sends one or several requests. */
 export function send(requests) {
   if (requests.diagnose === false) cancel();
+  isSearching ||= Boolean(requests.diagnose);
   if (requests.diagnose && !workers.search) start("search");
   if (requests.forgetMine) mine = null;
   tell("Ask", JSON.stringify(requests));
@@ -48,9 +50,9 @@ export async function sendPicture(file) {
 
 /** Ends a diagnosis. */
 function cancel() {
-  if (!workers.search) return;
   end("search");
-  told.message(JSON.stringify({ kind: "diagnosis", text: "The diagnosis was cancelled." }));
+  if (isSearching) told.message(JSON.stringify({ kind: "diagnosis", text: "The diagnosis was cancelled." }));
+  isSearching = false;
 }
 
 function tell(...call) {
@@ -62,6 +64,7 @@ function start(name) {
   worker.addEventListener("message", event => {
     if (!isOpen) told.open();
     isOpen = true;
+    if (name === "search") isSearching = false;
     told.message(event.data);
   });
   worker.addEventListener("error", event => { if (workers[name] === worker) fail(event.message); });
@@ -77,6 +80,6 @@ function end(name) {
 /** Begins anew after a fault of a worker, as when its memory is full. */
 function fail(reason) {
   Object.keys(workers).forEach(end);
-  isOpen = false;
+  isOpen = isSearching = false;
   told.closed(`RayCaster has ended in this page (${reason}); it starts again.`);
 }
