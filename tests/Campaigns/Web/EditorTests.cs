@@ -18,7 +18,7 @@ public class EditorTests(Chromium chromium, Site site)
         await using var web = await WebPage.OpenAsync(chromium, site);
         Assert.Equal(File.ReadAllText(ProjectFolder.PathOf("scenes/room.json")).Trim(), (await web.Page.SceneTextAsync()).Trim());
         await web.Page.WriteSceneAsync(Ball);
-        await web.Page.ShowsPictureOfAsync(Some(Ball));
+        await web.Page.ShowsPictureOfAsync(Ball);
         Assert.Empty(web.Complaints);
     }
 
@@ -26,14 +26,13 @@ public class EditorTests(Chromium chromium, Site site)
     public async Task KeysThatAreTypedAreDrawn()
     {
         await using var web = await WebPage.OpenAsync(chromium, site);
-        await web.Page.WriteSceneAsync(Ball);
-        await web.Page.ShowsSizeAsync(40, 30);
+        await ShowBallAsync(web.Page);
         await web.Page.EvaluateExpressionAsync("""
             { const e = document.getElementById('scene-text'); e.focus(); e.selectionStart = e.selectionEnd = e.value.indexOf('40,') + 1; }
             """);
         await web.Page.PressAsync("Delete");
         await web.Page.Keyboard.TypeAsync("4");
-        await web.Page.ShowsPictureOfAsync(Some(Ball.Replace("40", "44")));
+        await web.Page.ShowsPictureOfAsync(Ball.Replace("40", "44"));
         Assert.Empty(web.Complaints);
     }
 
@@ -58,7 +57,7 @@ public class EditorTests(Chromium chromium, Site site)
         await using var web = await WebPage.OpenAsync(chromium, site);
         using var folder = new TemporaryFolder();
         await (await web.Page.ShowsAsync("#open-scene")).UploadFileAsync(folder.Write("ball.json", Ball));
-        await web.Page.ShowsPictureOfAsync(Some(Ball));
+        await web.Page.ShowsPictureOfAsync(Ball);
         Assert.Equal(Ball, await web.Page.SceneTextAsync());
         await web.Page.SaysAsync("ball.json");
         Assert.Empty(web.Complaints);
@@ -85,8 +84,7 @@ public class EditorTests(Chromium chromium, Site site)
         string link;
         await using (var web = await WebPage.OpenAsync(chromium, site))
         {
-            await web.Page.WriteSceneAsync(Ball);
-            await web.Page.ShowsSizeAsync(40, 30);
+            await ShowBallAsync(web.Page);
             await web.Page.ClickOnAsync("#share-scene");
             await web.Page.WaitForFunctionAsync("() => /#scene=./.test(document.getElementById('share-link').value ?? '')");
             link = await web.Page.EvaluateExpressionAsync<string>("document.getElementById('share-link').value");
@@ -94,7 +92,7 @@ public class EditorTests(Chromium chromium, Site site)
         }
 
         await using var other = await WebPage.OpenAsync(chromium, site, fragment: link[link.IndexOf('#')..]);
-        await other.Page.ShowsPictureOfAsync(Some(Ball));
+        await other.Page.ShowsPictureOfAsync(Ball);
         Assert.Equal(Ball, await other.Page.SceneTextAsync());
         await other.Page.SaysAsync("<img src=x onerror=alert(1)>");
         Assert.Null(await other.Page.QuerySelectorAsync("img"));
@@ -114,15 +112,14 @@ public class EditorTests(Chromium chromium, Site site)
     public async Task TheCameraIsWrittenIntoTheText()
     {
         await using var web = await WebPage.OpenAsync(chromium, site);
-        await web.Page.WriteSceneAsync(Ball);
-        await web.Page.ShowsSizeAsync(40, 30);
+        await ShowBallAsync(web.Page);
         await web.Page.FocusAsync("#stage");
         await web.Page.PressAsync("ArrowLeft");
         await web.Page.ClickOnAsync("#camera-write:not([disabled])");
         await web.Page.WaitForFunctionAsync("text => document.getElementById('scene-text').value !== text", Ball);
         var text = await web.Page.SceneTextAsync();
         Assert.Contains("// a ball", text);
-        await web.Page.ShowsPictureOfAsync(Some(text));
+        await web.Page.ShowsPictureOfAsync(text);
         Assert.Empty(web.Complaints);
     }
 
@@ -130,13 +127,16 @@ public class EditorTests(Chromium chromium, Site site)
     public async Task TheTextIsThereAgainAfterThePageWasLoadedAgain()
     {
         await using var web = await WebPage.OpenAsync(chromium, site);
-        await web.Page.WriteSceneAsync(Ball);
-        await web.Page.ShowsSizeAsync(40, 30);
+        await ShowBallAsync(web.Page);
         await web.Page.ReloadAsync();
-        await web.Page.ShowsPictureOfAsync(Some(Ball));
+        await web.Page.ShowsPictureOfAsync(Ball);
         Assert.Equal(Ball, await web.Page.SceneTextAsync());
         Assert.Empty(web.Complaints);
     }
 
-    private static Scene Some(string text) => SceneReader.Parse(System.Text.Encoding.UTF8.GetBytes(text), "scene.json", "").Scene!;
+    private static async Task ShowBallAsync(PuppeteerSharp.IPage page)
+    {
+        await page.WriteSceneAsync(Ball);
+        await page.ShowsSizeAsync(40, 30);
+    }
 }

@@ -10,13 +10,8 @@ public class PromiseTests(Chromium chromium, Site site)
     {
         await using var web = await WebPage.OpenAsync(chromium, site, isProxied: true);
         var page = web.Page;
-        await page.FocusAsync("#stage");
-        await page.PressAsync("Enter");
-        await page.ShowsAsync("#pixel-head");
-        using var folder = new TemporaryFolder();
-        PictureFile.Write(folder["mine.png"], new Picture(500, 500));
-        await page.DropAsync("mine.png", File.ReadAllBytes(folder["mine.png"]));
-        await page.SaysAsync("mine.png is wrong");
+        await page.ExplainAsync();
+        await page.DropWrongAsync();
         await page.ClickOnAsync("#diagnose"); // in a worker of its own
         await page.SaysAsync("Cancel");
         await page.ClickOnAsync("#diagnose");
@@ -60,9 +55,7 @@ public class PromiseTests(Chromium chromium, Site site)
         await web.Server.DisposeAsync();
         await page.ReloadAsync();
         await page.ShowsAsync("#picture[data-final=true]");
-        await page.FocusAsync("#stage");
-        await page.PressAsync("Enter");
-        await page.ShowsAsync("#pixel-head");
+        await page.ExplainAsync();
     }
 
     [BrowserFact]
@@ -70,13 +63,8 @@ public class PromiseTests(Chromium chromium, Site site)
     {
         await using var web = await WebPage.OpenAsync(chromium, site);
         var page = web.Page;
-        await page.FocusAsync("#stage");
-        await page.PressAsync("Enter");
-        await page.ShowsAsync("#pixel-head");
-        using var folder = new TemporaryFolder();
-        PictureFile.Write(folder["mine.png"], new Picture(500, 500));
-        await page.DropAsync("mine.png", File.ReadAllBytes(folder["mine.png"]));
-        await page.SaysAsync("mine.png is wrong");
+        await page.ExplainAsync();
+        await page.DropWrongAsync();
         foreach (var width in new[] { 360, 1400 })
         {
             foreach (var scheme in new[] { "light", "dark" })
@@ -128,7 +116,7 @@ public class PromiseTests(Chromium chromium, Site site)
               "models": [ { "type": "sphere", "center": [0, 0, 1], "radius": 1, "color": [1, 0.5, 0.1] } ] }
             """;
         await web.Page.WriteSceneAsync(Next);
-        await web.Page.ShowsPictureOfAsync(SceneReader.Parse(System.Text.Encoding.UTF8.GetBytes(Next), "scene.json", "").Scene!);
+        await web.Page.ShowsPictureOfAsync(Next);
         await web.Page.HidesAsync("#problems");
         Assert.Equal("", await web.Page.TextOfAsync("#scene-said"));
         Assert.Empty(web.Complaints);

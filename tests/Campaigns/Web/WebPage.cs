@@ -78,6 +78,26 @@ internal static class WebPageExtensions
                 """, new WaitForFunctionOptions { PollingInterval = 500 }, Convert.ToBase64String(right));
         }
 
+        public Task ShowsPictureOfAsync(string scene) =>
+            page.ShowsPictureOfAsync(SceneReader.Parse(System.Text.Encoding.UTF8.GetBytes(scene), "scene.json", "").Scene!);
+
+        /// <summary>Explains the pixel in the middle, by the keyboard.</summary>
+        public async Task ExplainAsync()
+        {
+            await page.FocusAsync("#stage");
+            await page.PressAsync("Enter");
+            await page.ShowsAsync("#pixel-head");
+        }
+
+        /// <summary>Drops a wrong picture of the room, and waits for its comparison.</summary>
+        public async Task DropWrongAsync()
+        {
+            using var folder = new TemporaryFolder();
+            PictureFile.Write(folder["mine.png"], new Picture(500, 500));
+            await page.DropAsync("mine.png", File.ReadAllBytes(folder["mine.png"]));
+            await page.SaysAsync("mine.png is wrong");
+        }
+
         /// <summary>The bytes of the picture that the page shows, three for each pixel.</summary>
         public async Task<byte[]> BytesAsync() => Convert.FromBase64String(await page.EvaluateFunctionAsync<string>("""
             () => {
