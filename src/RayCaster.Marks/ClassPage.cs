@@ -38,16 +38,15 @@ internal static class ClassPage
     /// <summary>What a mistake makes of the scene that it changes most, as small pictures show, beside the right picture.</summary>
     private static string Pictures(Rubric rubric, string id)
     {
-        var program = MistakeCatalog.Named(id) is { } mistake ? new WrongProgram(Unfinished.Nothing, [mistake], false)
-            : new WrongProgram(new([id]), [], false);
+        var change = MistakeCatalog.Named(id)?.Usual ?? ChangeSource.Missing(id);
         var clearest = rubric.Scenes.MaxBy(scene => Change(scene.Scene.WithSize(scene.Right.Width / 4 + 1, scene.Right.Height / 4 + 1)))!;
-        return $"{Page.Image(program.Draw(clearest.Scene), $"{clearest.Name} with {id}")} " +
+        return $"{Page.Image(MistakeCatalog.Draw(clearest.Scene, [change]), $"{clearest.Name} with {id}")} " +
             Page.Image(clearest.Right, $"{clearest.Name}, right");
 
         double Change(Scene scene)
         {
             var right = Renderer.Render(scene);
-            var wrong = program.Draw(scene);
+            var wrong = MistakeCatalog.Draw(scene, [change]);
             return (wrong.Width, wrong.Height) != (right.Width, right.Height)
                 ? byte.MaxValue : new PictureDifference(wrong, right).MeanAbsoluteError;
         }

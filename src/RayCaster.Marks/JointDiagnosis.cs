@@ -1,6 +1,6 @@
 namespace RayCaster.Marks;
 
-/// <summary>What is wrong with a program, by its pictures of several scenes together (<see cref="ExplanationSearch"/>).</summary>
+/// <summary>What is wrong with a program, by its pictures of several scenes together (<see cref="HypothesisSearch"/>).</summary>
 internal sealed record JointDiagnosis
 {
     /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
@@ -12,16 +12,14 @@ internal sealed record JointDiagnosis
     /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
     private const double Slight = 0.05;
 
-    private static readonly WrongProgram right = new(Unfinished.Nothing, [], false);
-
     /// <summary>What is wrong; a right program if nothing is wrong, or if nothing explains most of the wrong pictures.</summary>
-    public WrongProgram Verdict { get; private init; } = right;
+    public Hypothesis Verdict { get; private init; } = new([], []);
 
     /// <summary>Other programs that explain the pictures as well as the verdict.</summary>
-    public IReadOnlyList<WrongProgram> Alternatives { get; private init; } = [];
+    public IReadOnlyList<Hypothesis> Alternatives { get; private init; } = [];
 
     /// <summary>The mistakes that draw the same pictures, if the verdict is that shapes are missing: the shapes may be written, and lost.</summary>
-    public IReadOnlyList<Mistake> HidingMistakes { get; private init; } = [];
+    public IReadOnlyList<Change> HidingMistakes { get; private init; } = [];
 
     /// <summary>The scenes whose pictures are wrong, and which the verdict does not explain.</summary>
     public IReadOnlyList<MarkedScene> Unexplained { get; private init; } = [];
@@ -34,7 +32,7 @@ internal sealed record JointDiagnosis
     public bool IsCertain => Unexplained.Count == 0;
 
     /// <summary>The program that comes nearest where none explains the pictures; null where one does.</summary>
-    public WrongProgram? Nearest { get; private init; }
+    public Hypothesis? Nearest { get; private init; }
 
     /// <summary>Where nothing explains the pictures but only the light is wrong, the steps of which one must be wrong; otherwise null.</summary>
     public IReadOnlyCollection<SectionKind>? Steps { get; private init; }
@@ -50,26 +48,26 @@ internal sealed record JointDiagnosis
     /// <param name="known">The mistakes that it may have.</param>
     public static JointDiagnosis Find(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known)
     {
-        SubmittedPicture[] wrong = [.. pictures.Where(picture => !picture.Evidence.IsRight)];
+        int[] wrong = [.. Enumerable.Range(0, pictures.Count).Where(i => !pictures[i].Evidence.IsRight)];
         if (wrong.Length == 0) return new();
         if (pictures.All(picture => picture.Evidence.Picture.IsOneColor))
-            return new() { TellsNothing = true, Unexplained = [.. wrong.Select(picture => picture.Scene)] };
+            return new() { TellsNothing = true, Unexplained = [.. wrong.Select(i => pictures[i].Scene)] };
         var found = Search(pictures, known);
-        SubmittedPicture[] unexplained = [.. wrong.Where(picture => !picture.Evidence.IsExplainedBy(found.Verdict))];
+        int[] unexplained = [.. wrong.Where(i => !pictures[i].Evidence.IsExplainedBy(found.Verdict.Programs[i]))];
         if (2 * unexplained.Length < wrong.Length)
         {
             return found with
             {
-                Unexplained = [.. unexplained.Select(picture => picture.Scene)],
-                Alternatives = WithoutSlight(found.Verdict, wrong) is { } less ? [.. found.Alternatives, less] : found.Alternatives,
-                IsGuess = unexplained.Any(picture => IsHardlyExplained(found.Verdict, picture)),
+                Unexplained = [.. unexplained.Select(i => pictures[i].Scene)],
+                Alternatives = WithoutSlight(found.Verdict, pictures, wrong) is { } less ? [.. found.Alternatives, less] : found.Alternatives,
+                IsGuess = unexplained.Any(i => IsHardlyExplained(found.Verdict.Programs[i], pictures[i])),
             };
         }
-        var (steps, note) = OnlyLight(wrong);
+        var (steps, note) = OnlyLight([.. wrong.Select(i => pictures[i])]);
         return new()
         {
-            Unexplained = [.. wrong.Select(picture => picture.Scene)],
-            Nearest = found.Verdict.Named.Count > 0 && found.Verdict.Total < Judgement.Mentioned * wrong.Length ? found.Verdict : null,
+            Unexplained = [.. wrong.Select(i => pictures[i].Scene)],
+            Nearest = found.Verdict.Told.Count > 0 && found.Verdict.Total < Decision.Mentioned * wrong.Length ? found.Verdict : null,
             Steps = steps,
             Note = note,
         };
@@ -78,44 +76,52 @@ internal sealed record JointDiagnosis
     /// <summary>Whether a kind of shape shows in the pictures that the verdict draws.</summary>
     public bool Draws(string kind, IReadOnlyList<SubmittedPicture> pictures)
     {
-        var without = Verdict with { Base = new([.. Verdict.Base.NotYet, kind]) };
-        return pictures.Any(picture => picture.Scene.Scene.Models.Any(model => model.Kind == kind)
-            && Weight(without, picture) > Weight(Verdict, picture) + picture.Evidence.LeastPixels);
+        var without = Verdict.Plus(ChangeSource.Missing(kind))!;
+        return pictures.Index().Any(picture => picture.Item.Scene.Scene.Models.Any(model => model.Kind == kind)
+            && Weight(without.Programs[picture.Index], picture.Item)
+                > Weight(Verdict.Programs[picture.Index], picture.Item) + picture.Item.Evidence.LeastPixels);
     }
 
     /// <summary>The program that leaves the least, and those that leave as little.</summary>
     private static JointDiagnosis Search(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known)
     {
-        var ranked = new ExplanationSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null, null, null).Run();
+        var ranked = new HypothesisSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null, null, null).Run();
         var verdict = ranked[0];
         var alike = ranked.TakeWhile(other => other.Total < verdict.Total + Priors.AsLikely);
         return new()
         {
             Verdict = verdict,
-            HidingMistakes = !verdict.Base.Kinds.Any() ? []
+            HidingMistakes = verdict.MissingShapes.Count == 0 ? []
                 : [.. ranked.TakeWhile(other => other.Total < verdict.Total + Priors.Known)
-                    .Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Variants.Count: 1 })
-                    .Select(other => other.Variants[0]).DistinctBy(mistake => mistake.Id)],
+                    .Where(other => other is { Missing.Count: 0, HasOtherSample: false, Mistakes.Count: 1 })
+                    .Select(other => other.Mistakes[0]).DistinctBy(mistake => mistake.Id)],
             Alternatives =
             [
-                .. alike.Where(other => other.Parts == ranked[0].Parts)
-                    .Where(other => other.Id != verdict.Id).DistinctBy(other => other.Id),
+                .. alike.Where(other => other.Count == verdict.Count)
+                    .Where(other => other.Key != verdict.Key).DistinctBy(other => other.Key),
             ],
         };
     }
 
     /// <summary>A program without one of its mistakes or missing parts, if this explains only a few pixels; otherwise null.</summary>
-    private static WrongProgram? WithoutSlight(WrongProgram program, SubmittedPicture[] wrong) =>
-        program.Parts is (var missing, var mistakes) && missing + mistakes < 2 ? null : program.Less.FirstOrDefault(less => wrong.All(picture =>
-            Weight(less, picture) - Weight(program, picture) < Slight * Weight(right, picture)));
-
-    private static double Weight(WrongProgram program, SubmittedPicture picture) =>
-        picture.Evidence.Misfit(program.For(picture.Scene.Scene)).Weight;
-
-    private static bool IsHardlyExplained(WrongProgram program, SubmittedPicture picture)
+    private static Hypothesis? WithoutSlight(Hypothesis program, IReadOnlyList<SubmittedPicture> pictures, int[] wrong)
     {
-        var left = picture.Evidence.Misfit(program.For(picture.Scene.Scene));
-        var all = picture.Evidence.Misfit(right.For(picture.Scene.Scene));
+        var (missing, mistakes) = program.Count;
+        return missing + mistakes < 2 ? null : program.Changes
+            .Where(change => change.Missing is not null).Concat(program.Mistakes)
+            .Select(change => Hypothesis.Of(pictures.Select(picture => picture.Scene.Scene), program.Changes.Remove(change)))
+            .FirstOrDefault(less => wrong.All(i => Weight(less!.Programs[i], pictures[i]) - Weight(program.Programs[i], pictures[i])
+                < Slight * Weight(Right(pictures[i]), pictures[i])));
+    }
+
+    private static FormulaProgram Right(SubmittedPicture picture) => FormulaProgram.For(picture.Scene.Scene.Camera);
+
+    private static double Weight(FormulaProgram program, SubmittedPicture picture) => picture.Evidence.Misfit(program).Weight;
+
+    private static bool IsHardlyExplained(FormulaProgram program, SubmittedPicture picture)
+    {
+        var left = picture.Evidence.Misfit(program);
+        var all = picture.Evidence.Misfit(Right(picture));
         return left != all && left.Weight > MayLeave * all.Weight;
     }
 

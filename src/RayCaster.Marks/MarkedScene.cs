@@ -14,5 +14,5 @@ internal sealed record MarkedScene(string Name, SceneDiagnosis Judge)
 
     /// <summary>Whether the picture needs a part of a program (<see cref="Diagnosis.Parts"/>).</summary>
     public bool Needs(string part) =>
-        Scene.Models.Any(model => model.Kind == part) || new Unfinished([part]).AsMistakes.Any(mistake => Shows(mistake.Id));
+        Scene.Models.Any(model => model.Kind == part) || MistakeCatalog.DrawnWithout(part).Any(mistake => Shows(mistake.Id));
 }

@@ -44,9 +44,9 @@ internal sealed class Marker(Rubric rubric)
             _ => new(() => JointDiagnosis.Find(pictures, rubric.Known))).Value;
         var verdict = diagnosis.Verdict;
         return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Judge(picture, diagnosis))],
-            [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)],
-            [.. verdict.Mistakes.Where(mistake => mistake.Place is null).Select(mistake => mistake.Id)],
-            [.. verdict.Variants.Where(mistake => diagnosis.IsCertain && mistake == MistakeCatalog.Named(mistake.Id)).Select(mistake => mistake.Id)],
+            [.. Diagnosis.Parts.Intersect(verdict.Missing)],
+            [.. verdict.AllMistakes.Where(mistake => mistake.Place is null).Select(mistake => mistake.Id)],
+            [.. verdict.Mistakes.Where(mistake => diagnosis.IsCertain && mistake.IsUsual).Select(mistake => mistake.Id)],
             [.. diagnosis.HidingMistakes.Select(mistake => mistake.Id)],
             [.. LookYourself(submitted, diagnosis)]);
     }
@@ -87,8 +87,7 @@ internal sealed class Marker(Rubric rubric)
         var isAllUnderstood = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
         SectionKind[] steps =
         [
-            .. Edits(diagnosis).SelectMany(edit => edit.Place!.Section.Split(", ")).Select(step => Enum.Parse<SectionKind>(step, ignoreCase: true)),
-            .. diagnosis.Steps ?? [],
+            .. Edits(diagnosis).SelectMany(edit => edit.Place!.Steps), .. diagnosis.Steps ?? [],
         ];
         foreach (var item in rubric.Items)
         {
@@ -126,29 +125,29 @@ internal sealed class Marker(Rubric rubric)
 
     /// <summary>Whether an item is about formulas of shapes. A fault that no mistake explains may be in any of the others, unless most pictures
     /// are right: these use them too.</summary>
-    private static bool IsOfShapes(RubricItem item) => item.Undone.Any(part => Mistake.KindOf(part) != 0);
+    private static bool IsOfShapes(RubricItem item) => item.Undone.Any(part => ShapeKind.Of(part) is not null);
 
     /// <summary>Whether an item is about a shape that mistakes keep out of all pictures: it may be unwritten.</summary>
     private static bool IsOutOfSight(RubricItem item, JointDiagnosis diagnosis, List<SubmittedPicture> pictures) =>
-        diagnosis.Verdict.Variants.Count > 0 && item.Undone.Where(part => Mistake.KindOf(part) != 0).ToArray() is { Length: > 0 } kinds
+        diagnosis.Verdict.Mistakes.Count > 0 && item.Undone.Where(part => ShapeKind.Of(part) is not null).ToArray() is { Length: > 0 } kinds
             && kinds.Any(kind => pictures.Any(picture => picture.Scene.Needs(kind))) && !kinds.Any(kind => diagnosis.Draws(kind, pictures));
 
     /// <summary>Small edits of formulas that explain the pictures: no item has them, and none is charged for them.</summary>
-    private static IEnumerable<Mistake> Edits(JointDiagnosis diagnosis) =>
-        diagnosis.Alternatives.Prepend(diagnosis.Verdict).SelectMany(program => program.Mistakes).Where(mistake => mistake.Place is not null);
+    private static IEnumerable<Change> Edits(JointDiagnosis diagnosis) =>
+        diagnosis.Alternatives.Prepend(diagnosis.Verdict).SelectMany(program => program.AllMistakes).Where(mistake => mistake.Place is not null);
 
     /// <summary>Whether an item is about a step: it needs its shape, or has a mistake in its formulas or in their effect.</summary>
     private static bool Concerns(RubricItem item, SectionKind step) =>
         item.Undone.Contains(step is SectionKind.Light ? Diagnosis.Attenuation : step.ToString().ToLowerInvariant())
         || item.Mistakes.Select(mistake => MistakeCatalog.Named(mistake)!).Any(mistake => step is SectionKind.Light or SectionKind.Bytes
-            ? (mistake.Affects & Affects.Color) != 0 : mistake.Slide == FormulaBook.Slides.StylesOf(step)[0].Slide);
+            ? mistake.Steps.Any(touched => touched.IsOfColors()) : mistake.Slide == FormulaBook.Slides.StylesOf(step)[0].Slide);
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
-    private (double Lost, string[] Because) Cost(RubricItem item, WrongProgram program)
+    private (double Lost, string[] Because) Cost(RubricItem item, Hypothesis program)
     {
-        string[] undone = [.. program.Base.NotYet.Intersect(item.Undone)];
+        string[] undone = [.. program.Missing.Intersect(item.Undone)];
         if (undone.Length > 0) return (item.Points, undone);
-        string[] mistakes = [.. program.Mistakes.Where(mistake => rubric.ItemOf(mistake) == item).Select(mistake => mistake.Id)];
+        string[] mistakes = [.. program.AllMistakes.Where(mistake => rubric.ItemOf(mistake) == item).Select(mistake => mistake.Id)];
         return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
     }
 
@@ -191,6 +190,6 @@ internal sealed class Marker(Rubric rubric)
         where same.Count() > 1
         select same.ToArray();
 
-    private static string Names(WrongProgram program) => string.Join(" + ",
-        program.Base.NotYet.Select(part => $"no {part}").Concat(program.MistakeIds));
+    private static string Names(Hypothesis program) => string.Join(" + ",
+        program.Missing.Select(part => $"no {part}").Concat(program.AllMistakes.Select(mistake => mistake.Id)));
 }

@@ -34,14 +34,14 @@ public sealed class Rubric
     /// <summary>The item whose points a mistake costs; null if it costs none.</summary>
     internal RubricItem? ItemOf(string mistake) => Items.FirstOrDefault(item => item.Mistakes.Contains(mistake));
 
-    /// <summary>The same for a mistake in a certain variant: one that changes only the formulas of another item's shapes costs that item.</summary>
-    internal RubricItem? ItemOf(Mistake variant)
+    /// <summary>The same for a mistake made in a certain way: one that changes only the formulas of another item's shapes costs that item.</summary>
+    internal RubricItem? ItemOf(Change change)
     {
-        var item = ItemOf(variant.Id);
-        if (item is null || ShapesOf(item) == 0) return item;
-        var changed = variant.In(FormulaProgram.For(Scenes[0].Scene.Camera))?.ChangedShapes ?? 0;
-        return (ShapesOf(item) & changed) != 0 ? item : Items.FirstOrDefault(other => (ShapesOf(other) & changed) != 0) ?? item;
-    }
+        var item = ItemOf(change.Id);
+        if (item is null || !item.Undone.Any(part => ShapeKind.Of(part) is not null)) return item;
+        var changed = change.In(FormulaProgram.For(Scenes[0].Scene.Camera))?.ChangedShapes.Select(shape => shape.Step).ToArray() ?? [];
+        return IsOfChanged(item) ? item : Items.FirstOrDefault(IsOfChanged) ?? item;
 
-    private static Affects ShapesOf(RubricItem item) => item.Undone.Aggregate((Affects)0, (shapes, part) => shapes | Mistake.KindOf(part));
+        bool IsOfChanged(RubricItem other) => other.Undone.Any(part => ShapeKind.Of(part) is { } shape && changed.Contains(shape.Step));
+    }
 }

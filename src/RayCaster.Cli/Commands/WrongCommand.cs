@@ -26,7 +26,7 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
         var format = PictureOutput.FormatOf(file, line.Get(Option.Format));
         var scene = SceneInput.Read(operands[0], line, cancellation, judges: true);
 
-        var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!);
+        var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!.Usual);
         PictureOutput.Write(file, Draw(), format, cancellation);
         line.Tell($"{OutputFile.NameOf(file)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");
         return ExitCode.Done;

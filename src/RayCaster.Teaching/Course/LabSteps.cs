@@ -15,8 +15,8 @@ public static class LabSteps
     private const int Shading = 5;
 
     /// <summary>Whether a mistake is one of the code of a step: of its slide or of the shape that is written in it.</summary>
-    public static bool IsOf(Mistake mistake, int step) => Slides.StepOf(mistake.Slide) == step
-        || ShapeKind.All.Any(kind => (mistake.Affects & kind.Formula) != 0 && Slides.StepOf(kind.Slide) == step);
+    public static bool IsOf(Change mistake, int step) => Slides.StepOf(mistake.Slide) == step
+        || ShapeKind.All.Any(kind => mistake.Steps.Contains(kind.Step) && Slides.StepOf(kind.Slide) == step);
 
     /// <summary>
     /// The part of a scene that the lab can draw after a step: the models whose formulas are written. Before the step of zNear, zFar and bias,

@@ -26,14 +26,14 @@ public static class StepHint
     {
         if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
         // light, zNear and zFar may not be written yet
-        Mistake[] mistakes = [.. suspect.Mistakes.Where(mistake => step == 0 || Slides.StepOf(mistake.Slide) <= step)];
+        Change[] mistakes = [.. suspect.Mistakes.Where(mistake => step == 0 || Slides.StepOf(mistake.Slide) <= step)];
         if (mistakes.Length == 0) return ["Only a few pixels are wrong: too few to name a mistake.", .. OfStep(step, level)];
-        var twins = suspect.Twins.Where(twin => LabSteps.IsOf(twin, step)).Take(MaxTwins);
+        var twins = suspect.Twins.Where(twin => LabSteps.IsOf(twin.Usual, step)).Take(MaxTwins);
         return mistakes.SelectMany(mistake => OfMistake(mistake, suspect.HasSymptoms, level))
-            .Concat(level == HintLevel.Symptom ? [] : twins.SelectMany(twin => OfMistake(twin, false, level)));
+            .Concat(level == HintLevel.Symptom ? [] : twins.SelectMany(twin => OfMistake(twin.Usual, false, level)));
     }
 
-    private static IEnumerable<string> OfMistake(Mistake mistake, bool hasSymptom, HintLevel level)
+    private static IEnumerable<string> OfMistake(Change mistake, bool hasSymptom, HintLevel level)
     {
         if (hasSymptom) yield return mistake.Hint.Symptom;
         else if (level == HintLevel.Symptom) yield return "A known mistake makes this picture.";

@@ -52,7 +52,7 @@ public static class DiagnosisReport
     private static bool IsOnlyUnwritten(Suspect suspect) => !Beside(suspect).Any();
 
     /// <summary>The mistakes that are not a part that is not written yet.</summary>
-    private static IEnumerable<Mistake> Beside(Suspect suspect) => suspect.Mistakes.Except(new Unfinished(suspect.NotYet).AsMistakes);
+    private static IEnumerable<Change> Beside(Suspect suspect) => suspect.Mistakes.Except(MissingParts.AsMistakes(suspect.NotYet));
 
     private static void AppendMatch(StringBuilder text, Diagnosis diagnosis, string picture, string scene)
     {
@@ -107,7 +107,7 @@ public static class DiagnosisReport
     {
         if (diagnosis.Finding == Finding.Unfinished && diagnosis.Suspects.Count > 0)
             text.Wrap("", $"If that is written already, these mistakes also hide it: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
-        else if (diagnosis.NotYet.FirstOrDefault(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping)) is { } shape)
+        else if (diagnosis.NotYet.FirstOrDefault(MissingParts.IsShape) is { } shape)
             text.Wrap("", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes hide it.");
     }
 
@@ -174,7 +174,7 @@ public static class DiagnosisReport
         ["notYet"] = Json(suspect.NotYet),
     };
 
-    private static JsonObject Json(Mistake mistake, bool hasSymptom) => WithoutNulls(new()
+    private static JsonObject Json(Change mistake, bool hasSymptom) => WithoutNulls(new()
     {
         ["id"] = mistake.Id,
         ["cause"] = mistake.Cause,
@@ -233,7 +233,7 @@ public static class DiagnosisReport
 
     private static string Names(Suspect suspect) => string.Join(" + ", Shown(suspect).Select(mistake => mistake.Id));
 
-    private static IReadOnlyList<Mistake> Shown(Suspect suspect) => IsOnlyUnwritten(suspect) ? suspect.Mistakes : [.. Beside(suspect)];
+    private static IReadOnlyList<Change> Shown(Suspect suspect) => IsOnlyUnwritten(suspect) ? suspect.Mistakes : [.. Beside(suspect)];
 
     private static string Rest(Diagnosis diagnosis, Suspect suspect) => suspect.Unexplained < 0.5
         ? "nothing unexplained"

@@ -80,7 +80,7 @@ internal sealed class Evidence
         return new(this, [.. Enumerable.Range(0, 2 * most).SelectMany(k => colors.Where(color => k < color.Length).Select(color => color[k]))]);
 
         int ColorOf((byte, byte, byte) shown) => shown == Scene.Background.ToBytes() ? -1
-            : Scene.Models.TakeWhile(model => !Unfinished.IsShadeOf(shown, model.Color)).Count();
+            : Scene.Models.TakeWhile(model => !MissingParts.IsShadeOf(shown, model.Color)).Count();
     }
 
     public Scene Scene { get; }
@@ -154,7 +154,7 @@ internal sealed class Evidence
     public double BitsOf(Misfit misfit) => Priors.PerHalf * Math.Log2(1 + Math.Min(1, misfit.Weight / Math.Max(1, allWrong)) / Priors.Rounding);
 
     /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
-    public bool IsExplainedBy(WrongProgram program) => Misfit(program.For(Scene)).Weight <= Math.Min(0.5 * WrongCount,
+    public bool IsExplainedBy(FormulaProgram program) => Misfit(program).Weight <= Math.Min(0.5 * WrongCount,
         Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LastBits * PixelCount, 3 * LastBits * PixelCount)));
 
     /// <summary>An estimate of how many pixels a program leaves unexplained; all of them for none.</summary>
@@ -228,7 +228,7 @@ internal sealed class Evidence
         program.RaysWithin(Scene, LeastTests + share * MaxTests, pixels);
 
     private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height)
-        && program.TrianglesTried(Scene) <= WrongProgram.MaxTriangles;
+        && program.TrianglesTried(Scene) <= FormulaProgram.MaxTriangles;
 
     /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
     private static int[] Spread(List<int> all, int most)

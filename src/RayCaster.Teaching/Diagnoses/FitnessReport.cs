@@ -100,5 +100,5 @@ public static class FitnessReport
     }
 
     private static string Needs(Mistake mistake) =>
-        string.Join(" or ", ShapeKind.Basic.Where(kind => (mistake.Affects & kind.Formula) != 0).Select(kind => kind.One));
+        string.Join(" or ", ShapeKind.Basic.Where(kind => mistake.Touches(kind.Name)).Select(kind => kind.One));
 }

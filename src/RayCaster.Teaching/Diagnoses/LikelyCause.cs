@@ -73,7 +73,7 @@ internal static class LikelyCause
         {
             var shown = picture.At(places[k]);
             if (!PictureJudge.IsNear(shown, background)
-                && !scene.Models.Any(model => Unfinished.IsShadeOf(shown, model.Color))) strange++;
+                && !scene.Models.Any(model => MissingParts.IsShadeOf(shown, model.Color))) strange++;
         }
         if (strange > looked / 2)
         {
@@ -130,7 +130,7 @@ internal static class LikelyCause
             if (PictureJudge.IsNear(shown, right[x, y])) continue;
             wrong++;
             var (kind, color) = models[i] < 0 ? ("background", scene.Background) : (scene.Models[models[i]].Kind, scene.Models[models[i]].Color);
-            if (Unfinished.IsShadeOf(shown, color) || IsTooBrightShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
+            if (MissingParts.IsShadeOf(shown, color) || IsTooBrightShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
             // Two grey models are shades of each other, and black is a shade of all. Then a new edge within a model shows the difference.
             if ((x > 0 && IsNewEdge(x - 1, y)) || (y > 0 && IsNewEdge(x, y - 1))) edges++;
 

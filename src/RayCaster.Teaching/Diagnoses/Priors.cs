@@ -32,8 +32,4 @@ internal static class Priors
     /// <summary>Explanations that are longer by less than this are told as equally likely: the shortest has less than 90 % of the probability.
     /// </summary>
     public const double AsLikely = 3;
-
-    /// <summary>Known mistakes that fewer people make than others that draw the same.</summary>
-    public static readonly IReadOnlySet<string> RareIds =
-        new HashSet<string> { "v-cross", "clip-root", "znear-t", "zfar-t", "row-off", "wm1", "size-mixed", "slab-inv-nan" };
 }

@@ -16,7 +16,7 @@ public sealed class SceneDiagnosis
     /// <param name="possible">Which mistakes are tried, for example those of the code written so far; all if left out.</param>
     /// <param name="budget">How long all searches together may take; any time if left out.</param>
     /// <param name="size">The size that the scene's picture should have, if the pictures have another.</param>
-    public SceneDiagnosis(Scene scene, int? threads = null, Predicate<Mistake>? possible = null, SearchBudget? budget = null,
+    public SceneDiagnosis(Scene scene, int? threads = null, Predicate<Change>? possible = null, SearchBudget? budget = null,
         (int Width, int Height)? size = null)
     {
         this.size = size;
@@ -26,8 +26,8 @@ public sealed class SceneDiagnosis
         Budget = budget;
         Right = Renderer.Render(scene, threads);
         var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
-            && possible?.Invoke(mistake) != false).ToArray();
-        Known = [.. visible.Where(mistake => mistake.Variants.All(variant => SceneFitness.CanTry(scene, variant)))];
+            && possible?.Invoke(mistake.Usual) != false).ToArray();
+        Known = [.. visible.Where(mistake => mistake.Changes.All(change => SceneFitness.CanTry(scene, change)))];
         NotTried = [.. visible.Except(Known)];
         hidden = new(() => TooManyModels ? [] : SceneFitness.HiddenIn(scene, threads, budget));
     }
@@ -45,7 +45,7 @@ public sealed class SceneDiagnosis
 
     internal int? Threads { get; }
 
-    internal Predicate<Mistake>? Possible { get; }
+    internal Predicate<Change>? Possible { get; }
 
     internal SearchBudget? Budget { get; }
 
@@ -71,11 +71,11 @@ public sealed class SceneDiagnosis
     /// </param>
     /// <param name="likely">Which mistakes are likelier than others, for example those of the code written last; none if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
-    public Diagnosis Judge(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Mistake>? likely = null)
+    public Diagnosis Judge(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Change>? likely = null)
     {
         if (!CanJudge(Scene, picture))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for a scene of {Scene.Camera.Width} x {Scene.Camera.Height}", nameof(picture));
-        return new(this, picture, done ?? [], likely);
+        return new Decision(this, picture, done ?? [], likely).Decide();
     }
 }

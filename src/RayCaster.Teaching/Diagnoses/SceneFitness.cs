@@ -42,7 +42,7 @@ public sealed class SceneFitness
     /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
     public required IReadOnlyList<Mistake> Hidden { get; init; }
 
-    /// <summary>The mistakes that show, but not in the catalogue's first variant: a program with that variant may draw the right picture.</summary>
+    /// <summary>The mistakes that show, but not in the usual way: a program with that may draw the right picture.</summary>
     public required IReadOnlyList<Mistake> HiddenAtFirst { get; init; }
 
     /// <summary>The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</summary>
@@ -128,7 +128,11 @@ public sealed class SceneFitness
 
     /// <summary>Whether a mistake does not take too long to try.</summary>
     internal static bool CanTry(Scene scene, Mistake mistake) =>
-        mistake.In(FormulaProgram.For(scene.Camera)) is not { } program || program.TrianglesTried(scene) <= WrongProgram.MaxTriangles;
+        CanTry(scene, mistake.Usual);
+
+    /// <summary>The same for what people write.</summary>
+    internal static bool CanTry(Scene scene, Change change) =>
+        change.In(FormulaProgram.For(scene.Camera)) is not { } program || program.TrianglesTried(scene) <= FormulaProgram.MaxTriangles;
 
     private static Scene Judged(Scene scene)
     {
@@ -188,19 +192,19 @@ public sealed class SceneFitness
         /// <summary>Draws samples of the picture, and more of it if they do not show the mistake.</summary>
         public void Try(Mistake mistake)
         {
-            var program = mistake.In(slides)!;
+            var program = mistake.Usual.In(slides)!;
             var drawn = samples[mistake] = FormulaEvaluator.Draw(
                 Scene, program, places[..Math.Min(program.RaysWithin(Scene, MaxTests, Samples), right.Count)]);
             shownFirst[mistake] = HasOtherSize(program) || Differ(drawn, 0, LeastPixels)
                 || (mistake.Touches(Scene) && Changes(program, MoreSamples));
             shown[mistake] = shownFirst[mistake] || (mistake.Touches(Scene)
-                && mistake.Variants.Skip(1).Any(variant => variant.In(slides) is { } other && Changes(other, VariantSamples)));
+                && mistake.Changes.Skip(1).Any(variant => variant.In(slides) is { } other && Changes(other, VariantSamples)));
         }
 
         /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
         public bool AreAlike(Mistake a, Mistake b)
         {
-            var (one, other) = (a.In(slides)!, b.In(slides)!);
+            var (one, other) = (a.Usual.In(slides)!, b.Usual.In(slides)!);
             if (one.IsTurned != other.IsTurned) return false;
             var isSlow = one.TrianglesTried(Scene) + other.TrianglesTried(Scene) > 0;
             var left = isSlow ? 1 : LeastPixels;

@@ -1,53 +1,52 @@
-using System.Numerics;
-
 namespace RayCaster.Teaching;
 
-/// <summary>Finds which of a candidate's mistakes show, and which other mistakes draw the same picture.</summary>
+/// <summary>Finds which of a hypothesis's mistakes show, and which other mistakes draw the same picture.</summary>
 internal sealed class SuspectFinder(SceneDiagnosis prepared, Evidence evidence)
 {
-    /// <param name="likeliest">The picture of the first suspect.</param>
-    public Suspect Of(WrongProgram candidate, WrongProgram likeliest)
+    /// <param name="likeliest">The first suspect.</param>
+    public Suspect Of(Hypothesis hypothesis, Hypothesis likeliest)
     {
         Mistake[] twins = [];
-        var own = candidate.For(prepared.Scene)!;
+        var own = hypothesis.Programs[0];
         var drawn = evidence.Draw(own);
-        var shown = Visible(candidate, drawn);
+        var shown = Visible(hypothesis, drawn);
         if (shown is [var named] && !own.Scatters && prepared.Budget?.IsSpent() != true)
         {
-            var way = candidate.Variants.Count > 0 ? candidate.Base : Unfinished.Nothing;
+            var rest = With(hypothesis.Changes.Where(change => hypothesis.HasOtherSample && change.IsOtherSample
+                || (change.Missing is not null && hypothesis.Mistakes.Count > 0)))!;
             twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
-                .Where(other => other.Id != named.Id && other.Variants.Any(
-                    variant => AreAlike(drawn, new WrongProgram(way, [variant], candidate.OtherSample))))];
+                .Where(other => other.Id != named.Id && other.Changes.Any(change => AreAlike(drawn, rest.Plus(change))))];
         }
-        var isSame = likeliest.For(prepared.Scene) is { } first && own.Scatters == first.Scatters && evidence.AreAlike(drawn, first);
-        var isTypical = candidate.Misfit.Unexplained <= Judgement.Explained * evidence.WrongCount && candidate.Unusual == 0;
-        return new(shown, candidate.Misfit.Unexplained, candidate.OtherSample, twins, candidate.Base.NotYet, isSame,
-            isSame || candidate.Total - likeliest.Total < Priors.AsLikely, isTypical);
+        var isSame = own.Scatters == likeliest.Programs[0].Scatters && evidence.AreAlike(drawn, likeliest.Programs[0]);
+        var isTypical = hypothesis.Misfit.Unexplained <= Decision.Explained * evidence.WrongCount && hypothesis.IsUsual;
+        return new(shown, hypothesis.Misfit.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.Missing, isSame,
+            isSame || hypothesis.Total - likeliest.Total < Priors.AsLikely, isTypical);
     }
 
     /// <summary>The mistakes that would also make a program lose the missing shapes.</summary>
-    public IEnumerable<WrongProgram> HidingMistakes(WrongProgram best)
+    public IEnumerable<Hypothesis> HidingMistakes(Hypothesis best)
     {
-        var without = evidence.Draw(best.For(prepared.Scene)!);
-        var rest = new Unfinished([.. best.Base.NotYet.Except(best.Base.Kinds)]);
+        var shapes = best.MissingShapes;
+        var without = evidence.Draw(best.Programs[0]);
+        var rest = With(best.Changes.Where(change => change.Missing is null || !shapes.Contains(change.Missing)))!;
         return from mistake in prepared.Known
-               where best.Base.Kinds.All(kind => (mistake.Affects & Mistake.KindOf(kind)) != 0)
-               let candidate = mistake.Variants.Select(variant => best with { Base = rest, Variants = [.. best.Variants, variant] })
-                   .FirstOrDefault(candidate => AreAlike(without, candidate))
-               where candidate is not null
-               orderby candidate.Variants[^1] != mistake, BitOperations.PopCount((uint)mistake.Affects) // the commonest, then those of few shapes
-               select candidate;
+               where shapes.All(mistake.Touches)
+               let hiding = mistake.Changes.Select(rest.Plus).FirstOrDefault(other => AreAlike(without, other))
+               where hiding is not null
+               orderby !hiding.Changes[^1].IsUsual, mistake.Steps.Count // the commonest, then those of few shapes
+               select hiding with { Misfits = best.Misfits, Total = best.Total };
     }
 
-    private bool AreAlike(Evidence.Drawn drawn, WrongProgram other) =>
-        other.For(prepared.Scene) is { } program && evidence.AreAlike(drawn, program);
+    private bool AreAlike(Evidence.Drawn drawn, Hypothesis? other) => other is not null && evidence.AreAlike(drawn, other.Programs[0]);
 
-    /// <summary>A program's mistakes that show. Of zNear and zFar, which are not written yet, the picture may show only one.</summary>
-    private Mistake[] Visible(WrongProgram candidate, Evidence.Drawn drawn)
+    private Hypothesis? With(IEnumerable<Change> changes) => Hypothesis.Of([prepared.Scene], changes);
+
+    /// <summary>The mistakes that show. Of zNear and zFar, which are not written yet, the picture may show only one.</summary>
+    private Change[] Visible(Hypothesis hypothesis, Evidence.Drawn drawn)
     {
-        var hidden = candidate.Named.Except(candidate.Variants).FirstOrDefault(part => candidate.Named.Count > 1
-            && FormulaProgram.For(prepared.Scene.Camera).With([.. candidate.Named.Where(other => other != part),
-                .. candidate.Mistakes.Except(candidate.Variants)]) is { } rest && evidence.AreAlike(drawn, rest));
-        return [.. candidate.Named.Where(mistake => mistake != hidden)];
+        var told = hypothesis.Told;
+        var hidden = told.Count < 2 ? null : told.Except(hypothesis.Mistakes).FirstOrDefault(part => AreAlike(drawn, With(
+            hypothesis.Changes.Where(change => change.Missing is null).Concat(told.Except(hypothesis.Mistakes).Where(other => other != part)))));
+        return [.. told.Where(mistake => mistake != hidden)];
     }
 }

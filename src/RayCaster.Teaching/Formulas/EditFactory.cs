@@ -191,7 +191,7 @@ internal sealed class EditFactory
         foreach (var (id, step, beside) in EditLabels.FormulasFor(section))
         {
             var edited = step.In(section);
-            var name = step.Written[0].Name is "hits" ? Formula.Near.Text : step.Written[0].Name;
+            var name = step.Formulas[0].Name is "hits" ? Formula.Near.Text : step.Formulas[0].Name;
             var place = section.Find(name);
             Add(edited, place < 0 ? null : place, place < 0 ? "nothing" : $"{section.Formulas[place].Right}",
                 $"{edited.Formulas[edited.Find(name)].Right}", OtherLaw, Named);

@@ -8,24 +8,24 @@ internal static class EditLabels
         && step.Kind == edit.Section.Kind && (step.Style is null || step.Style == edit.Section.Style) && Fits(edit, label))?.Id;
 
     /// <summary>The formulas that have a label, in a section, and what they change in others.</summary>
-    public static IEnumerable<(string Id, WrittenStep Step, ImmutableArray<FormulaSection> Beside)> FormulasFor(FormulaSection section) =>
+    public static IEnumerable<(string Id, StepChange.Written Step, ImmutableArray<FormulaSection> Beside)> FormulasFor(FormulaSection section) =>
         from label in MistakeBook.Labels
-        where label.Written is not null && label.Written.Steps.All(step => step.Kind is not null && step.Shapes.IsEmpty)
-        let first = label.Written!.Steps[0]
-        where first.Kind == section.Kind && !first.Written.IsEmpty
+        where label.Written.Length > 0 && label.Written.All(step => step is StepChange.Written { Shapes.IsEmpty: true })
+        let first = (StepChange.Written)label.Written[0]
+        where first.Kind == section.Kind && !first.Formulas.IsEmpty
             && (first.Style is not null ? first.Style == section.Style
                 : section.Kind == SectionKind.Rule ? section.Style != "aim"
                 : section.Kind == SectionKind.Sample || section == FormulaBook.Slides.StylesOf(section.Kind)[0])
-        select (label.Id, first, label.Written!.Steps.Skip(1).Select(SectionOf).ToImmutableArray());
+        select (label.Id, first, label.Written.Skip(1).Cast<StepChange.Written>().Select(SectionOf).ToImmutableArray());
 
     internal static bool Fits(FormulaEdit edit, MistakeBook.Label label) =>
         (label.Operators.Length == 0 || label.Operators.Contains(edit.Operator)) && label.Subjects.Any(subject =>
             subject == edit.Meant || subject == edit.Formula?.Computed || subject == ComponentOf(edit)
             || (subject.EndsWith('*') && edit.Meant.StartsWith(subject[..^1], StringComparison.Ordinal)));
 
-    private static FormulaSection SectionOf(WrittenStep step)
+    private static FormulaSection SectionOf(StepChange.Written step)
     {
-        var styles = FormulaBook.Slides.StylesOf(step.Kind!.Value);
+        var styles = FormulaBook.Slides.StylesOf(step.Kind);
         return step.In(styles.FirstOrDefault(section => section.Style == step.Style) ?? styles[0]);
     }
 

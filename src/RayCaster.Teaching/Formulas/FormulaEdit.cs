@@ -19,9 +19,5 @@ internal sealed record FormulaEdit(FormulaSection Section, int? Place, string Me
     /// <summary>The formula that is edited, as the slides have it; null if the slip is in all.</summary>
     public Formula? Formula => Place is { } place ? Right.Formulas[place] : null;
 
-    /// <summary>A program with it; null if the program has changes of the same places, or another style.</summary>
-    public FormulaProgram? On(FormulaProgram program) =>
-        Beside.Append(Section).Aggregate((FormulaProgram?)(program with { ProposesTriangles = true }), (all, section) => all?.With(section, []));
-
     public override string ToString() => $"{Section.Name}: {Formula?.ToString() ?? "everywhere"}: {Written} for {Meant} ({Operator})";
 }

@@ -4,6 +4,10 @@ namespace RayCaster.Teaching;
 /// <remarks>It never changes; two programs that differ in a step share the others.</remarks>
 internal sealed record FormulaProgram
 {
+    /// <summary>As many triangles as a ray may try one by one; with more a mistake is not tried at all. Beside another mistake it is less: there are
+    /// thousands of pairs.</summary>
+    public const int MaxTriangles = 20_000, MaxTrianglesBeside = 1000;
+
     private FormulaProgram(ImmutableArray<FormulaSection> sections) => Sections = sections;
 
     private ImmutableArray<FormulaSection> Sections { get; init; }
@@ -33,26 +37,20 @@ internal sealed record FormulaProgram
     public bool IsTurned => this[SectionKind.File].Has(Formula.Turned);
 
     /// <summary>The slides' formulas, as a camera measures depth and samples pixels.</summary>
-    /// <param name="otherSample">Whether rays pass through the other sample point of each pixel.</param>
-    public static FormulaProgram For(Camera camera, bool otherSample = false)
+    public static FormulaProgram For(Camera camera)
     {
         var book = FormulaBook.Slides;
         return new FormulaProgram([.. Enum.GetValues<SectionKind>().Select(kind => book.StylesOf(kind)[0])])
             .With(book[SectionKind.Rule, camera.Clip == ClipMode.Depth ? "depth" : "distance"])
-            .With(book[SectionKind.Sample, camera.Sample == PixelSample.Corner != otherSample ? "corner" : "center"]);
+            .With(book[SectionKind.Sample, camera.Sample == PixelSample.Corner ? "corner" : "center"]);
     }
-
-    /// <summary>With mistakes; null if two of them are in the same part of a formula.</summary>
-    public FormulaProgram? With(IEnumerable<Mistake> mistakes) =>
-        mistakes.Aggregate((FormulaProgram?)this, (program, mistake) => program is null ? null : mistake.In(program));
 
     /// <summary>The sides of its file.</summary>
     public (int Width, int Height) SizeOf(Camera camera) => IsTurned ? (camera.Height, camera.Width) : (camera.Width, camera.Height);
 
     /// <summary>The shapes whose own formulas, or whose own rule, are not the slides'.</summary>
-    public Affects ChangedShapes => ShapeKind.Basic.Select(shape => Enum.Parse<SectionKind>(shape.Name, ignoreCase: true))
-        .Where(kind => !FormulaBook.Slides.StylesOf(kind).Contains(this[kind]) || Rules.ContainsKey(kind))
-        .Aggregate((Affects)0, (all, kind) => all | Mistake.AffectedBy(kind));
+    public IEnumerable<ShapeKind> ChangedShapes => ShapeKind.Basic.Where(shape =>
+        !FormulaBook.Slides.StylesOf(shape.Step).Contains(this[shape.Step]) || Rules.ContainsKey(shape.Step));
 
     /// <summary>How many triangles of meshes each ray must try, one by one, because their formulas are not the slides'.</summary>
     public long TrianglesTried(Scene scene) => !ProposesTriangles && FormulaEvaluator.AreTrianglesEdited(this)

@@ -19,6 +19,22 @@ internal enum SectionKind
     Bytes,
 }
 
+internal static class SectionKinds
+{
+    /// <summary>Whether a step is on the way from a pixel to its ray.</summary>
+    public static bool IsOfRays(this SectionKind step) =>
+        step is SectionKind.Vectors or SectionKind.Camera or SectionKind.Sample or SectionKind.Pixel;
+
+    /// <summary>Whether a step is the formula of a kind of shape.</summary>
+    public static bool IsOfShape(this SectionKind step) => step is >= SectionKind.Plane and <= SectionKind.Triangle;
+
+    /// <summary>Whether a step decides which crossing counts, and which of two hits shows.</summary>
+    public static bool IsOfHits(this SectionKind step) => step is SectionKind.Rule or SectionKind.Nearest;
+
+    /// <summary>Whether a step is on the way from a hit to three bytes.</summary>
+    public static bool IsOfColors(this SectionKind step) => step is SectionKind.Light or SectionKind.Bytes;
+}
+
 /// <summary>A line of a section: a name and what it is.</summary>
 /// <param name="Parameters">Those of a function.</param>
 internal sealed record Formula(Symbol Name, Expression Right, ImmutableArray<Symbol> Parameters)

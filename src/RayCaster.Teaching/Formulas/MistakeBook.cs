@@ -6,10 +6,11 @@ internal static class MistakeBook
     /// <summary>A further wording of a mistake: formulas, or a pattern.</summary>
     /// <param name="Id">Empty for a formula without a name.</param>
     /// <param name="Step">The step of a pattern; null for formulas.</param>
-    /// <param name="Written">The formulas; null for a pattern.</param>
+    /// <param name="Written">The formulas; none for a pattern.</param>
     /// <param name="Subjects">A pattern's formulas by name, or parts of them; a * at the end is for any text.</param>
     /// <param name="Operators">A pattern's operators; any if empty.</param>
-    internal sealed record Label(string Id, WrittenStep? Step, WrittenChange? Written, string[] Subjects, EditOperator[] Operators);
+    internal sealed record Label(
+        string Id, StepChange.Written? Step, ImmutableArray<StepChange> Written, string[] Subjects, EditOperator[] Operators);
 
     private static readonly Lazy<(List<Mistake> Mistakes, List<Label> Labels)> read = new(() => Read(FormulaBook.TextOf("Mistakes.txt")));
 
@@ -27,36 +28,45 @@ internal static class MistakeBook
         {
             var lines = block.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
             var id = lines[0].TrimEnd(']');
-            var facts = new Dictionary<string, string>();
-            List<(string Cause, List<WrittenChange> Changes)> variants = [];
+            var words = new Dictionary<string, string>();
+            List<(string Cause, List<ImmutableArray<StepChange>> Ways)> changes = [];
             var cause = "";
             foreach (var line in lines.Skip(1))
             {
                 var (word, rest) = line.Split(' ', 2) is [var first, var second] ? (first, second) : (line, "");
                 switch (word)
                 {
-                    case "slide" or "symptom" or "question" or "answer" or "rounding": facts[word] = rest; break;
+                    case "slide" or "symptom" or "question" or "answer" or "rounding" or "rare" or "missing": words[word] = rest; break;
                     case "cause" or "or": cause = rest; break;
                     case "is":
-                        foreach (var change in WrittenChange.Read(rest))
+                        foreach (var way in ChangeReader.Read(rest))
                         {
-                            var own = cause.Replace("some shapes", change.ShapesInWords, StringComparison.Ordinal);
-                            var alike = variants.Find(variant => variant.Cause == own && change.IsForAnotherSceneThan(variant.Changes[^1]));
-                            if (alike.Changes is not null) alike.Changes.Add(change);
-                            else variants.Add((own, [change]));
-                            labels.Add(new(id, null, change, [], []));
+                            var own = cause.Replace("some shapes", ShapesOf(way), StringComparison.Ordinal);
+                            var same = changes.Find(change => change.Cause == own && IsForAnotherScene(way, change.Ways[^1]));
+                            if (same.Ways is not null) same.Ways.Add(way);
+                            else changes.Add((own, [way]));
+                            labels.Add(new(id, null, way, [], []));
                         }
                         break;
                     default: labels.AddRange(LabelsOf(id, line)); break;
                 }
             }
-            if (id == "") continue;
-            var mistake = new Mistake(id, facts["slide"], variants[0].Cause, new(facts["symptom"], facts["question"], facts["answer"]),
-                variants[0].Changes, facts.ContainsKey("rounding"));
-            foreach (var (other, changes) in variants.Skip(1)) mistake.Or(other, changes);
-            mistakes.Add(mistake);
+            if (id != "")
+                mistakes.Add(new(id, words["slide"], new(words["symptom"], words["question"], words["answer"]), words, changes.Select(change =>
+                    new Change([.. change.Ways], Priors.Known) { Cause = change.Cause })));
         }
         return (mistakes, labels);
+    }
+
+    /// <summary>Whether it is what another way is in scenes that measure depth, or sample pixels, otherwise.</summary>
+    private static bool IsForAnotherScene(ImmutableArray<StepChange> way, ImmutableArray<StepChange> other) =>
+        (way[0], other[0]) is (StepChange.Written one, StepChange.Written two) && one.IsForAnotherSceneThan(two);
+
+    /// <summary>The kinds of shape that a way's first step is for, in words.</summary>
+    private static string ShapesOf(ImmutableArray<StepChange> way)
+    {
+        string[] words = way[0] is StepChange.Written { Shapes: var shapes } ? [.. shapes.Select(shape => ShapeKind.Of(shape).Many)] : [];
+        return words.Length > 1 ? $"{string.Join(", ", words[..^1])} and {words[^1]}" : string.Concat(words);
     }
 
     private static IEnumerable<Label> LabelsOf(string id, string line)
@@ -64,10 +74,10 @@ internal static class MistakeBook
         if (!line.Contains(" = ", StringComparison.Ordinal) && line.LastIndexOf(':') is > 0 and var colon)
         {
             var (step, subjects) = line[..colon].Split(' ', 2) is [var first, var second] ? (first, second) : (line, "");
-            return [new(id, WrittenStep.Read(step).Step, null, subjects.Split(" | "),
+            return [new(id, (StepChange.Written)ChangeReader.ReadStep(step)[0], [], subjects.Split(" | "),
                 [.. line[(colon + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(Enum.Parse<EditOperator>)])];
         }
-        return Alternatives(line).SelectMany(WrittenChange.Read).Select(change => new Label(id, null, change, [], []));
+        return Alternatives(line).SelectMany(ChangeReader.Read).Select(way => new Label(id, null, way, [], []));
     }
 
     /// <summary>The alternatives of a line of formulas: one without a step has that of the line, one without a name that of the one before.

@@ -72,8 +72,8 @@ public static class ComparisonText
             Likeness.RoundedOtherwise => $"right but for rounding, where {OffByOne(d)}",
             _ => $"nearly right, but for {Digits.Part(d.Wrong, d.Pixels)}",
         };
-        var change = r.Change.Description;
-        return $"{char.ToUpperInvariant(change[0])}{change[1..]} it is {rest}: {r.Change.Question}\n" +
+        var change = r.Transform.Description;
+        return $"{char.ToUpperInvariant(change[0])}{change[1..]} it is {rest}: {r.Transform.Question}\n" +
             (r.Likeness == Likeness.RoundedOtherwise ? Rounding(d) : "");
     }
 

@@ -18,7 +18,7 @@ public sealed class PictureComparison
         else Crop = Crop.Find(mine, reference);
         var judge = new PictureJudge(reference, ByModels is { IsReferenceOwn: true } ? Scene : null);
         Likeness = Difference is null ? Likeness.Wrong : judge.Judge(Difference);
-        if (Likeness == Likeness.Wrong) Recognition = new ChangeFinder(mine, reference, Difference, judge).Find();
+        if (Likeness == Likeness.Wrong) Recognition = new TransformFinder(mine, reference, Difference, judge).Find();
     }
 
     /// <summary>The picture in question.</summary>

@@ -13,8 +13,8 @@ namespace RayCaster.Teaching;
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
 /// <param name="budget">How long the search may take; null for any time.</param>
 /// <param name="possible">Which edits are tried that have no name; all if null.</param>
-internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
-    int? threads, Predicate<Mistake>? likely, SearchBudget? budget, Predicate<Mistake>? possible)
+internal sealed class HypothesisSearch(IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
+    int? threads, Predicate<Change>? likely, SearchBudget? budget, Predicate<Change>? possible)
 {
     /// <summary>The share of the evidence that a first and a second look compares.</summary>
     private const double Few = 0.008, More = 0.05;
@@ -39,16 +39,16 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     /// <summary>In a scene of more models no edits are tried.</summary>
     private const int MaxModels = 200;
 
-    private readonly List<Explanation> found = []; // compared with all of the evidence
-    private readonly Explanation right = new([.. pictures.Select(picture => FormulaProgram.For(picture.Scene.Camera))], []);
+    private readonly List<Hypothesis> found = []; // compared with all of the evidence
+    private readonly Hypothesis right = Hypothesis.Of(pictures.Select(picture => picture.Scene))!;
 
     /// <summary>What nothing explains.</summary>
     private double Literal => pictures.Count(picture => picture.WrongCount > 0) * Priors.OtherProgram;
 
-    private double Bound => found.Count == 0 ? Literal : Math.Min(Literal, found.Min(explanation => explanation.Total));
+    private double Bound => found.Count == 0 ? Literal : Math.Min(Literal, found.Min(of => of.Total));
 
-    /// <summary>The programs that were compared with all of the evidence, that with the shortest explanation first.</summary>
-    public List<WrongProgram> Run()
+    /// <summary>The hypotheses that were compared with all of the evidence, the shortest explanation first.</summary>
+    public List<Hypothesis> Run()
     {
         found.Add(Measure(right, 1, pictures)); // also if the time is over: there would be nothing to judge by
         try
@@ -59,42 +59,34 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         catch (TimeoutException)
         {
         }
-        var edits = found.Where(of => of.Changes is [{ Edit: not null }]).ToLookup(of => of.Left, of => of.Changes[0].Edit!);
-        return [.. found.OrderBy(of => of.Total).Select(of => Named(of, edits[of.Left]))
-            .Where(program => program.Variants.All(mistake => mistake.Place is null || possible?.Invoke(mistake) != false)
-                && pictures.All(picture => program.For(picture.Scene) is not null))]; // in the order in which it is told, too
+        var alike = found.Where(of => of.Changes is [{ Slip: not null }]).ToLookup(of => of.Left);
+        return [.. found.OrderBy(of => of.Total).Select(of => Named(of, alike[of.Left]))
+            .Where(of => of.Changes.All(change => change.Place is null || possible?.Invoke(change) != false))]; // in the order in which it is told, too
     }
 
     /// <summary>Without each of its changes.</summary>
-    private IEnumerable<Explanation?> Less(Explanation of) =>
-        of.Changes.Select(change => of.Changes.Remove(change).Aggregate((Explanation?)right, (all, own) => all?.With(own)));
+    private IEnumerable<Hypothesis?> Less(Hypothesis of) =>
+        of.Changes.Select(change => Hypothesis.Of(pictures.Select(picture => picture.Scene), of.Changes.Remove(change)));
 
-    /// <param name="alike">The edits that draw the same.</param>
-    private WrongProgram Named(Explanation of, IEnumerable<FormulaEdit> alike)
+    /// <summary>With a name for each slip: a picture that several slips draw tells the likeliest.</summary>
+    /// <param name="alike">The single slips that draw the same.</param>
+    private static Hypothesis Named(Hypothesis of, IEnumerable<Hypothesis> alike)
     {
-        var mistakes = of.Changes.Where(change => change.Id != "" && !change.IsOtherSample).Select(change => change.Mistake
-            ?? EditNaming.Of([.. (of.Changes.Length > 1 ? [change.Edit!] : alike).OrderBy(edit => edit.Cost)])).ToList();
-        foreach (var style in of.Changes.Where(change => change is { Id: "", NotYet: null }))
-        {
-            if (mistakes.Count == 0) continue;
-            var first = mistakes[0];
-            mistakes[0] = first.Worded(first.Cause, program => style.In(program) is { } styled ? first.In(styled) : null);
-        }
-        var otherSample = of.Changes.Any(change => change.IsOtherSample);
-        if (otherSample && of.Changes.All(change => change.IsOtherSample)) (mistakes, otherSample) = ([WrongProgram.Center], false);
-        var left = of.Misfits.Aggregate((sum, misfit) => sum + misfit);
-        return new(new([.. of.Changes.Select(change => change.NotYet).OfType<string>()]), mistakes, otherSample, left) { Total = of.Total };
+        if (of.Changes is not [{ Slip: not null }])
+            return of with { Changes = [.. of.Changes.Select(change => change.Slip is null ? change : EditNaming.Named([change]))] };
+        Hypothesis[] same = [.. alike.OrderBy(other => other.Changes[0].Slip!.Cost)];
+        return same[0] with { Changes = [EditNaming.Named([.. same.Select(other => other.Changes[0])])], Total = of.Total };
     }
 
     private void Search()
     {
-        string[] kinds = Unfinished.KindsOf(pictures);
+        string[] kinds = MissingParts.KindsOf(pictures);
         string[] parts = [.. kinds.Length > 1 ? kinds : [], Diagnosis.Attenuation, Diagnosis.Clipping];
-        ProgramChange[] missing = [.. ProgramChange.Missing(parts.Except(done))];
-        ProgramChange[] named = [.. ProgramChange.Of(known, likely)];
+        Change[] missing = [.. ChangeSource.Missing(parts.Except(done))];
+        Change[] named = [.. ChangeSource.Of(known, likely)];
         var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
-        ProgramChange[] wordings = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Wordings(scene, known)];
-        ProgramChange[] cheap = [.. missing, .. ProgramChange.Styles(scene), .. named.Where(change => change.IsOtherSample)];
+        Change[] wordings = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Wordings(scene, known)];
+        Change[] cheap = [.. missing, .. ChangeSource.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
         // one change, or a program that is not finished
         var singles = Measured([.. named.Select(right.With)], Few);
@@ -106,14 +98,14 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(Nearest).ToArray())
             Extend(one, cheap);
         if (Bound < Priors.Unknown) return;
-        var byColors = Unfinished.ByColors(pictures, done).Take(UnfinishedOnes)
-            .Select(way => ways.Find(other => other.Changes.Select(change => change.NotYet).ToHashSet().SetEquals(way.NotYet)));
-        Explanation[] unfinished = [.. ways.Take(UnfinishedOnes).Concat(byColors.OfType<Explanation>()).Distinct()];
+        var byColors = MissingParts.ByColors(pictures, done).Take(UnfinishedOnes)
+            .Select(way => ways.Find(other => other.Changes.Select(change => change.Missing).ToHashSet().SetEquals(way)));
+        Hypothesis[] unfinished = [.. ways.Take(UnfinishedOnes).Concat(byColors.OfType<Hypothesis>()).Distinct()];
         foreach (var way in unfinished) Extend(way, named);
         if (Bound < Pair) return;
 
         // two known changes, in turn beside the shortest so far, and beside one that draws the right colours
-        ProgramChange[] seconds =
+        Change[] seconds =
         [
             .. pictures.Any(picture => !picture.HasRightSize) ? named
                 : singles.OrderBy(single => single.Bits).DistinctBy(single => (single.Changes[0].Id, single.Left))
@@ -125,13 +117,13 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         foreach (var one in singles.Where(IsOfBytes).DistinctBy(of => of.Changes[0].Id)) Extend(one, seconds);
         if (Bound < Pair) return;
         var colors = pictures.Select(picture => picture.ByColors()).ToArray();
-        var rest = new Queue<Explanation>(Measured([.. singles], Few, colors).DistinctBy(of => of.Left).Take(ByColors));
-        List<Explanation> extended = [];
+        var rest = new Queue<Hypothesis>(Measured([.. singles], Few, colors).DistinctBy(of => of.Left).Take(ByColors));
+        List<Hypothesis> extended = [];
         ExtendBest(Extended / 3);
         if (Bound < NearPair) return;
 
         // an edit without a name, and two changes of which one may be such an edit
-        ProgramChange[] edits = scene.Models.Count > MaxModels ? [] : [.. ProgramChange.Edits(scene, known)];
+        Change[] edits = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Slips(scene, known)];
         Refine(Measured([.. edits.Select(right.With)], Few));
         if (Bound < Priors.Known + Priors.Unknown) return;
         foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(1).Concat(ways.Take(1))) Extend(one, edits);
@@ -154,21 +146,21 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     }
 
     /// <summary>Every subset of what may be missing, but for a program that draws nothing.</summary>
-    private IEnumerable<Explanation?> Ways(ProgramChange[] missing, int kinds) =>
+    private IEnumerable<Hypothesis?> Ways(Change[] missing, int kinds) =>
         from bits in Enumerable.Range(1, (1 << missing.Length) - 1)
         let parts = missing.Where((_, i) => (bits >> i & 1) != 0)
-        where parts.Count(part => part.NotYet is not (Diagnosis.Attenuation or Diagnosis.Clipping)) < kinds
-        select parts.Aggregate((Explanation?)right, (all, part) => all?.With(part));
+        where parts.Count(part => MissingParts.IsShape(part.Missing!)) < kinds
+        select parts.Aggregate((Hypothesis?)right, (all, part) => all?.With(part));
 
     /// <summary>Whether only colours or their places in the file are wrong, in the whole picture, so that it explains little alone.</summary>
-    private static bool IsOfBytes(Explanation one) => (one.Changes[0].Mistake!.Affects & ~(Affects.Color | Affects.File)) == 0;
+    private static bool IsOfBytes(Hypothesis one) => one.Changes[0].Steps.All(step => step.IsOfColors() || step == SectionKind.File);
 
     /// <summary>Two usual mistakes that both change which hits the whole picture shows: neither alone explains anything.</summary>
-    private IEnumerable<Explanation?> PairsOfRays()
+    private IEnumerable<Hypothesis?> PairsOfRays()
     {
-        ProgramChange[] usual =
+        Change[] usual =
         [
-            .. ProgramChange.Of(known.Where(mistake => (mistake.Affects & (Affects.Camera | Affects.Hit)) != 0), likely)
+            .. ChangeSource.Of(known.Where(mistake => mistake.Steps.Any(step => step.IsOfRays() || step.IsOfHits())), likely)
                 .DistinctBy(change => change.Id),
         ];
         return from i in Enumerable.Range(0, usual.Length)
@@ -176,7 +168,7 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
                select right.With(usual[i])?.With(second);
     }
 
-    private void Extend(Explanation first, IEnumerable<ProgramChange> changes)
+    private void Extend(Hypothesis first, IEnumerable<Change> changes)
     {
         Evidence[] left = [.. pictures.Select((picture, i) => new Evidence(picture, first.Programs[i]))];
         var bound = Bound;
@@ -189,17 +181,17 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     }
 
     /// <summary>Looks at the best more closely, and at the best of these at all of the evidence.</summary>
-    private void Refine(List<Explanation> candidates)
+    private void Refine(List<Hypothesis> candidates)
     {
         var closer = Measured([.. candidates.Take(Closer)], More);
         found.AddRange(Measured([.. closer.Take(Closest)], 1));
     }
 
     /// <summary>Compares them with a share of the evidence, and sorts them.</summary>
-    private List<Explanation> Measured(IReadOnlyList<Explanation?> candidates, double share, IReadOnlyList<Evidence>? left = null)
+    private List<Hypothesis> Measured(IReadOnlyList<Hypothesis?> candidates, double share, IReadOnlyList<Evidence>? left = null)
     {
         var evidence = left ?? pictures;
-        var measured = new ConcurrentBag<(int, Explanation)>();
+        var measured = new ConcurrentBag<(int, Hypothesis)>();
         Parallel.For(0, candidates.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, (i, loop) =>
         {
             if (budget?.IsSpent() == true) loop.Stop();
@@ -209,13 +201,13 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
         return [.. measured.OrderBy(one => one.Item2.Total).ThenBy(one => one.Item1).Select(one => one.Item2)];
     }
 
-    private static Explanation Measure(Explanation candidate, double share, IReadOnlyList<Evidence> evidence)
+    private static Hypothesis Measure(Hypothesis candidate, double share, IReadOnlyList<Evidence> evidence)
     {
         var isOne = candidate.Changes.Count(change => change.IsMistake) < 2;
         ImmutableArray<Misfit> misfits =
         [
             .. evidence.Select((picture, i) => picture.Misfit(
-                isOne || candidate.Programs[i].TrianglesTried(picture.Scene) <= WrongProgram.MaxTrianglesBeside ? candidate.Programs[i] : null,
+                isOne || candidate.Programs[i].TrianglesTried(picture.Scene) <= FormulaProgram.MaxTrianglesBeside ? candidate.Programs[i] : null,
                 share)),
         ];
         return candidate with

@@ -4,7 +4,7 @@ namespace RayCaster.Teaching;
 /// Finds a change of the whole picture. Thousands of changes are tried on a few hundred pixels, and the best few on all pixels.
 /// </summary>
 /// <param name="before">The difference without a change; null if the sizes differ.</param>
-internal sealed class ChangeFinder(Picture mine, Picture reference, PictureDifference? before, PictureJudge judge)
+internal sealed class TransformFinder(Picture mine, Picture reference, PictureDifference? before, PictureJudge judge)
 {
     /// <summary>The largest shift that is tried, in pixels.</summary>
     private const int MaxShift = 16;
@@ -22,7 +22,7 @@ internal sealed class ChangeFinder(Picture mine, Picture reference, PictureDiffe
     /// <summary>The simplest change that makes the pictures agree, else the one that nearly does; null if there is none.</summary>
     public Recognition? Find()
     {
-        // No change turns a picture of one colour into one of several.
+        // No transform turns a picture of one colour into one of several.
         if (mine.IsOneColor || reference.IsOneColor) return null;
         var size = (reference.Width, reference.Height);
         var hasItsSize = (mine.Width, mine.Height) == size;
@@ -34,13 +34,13 @@ internal sealed class ChangeFinder(Picture mine, Picture reference, PictureDiffe
             from down in shifts
             from right in shifts
             from channels in (string[])["RGB", "BGR", "GRB", "RBG", "GBR", "BRG"]
-            let change = new Change(turn, right, down, channels)
-            where change != new Change()
-            let misses = Misses(change)
+            let transform = new PictureTransform(turn, right, down, channels)
+            where transform != new PictureTransform()
+            let misses = Misses(transform)
             where misses is not null
-            orderby misses, change.Complexity
-            select change;
-        IEnumerable<Change> ofBytes = hasItsSize ? ((int[])[-1, 1, -2, 2, -4, 4]).Select(bytes => new Change(Bytes: bytes))
+            orderby misses, transform.Complexity
+            select transform;
+        IEnumerable<PictureTransform> ofBytes = hasItsSize ? ((int[])[-1, 1, -2, 2, -4, 4]).Select(bytes => new PictureTransform(Bytes: bytes))
             : hasItsSidesSwapped ? [new(SidesSwapped: true)] : [];
 
         return ofBytes.Concat(candidates.Take(Finalists)).Select(Recognise).Where(IsReported).MinBy(Rank);
@@ -51,10 +51,10 @@ internal sealed class ChangeFinder(Picture mine, Picture reference, PictureDiffe
         for (var random = new Random(1); ;) yield return (random.Next(picture.Width), random.Next(picture.Height));
     }
 
-    private Recognition Recognise(Change change)
+    private Recognition Recognise(PictureTransform transform)
     {
-        var difference = new PictureDifference(change.Undo(mine, reference), reference);
-        return new(change, difference, judge.Judge(difference));
+        var difference = new PictureDifference(transform.Undo(mine, reference), reference);
+        return new(transform, difference, judge.Judge(difference));
     }
 
     private bool IsReported(Recognition r) =>
@@ -64,12 +64,12 @@ internal sealed class ChangeFinder(Picture mine, Picture reference, PictureDiffe
             && (before is null || (long)r.Difference.Wrong * Part <= before.Wrong));
 
     private static (bool, int, int) Rank(Recognition r) =>
-        (r.Likeness == Likeness.Wrong, r.Likeness == Likeness.Wrong ? r.Difference.Wrong : 0, r.Change.Complexity);
+        (r.Likeness == Likeness.Wrong, r.Likeness == Likeness.Wrong ? r.Difference.Wrong : 0, r.Transform.Complexity);
 
     /// <summary>How many samples differ after a change; null if they are too many.</summary>
-    private int? Misses(Change change)
+    private int? Misses(PictureTransform transform)
     {
-        var pixels = new PixelMapping(change, mine, reference);
+        var pixels = new PixelMapping(transform, mine, reference);
         var onEdges = Misses(pixels, edges, edges.Length * 3 / 5);
         return onEdges is null ? null : onEdges + Misses(pixels, anywhere, anywhere.Length / 20);
     }
@@ -93,4 +93,4 @@ internal sealed class ChangeFinder(Picture mine, Picture reference, PictureDiffe
 
 /// <summary>A change that makes a wrong picture agree with the right one, or nearly so.</summary>
 /// <param name="Likeness">The verdict on the remaining difference; <see cref="Likeness.Wrong"/> if the pictures only nearly agree.</param>
-internal sealed record Recognition(Change Change, PictureDifference Difference, Likeness Likeness);
+internal sealed record Recognition(PictureTransform Transform, PictureDifference Difference, Likeness Likeness);

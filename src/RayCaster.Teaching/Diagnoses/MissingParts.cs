@@ -1,46 +1,24 @@
-using static RayCaster.Teaching.Diagnosis;
-
 namespace RayCaster.Teaching;
 
-/// <summary>What an unfinished program does not do yet, and how it draws.</summary>
-/// <param name="NotYet">The kinds of shape that it does not draw, by their names in scene files, "attenuation" and "clipping".</param>
-internal sealed record Unfinished(IReadOnlyList<string> NotYet)
+/// <summary>What an unfinished program does not do yet: kinds of shape by their names in scene files, attenuation, clipping.</summary>
+internal static class MissingParts
 {
     /// <summary>A darker pixel does not show a model's colour.</summary>
     private const int Dark = 24;
 
-    private static readonly Mistake[] withoutAttenuation = [MistakeCatalog.Named("att-none")!];
-    private static readonly Mistake[] withoutClipping = [MistakeCatalog.Named("no-znear")!, MistakeCatalog.Named("no-zfar")!];
+    /// <summary>Whether a part is a kind of shape.</summary>
+    public static bool IsShape(string part) => part is not (Diagnosis.Attenuation or Diagnosis.Clipping);
 
-    /// <summary>A finished program.</summary>
-    public static Unfinished Nothing { get; } = new([]);
-
-    public IEnumerable<string> Kinds => NotYet.Where(part => part is not (Attenuation or Clipping));
-
-    /// <summary>The mistakes that draw the same: for example, "no attenuation" is also in the catalogue.</summary>
-    public IEnumerable<Mistake> AsMistakes =>
-    [
-        .. NotYet.Contains(Attenuation) ? withoutAttenuation : [],
-        .. NotYet.Contains(Clipping) ? withoutClipping : [],
-    ];
-
-    /// <summary>What is drawn of a scene.</summary>
-    public Scene PartOf(Scene scene) =>
-        Kinds.Any() ? scene with { Models = [.. scene.Models.Where(model => !NotYet.Contains(model.Kind))] } : scene;
-
-    /// <summary>What a program does without attenuation or clipping.</summary>
-    public FormulaProgram PartOf(FormulaProgram program)
-    {
-        if (NotYet.Contains(Attenuation)) program = program.With(program[SectionKind.Light].With("att", "1"));
-        return NotYet.Contains(Clipping) ? program.With(program[SectionKind.Rule].With(Formula.When.Text, "t > bias and t < ∞")) : program;
-    }
+    /// <summary>The mistakes that draw the same as a program without these parts: for example, "no attenuation" is also in the catalogue.</summary>
+    public static IEnumerable<Change> AsMistakes(IEnumerable<string> parts) =>
+        Diagnosis.Parts.Where(parts.Contains).SelectMany(MistakeCatalog.DrawnWithout).Select(mistake => mistake.Usual);
 
     /// <summary>
     /// The ways in which only such kinds are missing whose colours the picture does not show: a colour shows what is drawn, at any place. The ways
     /// without the most kinds come first. Clipping may be the only missing part.
     /// </summary>
     /// <param name="pictures">The pictures of one program.</param>
-    public static IEnumerable<Unfinished> ByColors(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
+    public static IEnumerable<IReadOnlyList<string>> ByColors(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
         var kinds = KindsOf(pictures);
         var expected = new int[kinds.Length];
@@ -54,14 +32,15 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
         return from missing in Subsets(unseen).Reverse()
                where missing.Length < kinds.Length
                from rest in Rest(done)
-               where missing.Length > 0 || rest.Contains(Clipping)
-               select new Unfinished([.. missing, .. rest]);
+               where missing.Length > 0 || rest.Contains(Diagnosis.Clipping)
+               select (IReadOnlyList<string>)[.. missing, .. rest];
     }
 
     public static string[] KindsOf(IReadOnlyList<Evidence> pictures) =>
         [.. pictures.SelectMany(picture => picture.Scene.Models).Select(model => model.Kind).Distinct()];
 
-    private static IEnumerable<string[]> Rest(IReadOnlyCollection<string> done) => Subsets([.. ((string[])[Attenuation, Clipping]).Except(done)]);
+    private static IEnumerable<string[]> Rest(IReadOnlyCollection<string> done) =>
+        Subsets([.. ((string[])[Diagnosis.Attenuation, Diagnosis.Clipping]).Except(done)]);
 
     private static IEnumerable<string[]> Subsets(string[] all) =>
         Enumerable.Range(0, 1 << all.Length).Select(bits => all.Where((_, i) => (bits >> i & 1) != 0).ToArray());

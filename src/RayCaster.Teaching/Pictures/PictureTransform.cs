@@ -7,7 +7,7 @@ namespace RayCaster.Teaching;
 /// <param name="Channels">The letters of RGB in the order in which its pixels have them.</param>
 /// <param name="Bytes">By how many bytes all its bytes must be moved towards the end of the file.</param>
 /// <param name="SidesSwapped">Whether its bytes are in the right order, but width and height are swapped.</param>
-internal sealed record Change(
+internal sealed record PictureTransform(
     Turn Turn = Turn.None, int Right = 0, int Down = 0, string Channels = "RGB", int Bytes = 0, bool SidesSwapped = false)
 {
     /// <summary>How complex the change is. Of changes with the same effect, the simplest is reported.</summary>
@@ -68,12 +68,12 @@ internal sealed record Change(
 }
 
 /// <summary>The pixels of a picture after a change that moves no bytes.</summary>
-internal readonly struct PixelMapping(Change change, Picture mine, Picture reference)
+internal readonly struct PixelMapping(PictureTransform transform, Picture mine, Picture reference)
 {
-    private readonly TurnedIndices indices = TurnedIndices.Of(change.Turn, mine.Width, mine.Height);
-    private readonly (int R, int G, int B) order = (change.Channels.IndexOf('R'), change.Channels.IndexOf('G'), change.Channels.IndexOf('B'));
+    private readonly TurnedIndices indices = TurnedIndices.Of(transform.Turn, mine.Width, mine.Height);
+    private readonly (int R, int G, int B) order = (transform.Channels.IndexOf('R'), transform.Channels.IndexOf('G'), transform.Channels.IndexOf('B'));
     private readonly byte[] rgb = mine.Rgb;
-    private readonly (int Right, int Down, int Width, int Height) area = (change.Right, change.Down, reference.Width, reference.Height);
+    private readonly (int Right, int Down, int Width, int Height) area = (transform.Right, transform.Down, reference.Width, reference.Height);
 
     /// <summary>A pixel as it becomes; null where nothing moves to.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
