@@ -126,7 +126,7 @@ public class UnseenSlipsCampaign(ITestOutputHelper output)
     /// <summary>Measured when these were last set: 33 and 0. One may be lost to another machine's last bits.</summary>
     private const int LeastNamed = 32, MostWrong = 1;
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void NoFewerAreNamedByTheirFormula()
     {
         var counts = new SortedDictionary<string, int>();

@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace RayCaster.Marks.Tests;
+namespace RayCaster.Teaching.Tests.Marks;
 
 /// <summary>A class of pictures of one scene, and what is written about it.</summary>
 public sealed class ClassMarksTests : IDisposable

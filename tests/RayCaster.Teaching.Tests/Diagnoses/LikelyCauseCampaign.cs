@@ -6,7 +6,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>Pictures of scenes with a wrong number in them: no mistake of the program makes these, and none may be accused.</summary>
 public class LikelyCauseCampaign
 {
-    [Fact]
+    [Fact(Explicit = true)]
     public void AFartherTargetIsNoMistakeOfThePrograms()
     {
         var diagnosis = Of(room, Seen(room, target: new(-30, 0, 0)));
@@ -16,7 +16,7 @@ public class LikelyCauseCampaign
         Assert.StartsWith("All outlines are right, only the light", Assert.Single(diagnosis.Likely));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void AnotherFarPlaneIsNamedByItsNumber()
     {
         var diagnosis = Of(room, Seen(room, zFar: 20));
@@ -24,7 +24,7 @@ public class LikelyCauseCampaign
         Assert.Contains("zFar is about 20", Assert.Single(diagnosis.Likely));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void AModelsOtherColorIsNamed()
     {
         var ball = Model.Of(((Model<Sphere>)room.Models[5]).Primitive);
@@ -34,7 +34,7 @@ public class LikelyCauseCampaign
         Assert.StartsWith("`ball` has another colour", Assert.Single(diagnosis.Likely));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void AnotherAngleIsToldAsASize()
     {
         var diagnosis = Of(generic, Seen(generic, fovY: 52));
@@ -42,7 +42,7 @@ public class LikelyCauseCampaign
         Assert.StartsWith("The same picture, about 1.18 times too large: look at h", Assert.Single(diagnosis.Likely));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void AnotherAngleThatTwoMistakesNearlyMakeIsToldAsASize()
     {
         var c = generic.Camera; // "nohalf" and "fov-horiz" make h = 2 tan(fovY) · height / width
@@ -52,7 +52,7 @@ public class LikelyCauseCampaign
         Assert.StartsWith("The same picture, about", Assert.Single(diagnosis.Likely));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void TwoMistakesThatMakeAnotherAngleAreNamed()
     {
         Mistake[] both = [MistakeCatalog.Named("nohalf")!, MistakeCatalog.Named("fov-horiz")!];
@@ -60,7 +60,7 @@ public class LikelyCauseCampaign
         Assert.Equal(["fov-horiz", "nohalf"], diagnosis.Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void BlackLinesAtABorderAreNoOtherLight()
     {
         var picture = ScalarRenderer.Render(generic);
@@ -71,7 +71,7 @@ public class LikelyCauseCampaign
         Assert.StartsWith($"Its {picture.Height - half} lower lines are black", Assert.Single(diagnosis.Likely));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void ASmoothedPictureIsWrongOnlyOnItsOutlines()
     {
         var (right, smooth) = (ScalarRenderer.Render(generic), ScalarRenderer.Render(generic));
@@ -89,7 +89,7 @@ public class LikelyCauseCampaign
         }
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void AnotherCameraIsToldByItsOutlines()
     {
         var diagnosis = Of(generic, Seen(generic, target: generic.Camera.Target + new Vector3(-1.5, 1.5, 0.8)));
@@ -97,7 +97,7 @@ public class LikelyCauseCampaign
         Assert.StartsWith("Its colours are those of the scene, but the outlines are others", Assert.Single(diagnosis.Likely));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void TheOthersAreOrderedByWhatTheyLeave()
     {
         foreach (var id in new[] { "tri-uv", "u-unnorm" })

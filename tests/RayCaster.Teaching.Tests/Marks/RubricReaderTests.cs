@@ -1,4 +1,4 @@
-namespace RayCaster.Marks.Tests;
+namespace RayCaster.Teaching.Tests.Marks;
 
 public sealed class RubricReaderTests : IDisposable
 {

@@ -1,7 +1,7 @@
 using System.Text.Json.Nodes;
 using static RayCaster.Testing.KeySchema;
 
-namespace RayCaster.Marks.Tests;
+namespace RayCaster.Teaching.Tests.Marks;
 
 /// <summary>Writes the schema of rubrics from the descriptions that the reader gives of its keys, like the schema of scenes.</summary>
 internal static class RubricSchema

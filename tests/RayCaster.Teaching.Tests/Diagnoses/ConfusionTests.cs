@@ -23,7 +23,7 @@ public class ConfusionTests(ITestOutputHelper output)
     private static readonly string[] partners =
         ["rows", "cols", "bgr", "nohalf", "u-cross", "att-no2", "att-none", "tri-uv", "far-root", "circ-inf", "slab-tmax", "no-zfar"];
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void ASampleIsNamedAsWellAsItWas()
     {
         var table = new ConfusionTable();
@@ -41,7 +41,7 @@ public class ConfusionTests(ITestOutputHelper output)
         Assert.InRange(ConfusionTable.Share(table.OneOfPair, table.Pairs), LeastOneOfPair, 1);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void TheWholeTableIsPrintedWhenAskedFor()
     {
         Assert.SkipWhen(Environment.GetEnvironmentVariable("RAYCASTER_CONFUSION") != "1", "it takes minutes: set RAYCASTER_CONFUSION=1");

@@ -1,6 +1,6 @@
 using System.Xml;
 
-namespace RayCaster.Marks.Tests;
+namespace RayCaster.Teaching.Tests.Marks;
 
 public class TestResultsTests
 {

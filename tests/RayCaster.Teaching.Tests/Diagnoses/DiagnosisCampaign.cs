@@ -6,7 +6,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>The wrong pictures are <see cref="EditedLab"/>'s.</summary>
 public class DiagnosisCampaign
 {
-    [Fact]
+    [Fact(Explicit = true)]
     public void AFewPixelsThatNobodyWouldSeeThereDoNotMatch()
     {
         var picture = ScalarRenderer.Render(scene);
@@ -14,7 +14,7 @@ public class DiagnosisCampaign
         Assert.Equal(Finding.NoneOfThese, Diagnosis.Of(scene, picture).Finding);
     }
 
-    [Theory]
+    [Theory(Explicit = true)]
     [InlineData("u-cross")]
     [InlineData("nohalf")]
     [InlineData("transpose")]
@@ -28,7 +28,7 @@ public class DiagnosisCampaign
     [InlineData("center")]
     public void NamesOtherPlantedMistakesFirst(string id) => new DiagnosisTests().NamesThePlantedMistakeFirst(id);
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void ARightPictureOfAnotherProgramMayHaveSingleOutlinePixelsOff()
     {
         var picture = ScalarRenderer.Render(scene);
@@ -38,13 +38,13 @@ public class DiagnosisCampaign
         Assert.Equal(Finding.Matches, Diagnosis.Of(scene, picture).Finding);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void AMissingModelIsNamed()
     {
         for (var i = 0; i < scene.Models.Count; i += 4) AModelThatIsMissingIsNamed(scene, i);
     }
 
-    [Theory]
+    [Theory(Explicit = true)]
     [InlineData("tri-uv")]
     [InlineData("cross-x")]
     [InlineData("rows")]
@@ -54,7 +54,7 @@ public class DiagnosisCampaign
         Assert.Contains(id, Named(Diagnosis.Of(mesh, MistakeCatalog.Draw(mesh, [MistakeCatalog.Named(id)!])).Suspects[0]));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void AMistakeIsFoundBesideOneThatChangesMostOfThePicture()
     {
         var portrait = SceneFolder.Small("mistakes/portrait", 4);
@@ -62,7 +62,7 @@ public class DiagnosisCampaign
         Assert.Equal(["clip-after", "plane-no-p"], Diagnosis.Of(portrait, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
     }
 
-    [Theory]
+    [Theory(Explicit = true)]
     [InlineData("cross-y", "tri-uv")]
     [InlineData("slab-2axes", "slab-minmin")]
     public void TwoMistakesOfOneShapeAreBothNamed(string one, string other)
@@ -71,7 +71,7 @@ public class DiagnosisCampaign
         Assert.Equal([one, other], suspect.Mistakes.Select(mistake => mistake.Id).Order());
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void NamesBothOfTwo()
     {
         var picture = Planted("rows");
@@ -80,12 +80,12 @@ public class DiagnosisCampaign
         Assert.Equal(["bgr", "rows"], suspect.Mistakes.Select(mistake => mistake.Id).Order());
     }
 
-    [Theory]
+    [Theory(Explicit = true)]
     [InlineData("bgr")]
     public void ALengthWithoutItsRootIsNamedBesideOthers(string other) =>
         new DiagnosisTests().ALengthWithoutItsRootIsNamedBesideAnotherMistake(other);
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
     {
         var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);
@@ -96,7 +96,7 @@ public class DiagnosisCampaign
         Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "dir-unnorm"));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void WhereNoneExplainsThePictureTheNearestIsToldAsSuch()
     {
         var skew = Written.As("camera V = W × U + 0.2·U");
@@ -106,7 +106,7 @@ public class DiagnosisCampaign
         Assert.Contains("none explains the picture", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void AForeignPictureHasNoneOfThem()
     {
         var camera = scene.Camera;
@@ -117,14 +117,14 @@ public class DiagnosisCampaign
         Assert.StartsWith("This is another picture", Assert.Single(diagnosis.Likely));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void ASmallMistakeIsNamedBesideOneThatChangesEverything()
     {
         var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("gamma")!, MistakeCatalog.Named("tri-uv")!]);
         Assert.Equal(["gamma", "tri-uv"], Diagnosis.Of(scene, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void NamesAMistakeThatShowsOnOutlinesOnly()
     {
         var axis = SceneFolder.Read(SceneFolder.FileOf("mistakes/axis"));

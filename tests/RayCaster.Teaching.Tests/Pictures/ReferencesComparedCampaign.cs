@@ -5,7 +5,7 @@ public class ReferencesComparedCampaign
 {
     public static TheoryData<string> Names => [.. Reference.Names];
 
-    [Theory]
+    [Theory(Explicit = true)]
     [MemberData(nameof(Names))]
     public void EachPictureThatPovRayDrawsIsTheSame(string name) => new ReferencesComparedTests().ThePictureThatPovRayDrawsIsTheSame(name);
 }

@@ -1,7 +1,7 @@
 using RayCaster.Teaching.Tests.Mistakes;
 using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
 
-namespace RayCaster.Marks.Tests;
+namespace RayCaster.Teaching.Tests.Marks;
 
 /// <summary>Points for pictures that <see cref="EditedLab"/> draws.</summary>
 public class MarkerTests
@@ -9,12 +9,12 @@ public class MarkerTests
     internal static readonly Rubric whole = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
 
     /// <summary>The course's rubric with half of its scenes, which show all that is planted here, in pictures a quarter as large.</summary>
-    internal static readonly Rubric rubric = With(whole.Items, Scenes("1-planes", "3-inside", "4-flat", "4-all").Select(Small));
+    internal static readonly Rubric rubric = With(whole.Items, ScenesOf("1-planes", "3-inside", "4-flat", "4-all").Select(Small));
 
     /// <summary>The same with the two that show the most.</summary>
-    internal static readonly Rubric two = With(whole.Items, Scenes("3-inside", "4-all").Select(Small));
+    internal static readonly Rubric two = With(whole.Items, ScenesOf("3-inside", "4-all").Select(Small));
 
-    internal static IEnumerable<MarkedScene> Scenes(params string[] names) => whole.Scenes.Where(scene => names.Contains(scene.Name));
+    internal static IEnumerable<MarkedScene> ScenesOf(params string[] names) => whole.Scenes.Where(scene => names.Contains(scene.Name));
 
     internal static Rubric With(IReadOnlyList<RubricItem> items, IEnumerable<MarkedScene> scenes) =>
         new([.. scenes])
@@ -66,7 +66,7 @@ public class MarkerTests
     public void PicturesAndTestsOfAStepDecideTogether(string evidence, string mistake, int passed, string expected)
     {
         var item = whole.Items.Single(item => item.Name == "8 Sphere") with { Evidence = Enum.Parse<ItemEvidence>(evidence), Step = 8 };
-        var both = With([item], Scenes("4-all").Select(Small));
+        var both = With([item], ScenesOf("4-all").Select(Small));
         var scene = both.Scenes[0];
         var picture = EditedLab.Render(scene.Scene, Manner.OfTheSlides, Planted.Named(mistake), Planted.None);
         Dictionary<int, StepResult>? tests = passed == 0 ? null : new() { [8] = new(8, passed, 12) };
@@ -84,7 +84,7 @@ public class MarkerTests
     public void AStepThatFailsWithOneThatItUsesLosesNothing(string evidence, int step, int used, double points, double undecided)
     {
         var item = whole.Items.Single(item => item.Name == "8 Sphere") with { Evidence = Enum.Parse<ItemEvidence>(evidence), Step = step };
-        var both = With([item], Scenes("4-all").Select(Small));
+        var both = With([item], ScenesOf("4-all").Select(Small));
         var tests = new Dictionary<int, StepResult> { [used] = new(used, 3, 4), [step] = new(step, 3, 4) };
         var marks = new Marker(both).Mark("somebody", [new(both.Scenes[0], both.Scenes[0].Right, null)], tests);
         Assert.Equal((points, undecided), (marks.Points, marks.Undecided));
@@ -103,7 +103,7 @@ public class MarkerTests
     public void ASlipInAShapesOwnFormulaCostsThatShape(string file, string old, string @new, string lost)
     {
         var slip = new Planted($"{file}: {@new}", "", new Edit(file, old, @new));
-        var marks = Mark(With(whole.Items, Scenes("1-planes", "3-boxes", "4-flat").Select(Small)), scene => EditedLab.Render(scene, slip));
+        var marks = Mark(With(whole.Items, ScenesOf("1-planes", "3-boxes", "4-flat").Select(Small)), scene => EditedLab.Render(scene, slip));
         Assert.Equal(lost, string.Join(' ', Lost(marks)));
     }
 
@@ -138,7 +138,7 @@ public class MarkerTests
     public void WhatOneStepsFormulasExplainLeavesOnlyItsItemUndecided(string file, string old, string @new, string item, string says)
     {
         var slip = new Planted($"{file}: {@new}", "", new Edit(file, old, @new));
-        var marks = Mark(With(whole.Items, Scenes("3-spheres", "4-all").Select(Small)), scene => EditedLab.Render(scene, slip));
+        var marks = Mark(With(whole.Items, ScenesOf("3-spheres", "4-all").Select(Small)), scene => EditedLab.Render(scene, slip));
         Assert.Equal([item], marks.Items.Where(item => item.Undecided > 0).Select(item => item.Name));
         Assert.Equal([], marks.Items.Where(item => item.Points + item.Undecided < item.Of));
         Assert.Contains(says, Assert.Single(marks.LookYourself));
@@ -148,7 +148,7 @@ public class MarkerTests
     [Fact] // a camera that looks backwards sees no sphere, so spheres may be unwritten
     public void AShapeThatAMistakeKeepsOutOfAllPicturesIsUndecided()
     {
-        var walls = Small(Scenes("1-planes").Single());
+        var walls = Small(ScenesOf("1-planes").Single());
         var ball = Model.Of(new Sphere(walls.Scene.Camera.Target, 1));
         var room = walls with { Judge = new(walls.Scene with { Models = [.. walls.Scene.Models, ball] }) };
         var marks = Mark(With(whole.Items, [room]), scene => EditedLab.Render(scene, Planted.Named("w-sign")));

@@ -6,7 +6,7 @@ public class OtherWordingsCampaign(ITestOutputHelper output)
 {
     private static readonly string[] scenes = ["mistakes/generic", "mistakes/portrait", "mistakes/inside"];
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void MostAreNamed()
     {
         var (shown, named, inStep) = (0, 0, 0);

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>More of the edits that have a label than the tests take.</summary>
 public class EditLabelsCampaign
 {
-    [Theory]
+    [Theory(Explicit = true)]
     [InlineData("v-up")]
     [InlineData("no-center")]
     [InlineData("att-zfar")]

@@ -3,6 +3,6 @@ namespace RayCaster.Teaching.Tests.Explanations;
 /// <summary>More random scenes than the tests take.</summary>
 public class DerivationCampaign
 {
-    [Fact]
+    [Fact(Explicit = true)]
     public void EveryFormulaGivesTheSameBitsAsPlainDoubles() => DerivationTests.FormulasGiveTheSameBitsAsPlainDoubles(300);
 }
