@@ -54,7 +54,7 @@ internal static class Gallery
 
             ![All mistakes, one small picture each, in the order of this page; the first picture is right](mistakes/all.png)
 
-            `dotnet run --project tests/Generator` makes this page from the
+            `dotnet run --project tests/Tools/Generator` makes this page from the
             [catalogue](../src/RayCaster.Teaching/Diagnoses/MistakeCatalog.cs).
 
             """);
