@@ -1,14 +1,12 @@
-using RayCaster.Testing.Fuzzing;
-
 namespace RayCaster.Engine.Tests.Rendering;
 
 /// <summary>Scenes that are read from corrupted files are drawn as the definition draws them.</summary>
 public class SpoiltFilesTests
 {
-    [Fact]
+    [Fact(Explicit = true)]
     public void SpoiltScenesAreDrawn() => Campaign.Run("drawn-scene", 1000, random => new Mutation(random, Corpus.Scenes).Next(), DrawScene);
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void SpoiltMeshesAreDrawn() => Campaign.Run("drawn-mesh", 1000, random => new Mutation(random, Corpus.Meshes).Next(), DrawMesh);
 
     private static void DrawScene(SeedFile file)

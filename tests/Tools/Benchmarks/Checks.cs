@@ -4,6 +4,7 @@ namespace RayCaster.Benchmarks;
 internal static class Checks
 {
     private const int Width = 200, Height = 150;
+    private const double Crossings = 2e7; // of the definition
 
     /// <exception cref="InvalidOperationException">A way draws something else.</exception>
     public static void Run(BenchmarkScene benchmark, EmbreePeer? embree, Workshop workshop)
@@ -12,7 +13,7 @@ internal static class Checks
         var map = new Renderer(scene).CastHits();
         var (t, model) = (map.T, map.Model);
         var bytes = Renderer.Render(benchmark.Create(Width, Height)).Rgb;
-        var step = OwnWays.Step(benchmark, Width, Height);
+        var step = Math.Max(1, (int)(t.Length * (double)benchmark.ModelCount / Crossings)) | 1; // odd: spread over the columns, too
         int rays = 0, hits = 0;
         for (var i = 0; i < t.Length; i += step, rays++)
         {
@@ -26,35 +27,13 @@ internal static class Checks
         }
         Console.WriteLine($"{benchmark.Title}: engine and definition agree to the bit in {rays} of {rays} pixels, {hits} of them hits");
 
-        if (benchmark.ModelCount <= 2_000_000)
-        {
-            Compare("naive, class Vector3", OwnWays.WithClasses(scene));
-            Compare("naive, struct Vector3", OwnWays.WithStructs(scene));
-        }
-
         if (embree is null) return;
         embree.Resize(Width, Height);
-        var worst = (Share: 1.0, Way: "");
         foreach (var way in embree.Ways)
         {
             var (theirT, theirModel) = embree.Hits(way, workshop.PathOf("hits"), t.Length);
-            var share = Agreement(t, model, theirT, theirModel);
-            if (share < worst.Share) worst = (share, way);
-            if (share < 0.99)
+            if (Agreement(t, model, theirT, theirModel) is < 0.99 and var share)
                 throw new InvalidOperationException($"{benchmark.Name}: Embree's way {way} agrees only in {100 * share:0.00} % of the pixels");
-        }
-        Console.WriteLine($"  each of Embree's {embree.Ways.Count()} ways agrees in {100 * worst.Share:0.00} % or more of the pixels {worst.Way}");
-
-        void Compare(string name, Func<int, int, (byte R, byte G, byte B)> cast)
-        {
-            var same = 0;
-            for (var i = 0; i < t.Length; i += step)
-            {
-                var (r, g, b) = cast(i % Width, Height - 1 - i / Width);
-                if (Math.Abs(r - bytes[3 * i]) <= 1 && Math.Abs(g - bytes[3 * i + 1]) <= 1 && Math.Abs(b - bytes[3 * i + 2]) <= 1) same++;
-            }
-            Console.WriteLine($"  {name}: the same colour in {100.0 * same / rays:0.00} % of them");
-            if (same < 0.99 * rays) throw new InvalidOperationException($"{benchmark.Name}: {name} draws another picture");
         }
     }
 

@@ -14,30 +14,21 @@ internal enum Answer
 /// <param name="Name">What tables call it.</param>
 /// <param name="Answer">What it leaves behind.</param>
 /// <param name="Draw">Draws once with a number of threads and returns the milliseconds; what is not to be counted is outside of them.</param>
-/// <param name="IsEmbree">Whether it is one of those that ours are compared with.</param>
-internal sealed record Way(string Name, Answer Answer, Func<int, double> Draw, bool IsEmbree = false)
+internal sealed record Way(string Name, Answer Answer, Func<int, double> Draw)
 {
-    /// <summary>A way without a number of threads.</summary>
-    public Way(string name, Answer answer, Func<double> draw) : this(name, answer, _ => draw())
-    {
-    }
-
-    public int Threads { get; private init; } = 1;
+    private int threads = 1;
 
     /// <summary>The milliseconds of all its runs, in the order of the rounds.</summary>
     public List<double> Times { get; private init; } = [];
 
-    public double Median => Statistics.Quantile(Times, 0.5);
+    public double Median => Ratio.Quantile(Times, 0.5);
 
     public double Least => Times.Min();
 
-    /// <summary>What the console calls it.</summary>
-    public string Label => IsEmbree ? $"Embree, {(Answer == Answer.Hits ? "hits" : "bytes")}: {Name}" : Name;
-
     /// <summary>The same way, which has not run yet.</summary>
-    public Way With(int threads) => this with { Threads = threads, Times = [] };
+    public Way With(int threads) => this with { threads = threads, Times = [] };
 
-    public double Run() => Draw(Threads);
+    public double Run() => Draw(threads);
 }
 
 /// <summary>How many times as fast one way is as another.</summary>
@@ -47,19 +38,14 @@ internal readonly record struct Ratio(double Median, double LowerQuartile, doubl
     public static Ratio Of(Way way, Way peer)
     {
         var ratios = peer.Times.Zip(way.Times, (theirs, ours) => theirs / ours).ToList();
-        return new(Statistics.Quantile(ratios, 0.5), Statistics.Quantile(ratios, 0.25), Statistics.Quantile(ratios, 0.75), peer.Least / way.Least);
+        return new(Quantile(ratios, 0.5), Quantile(ratios, 0.25), Quantile(ratios, 0.75), peer.Least / way.Least);
     }
-}
 
-/// <summary>Quantiles of a few numbers.</summary>
-internal static class Statistics
-{
     public static double Quantile(IEnumerable<double> numbers, double part)
     {
         var sorted = numbers.Order().ToArray();
-        var place = part * (sorted.Length - 1);
-        var below = (int)place;
-        return below + 1 < sorted.Length ? sorted[below] + (place - below) * (sorted[below + 1] - sorted[below]) : sorted[below];
+        var (below, rest) = ((int)(part * (sorted.Length - 1)), part * (sorted.Length - 1) % 1);
+        return rest == 0 ? sorted[below] : sorted[below] + rest * (sorted[below + 1] - sorted[below]);
     }
 }
 
@@ -67,7 +53,7 @@ internal static class Statistics
 internal static class Interleaving
 {
     /// <summary>Runs each way until the runtime has compiled it for good and the caches are warm.</summary>
-    public static void WarmUp(IEnumerable<Way> ways, double milliseconds = 400)
+    public static void WarmUp(IReadOnlyList<Way> ways, double milliseconds = 400)
     {
         foreach (var way in ways)
         {

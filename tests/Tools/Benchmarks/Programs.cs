@@ -11,8 +11,6 @@ internal sealed record ProgramComparison(string What, string Measure, Ratio Rati
 /// <summary>Whole processes from start to end, in turn: our app, an app that only says hello, POV-Ray, Embree from a file.</summary>
 internal sealed class Programs(Options options, Workshop workshop, string? embree)
 {
-    private readonly int rounds = options.Quick ? 3 : options.Repeats;
-
     private readonly (string Name, string Path)[] apps = workshop.PublishNative() is { } native
         ? [("as built", Workshop.App), ("native", native)]
         : [("as built", Workshop.App)];
@@ -32,9 +30,9 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
     {
         var hello = workshop.BuildHello();
         string[] arguments = [ProjectFolder.PathOf("scenes/room.json"), "-o", workshop.PathOf("room.png"), "--quiet"];
-        var theirs = new Way("hello", Answer.Bytes, () => workshop.Run(hello, []).Processor);
-        Way[] ours = [.. apps.Select(app => new Way(app.Name, Answer.Bytes, () => workshop.Run(app.Path, arguments).Processor))];
-        Measure([theirs, .. ours], Math.Max(rounds, 7));
+        var theirs = new Way("hello", Answer.Bytes, _ => workshop.Run(hello, []).Processor);
+        Way[] ours = [.. apps.Select(app => new Way(app.Name, Answer.Bytes, _ => workshop.Run(app.Path, arguments).Processor))];
+        Measure([theirs, .. ours], Math.Max(options.Repeats, 7));
         return ours.Select(way => new ProgramComparison($"the course's room, 500×500, file to PNG, {way.Name}",
             "our processor time / that of an app that only says hello", Ratio.Of(theirs, way)));
     }
@@ -42,8 +40,7 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
     private IEnumerable<ProgramComparison> PovRay()
     {
         if (Workshop.FindPovRay() is not { } povray) yield break;
-        var names = options.Scenes.Where(name => name != "bumpy-10m"); // its text would be a gigabyte
-        foreach (var name in options.Quick ? names.Where(name => name == "room") : names)
+        foreach (var name in options.Scenes.Where(name => name != "bumpy-10m")) // its text would be a gigabyte
         {
             var benchmark = BenchmarkScene.Named(name);
             foreach (var (width, height) in options.Sizes)
@@ -55,11 +52,11 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
                 foreach (var threads in options.Threads)
                 {
                     var ours = OurApps(json, width, height, threads);
-                    var theirs = new Way("POV-Ray", Answer.Bytes, () => workshop.Run(povray,
+                    var theirs = new Way("POV-Ray", Answer.Bytes, _ => workshop.Run(povray,
                         [$"+I{pov}", $"+O{workshop.PathOf("pov.png")}", $"+W{width}", $"+H{height}", $"+WT{threads}", "File_Gamma=1", "-D", "-A",
                             "-GA"]).Elapsed);
-                    var what = $"{benchmark.Title}, {width}×{height}, {threads} {(threads == 1 ? "thread" : "threads")}, file to PNG";
-                    Measure([.. ours, theirs], Math.Min(rounds, 3));
+                    var what = $"{benchmark.Title}, {width}×{height}, threads: {threads}, file to PNG";
+                    Measure([.. ours, theirs], Math.Min(options.Repeats, 3));
                     foreach (var way in ours) yield return new($"{what}, {way.Name}", "POV-Ray's time / ours", Ratio.Of(way, theirs));
                     CheckPov(what);
                 }
@@ -78,25 +75,25 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
     private IEnumerable<ProgramComparison> Ply()
     {
         if (embree is null) yield break;
-        var name = options.Quick ? "bumpy-70k" : "bumpy-1m";
-        if (!options.Scenes.Contains(name)) yield break;
         const int Width = 1920, Height = 1080;
-        var benchmark = BenchmarkScene.Named(name);
-        var scene = benchmark.Create(Width, Height);
-        var (json, camera) = (workshop.PathOf($"{name}.json"), workshop.PathOf("camera.scene"));
-        SceneFiles.WriteScene(json, scene, benchmark.Mesh);
-        PeerScene.Write(camera, scene, withModels: false);
-        foreach (var threads in options.Threads)
+        foreach (var name in options.Scenes.Where(name => name is "bumpy-70k" or "bumpy-1m"))
         {
-            var ours = OurApps(json, Width, Height, threads);
-            var theirs = new[] { "low", "medium" }.Select(quality => new Way(quality, Answer.Bytes, () => workshop.Run(embree,
-                [camera, Number(threads), workshop.PathOf($"{name}.ply"), Number(Width), Number(Height), quality]).Elapsed)).ToArray();
-            var what = $"{benchmark.Title} from a binary PLY, {Width}×{Height}, {threads} {(threads == 1 ? "thread" : "threads")}";
-            Measure([.. ours, .. theirs], rounds);
-            var best = theirs.MinBy(way => way.Median)!;
-            foreach (var way in ours)
-                yield return new($"{what}, {way.Name}", $"Embree's time ({best.Name} build quality, no PNG) / ours (with a PNG)",
-                    Ratio.Of(way, best));
+            var benchmark = BenchmarkScene.Named(name);
+            var scene = benchmark.Create(Width, Height);
+            var (json, camera) = (workshop.PathOf($"{name}.json"), workshop.PathOf("camera.scene"));
+            SceneFiles.WriteScene(json, scene, benchmark.Mesh);
+            PeerScene.Write(camera, scene, withModels: false);
+            foreach (var threads in options.Threads)
+            {
+                var ours = OurApps(json, Width, Height, threads);
+                var theirs = new[] { "low", "medium" }.Select(quality => new Way(quality, Answer.Bytes, _ => workshop.Run(embree,
+                    [camera, Number(threads), workshop.PathOf($"{name}.ply"), Number(Width), Number(Height), quality]).Elapsed)).ToArray();
+                Measure([.. ours, .. theirs], options.Repeats);
+                var best = theirs.MinBy(way => way.Median)!;
+                foreach (var way in ours)
+                    yield return new($"{benchmark.Title} from a binary PLY, {Width}×{Height}, threads: {threads}, {way.Name}",
+                        $"Embree's time ({best.Name} build quality, no PNG) / ours (with a PNG)", Ratio.Of(way, best));
+            }
         }
     }
 
@@ -104,7 +101,7 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
     {
         string[] arguments =
             [scene, "-o", workshop.PathOf("ours.png"), "--quiet", "--size", $"{width}x{height}", "--threads", Number(threads)];
-        return [.. apps.Select(app => new Way(app.Name, Answer.Bytes, () => workshop.Run(app.Path, arguments).Elapsed))];
+        return [.. apps.Select(app => new Way(app.Name, Answer.Bytes, _ => workshop.Run(app.Path, arguments).Elapsed))];
     }
 
     /// <summary>Runs each once, so that the files are in memory, and then all in turn.</summary>

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """What a student waits for, in multiples of what an empty project of the same SDK takes on the same machine.
 
-    python3 tests/Benchmarks/loop.py            the whole table, least of five; some minutes on a machine that does nothing else
-    python3 tests/Benchmarks/loop.py --rounds 3
+    python3 tests/Tools/Benchmarks/loop.py      the whole table, least of five; some minutes on a machine that does nothing else
+    python3 tests/Tools/Benchmarks/loop.py --rounds 3
 
 Works in a copy of the project's files, changes nothing here, and prints the table of CONTRIBUTING.md. It fails if a row is above its limit.
 """
 import argparse, os, pathlib, re, shutil, subprocess, sys, tempfile, time
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 SPHERE = "src/RayCaster/Shapes/Sphere.cs"
 ENVIRONMENT = dict(os.environ, DOTNET_NOLOGO="1", DOTNET_CLI_TELEMETRY_OPTOUT="1")
 ENVIRONMENT.pop("Strict", None)

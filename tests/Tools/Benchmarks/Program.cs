@@ -10,19 +10,12 @@ catch (ArgumentException problem)
     Console.Error.WriteLine($"{problem.Message}\n\n{Options.Help}");
     return 2;
 }
-if (options.ShowHelp)
-{
-    Console.WriteLine(Options.Help);
-    return 0;
-}
 
-var clock = System.Diagnostics.Stopwatch.StartNew();
 Console.WriteLine(Machine.Description);
 using var workshop = new Workshop();
 var peer = workshop.BuildEmbreePeer();
 var report = new Report();
-
-if (options.Does("rays"))
+if (options.Only != "programs")
 {
     foreach (var name in options.Scenes)
     {
@@ -30,14 +23,10 @@ if (options.Does("rays"))
         using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, Environment.ProcessorCount);
         Checks.Run(scene, embree, workshop);
         foreach (var (width, height) in options.Sizes)
-        {
             foreach (var threads in options.Threads)
                 report.Comparisons.Add(new RayComparison(scene, width, height, threads).Run(embree, options.Repeats, workshop));
-        }
     }
 }
-if (options.Does("programs")) report.Programs.AddRange(new Programs(options, workshop, peer).Run());
-
-var text = report.Write(options, clock.Elapsed);
-Console.WriteLine("\n" + text);
+if (options.Only != "rays") report.Programs.AddRange(new Programs(options, workshop, peer).Run());
+Console.WriteLine("\n" + report.Write(options));
 return 0;

@@ -27,40 +27,20 @@ internal sealed class EmbreePeer : IDisposable
         hasUserShapes = scene.Models.Any(model => model is not Mesh);
     }
 
-    /// <summary>All hierarchies worth trying: instruction set, scene flags, and who computes the crossings. Embree uses no wider vectors than .NET:
-    /// with <c>DOTNET_EnableAVX512=0</c> both have AVX2 alone.</summary>
-    public IEnumerable<string> Hierarchies =>
+    /// <summary>All ways worth trying: instruction set, scene flags, who computes the crossings, and the call. Embree uses no wider vectors than
+    /// .NET: with <c>DOTNET_EnableAVX512=0</c> both have AVX2 alone.</summary>
+    public IEnumerable<string> Ways =>
         from isa in Vector512.IsHardwareAccelerated ? new[] { "avx2", "best" } : ["avx2"]
         from flags in (string[])["none", "compact"]
         from shapes in hasUserShapes ? new[] { "user", "native" } : ["user"]
-        select $"{isa} {flags} {shapes}";
-
-    /// <summary>All ways: hierarchies and the calls that trace them.</summary>
-    public IEnumerable<string> Ways => from hierarchy in Hierarchies from call in Calls select $"{hierarchy} {call}";
-
-    /// <summary>What tables call a way.</summary>
-    public string NameOf(string way)
-    {
-        var words = way.Split(' ');
-        var call = words[3] switch
-        {
-            "8" => "rtcIntersect8",
-            "16" => "rtcIntersect16",
-            "1m" => "rtcIntersect1M",
-            "np" => "rtcIntersectNp",
-            var nm => $"rtcIntersectNM ({nm[2..]})"
-        };
-        var shapes = !hasUserShapes ? "" : words[2] == "user" ? ", user geometries" : ", its own shapes";
-        return $"{call}, {(words[0] == "best" ? "widest instructions" : "AVX2")}{(words[1] == "compact" ? ", compact" : "")}{shapes}";
-    }
+        from call in Calls
+        select $"{isa} {flags} {shapes} {call}";
 
     public void Resize(int width, int height) => Ask($"size {width} {height}");
 
-    /// <summary>The milliseconds that a hierarchy takes to build.</summary>
-    public double Build(string hierarchy) => Number($"build {hierarchy}");
-
     /// <summary>The milliseconds of one picture.</summary>
-    public double Run(string way, Answer answer, int threads) => Number($"run {way} {(answer == Answer.Hits ? "hits" : "bytes")} {threads}");
+    public double Run(string way, Answer answer, int threads) =>
+        double.Parse(Ask($"run {way} {(answer == Answer.Hits ? "hits" : "bytes")} {threads}"), CultureInfo.InvariantCulture);
 
     /// <summary>t and model of each pixel, top line first.</summary>
     public (float[] T, int[] Model) Hits(string way, string file, int pixels)
@@ -72,8 +52,6 @@ internal sealed class EmbreePeer : IDisposable
         Buffer.BlockCopy(bytes, 4 * pixels, model, 0, 4 * pixels);
         return (t, model);
     }
-
-    private double Number(string command) => double.Parse(Ask(command), CultureInfo.InvariantCulture);
 
     private string Ask(string command)
     {
