@@ -5,8 +5,8 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1
 if ! command -v clang >/dev/null && ! command -v gcc >/dev/null; then
-    echo "skipped: gcc is missing"
-    exit 0
+    echo "gcc is missing"
+    exit 77
 fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -32,4 +32,4 @@ echo "$drawn scenes, the same to the bit"
 [ "$drawn" -gt 0 ]
 
 cd "$OLDPWD"
-RAYCASTER_APP="$work/native/raycaster" dotnet test --project tests/RayCaster.Cli.Tests
+RAYCASTER_APP="$work/native/raycaster" dotnet test --project tests/RayCaster.Cli.Tests "$@"

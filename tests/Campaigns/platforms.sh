@@ -26,7 +26,7 @@ arm Cli.Tests *AttackTests.ADeletedCurrentFolderIsReported the shell that starts
 arm Cli.Tests *HandOutCommandTests.WritesAFolder* it starts the tool by the dotnet of the machine, which is for x64
 '
 
-skip() { echo "skipped: $*"; exit 0; }
+skip() { echo "$*"; exit 77; }
 tools() { command -v wine wineserver qemu-aarch64-static && [ -e /usr/aarch64-linux-gnu/lib/libstdc++.so.6 ]; } >/dev/null
 [ "$(uname -m)" = x86_64 ] && command -v apt-get >/dev/null || skip "this is no Debian for x64"
 if ! tools; then

@@ -63,9 +63,9 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     private static Evidence EvidenceOf(SceneDiagnosis prepared, Picture picture)
     {
         var (scene, right) = (prepared.Scene, prepared.Right);
-        var evidence = new Evidence(scene, right, picture, Pixels, !prepared.TooManyModels);
+        var evidence = new Evidence(scene, right, picture, Pixels, !prepared.TooManyModels, prepared.Budget);
         if (evidence.WrongCount >= evidence.OutlineCount || evidence.OutlineCount <= SceneFitness.LeastPixels) return evidence;
-        var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false);
+        var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false, prepared.Budget);
         return prepared.Known.Any(IsAll) ? strict : evidence;
 
         // A mistake of the camera may by chance be the last bits of another program.

@@ -72,7 +72,7 @@ public sealed record Diagnosis
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
     /// <param name="scene">The scene that it should show, at the picture's size.</param>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
-    /// <param name="budget">How long it may take; any time if left out.</param>
+    /// <param name="budget">How much may be done; any amount if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public static Diagnosis Of(Scene scene, Picture picture, SearchBudget? budget = null) =>
         new SceneDiagnosis(scene, budget: budget).Judge(picture);
