@@ -62,9 +62,9 @@ internal static class FeedbackPage
         else if (scene.Verdict == SceneVerdict.Right) page.Html($"<p>{mine}</p>");
         else
         {
-            var evidence = submitted.Evidence;
+            var sample = submitted.Sample;
             page.Element("p",
-                FormattableString.Invariant($"{100.0 * evidence.WrongCount / evidence.PixelCount:0.##} % of the pixels ") +
+                FormattableString.Invariant($"{100.0 * sample.WrongCount / sample.PixelCount:0.##} % of the pixels ") +
                 $"differ by more than {PictureJudge.Tolerance} level. " +
                 "Your picture is left of the line, the right picture right of it:", "small");
             page.Html($"""

@@ -35,7 +35,7 @@ internal sealed record JointDiagnosis
     public Hypothesis? Nearest { get; private init; }
 
     /// <summary>Where nothing explains the pictures but only the light is wrong, the steps of which one must be wrong; otherwise null.</summary>
-    public IReadOnlyCollection<SectionKind>? Steps { get; private init; }
+    public IReadOnlyCollection<StepKind>? Steps { get; private init; }
 
     /// <summary>What the teacher should know about these steps.</summary>
     public string? Note { get; private init; }
@@ -48,12 +48,12 @@ internal sealed record JointDiagnosis
     /// <param name="known">The mistakes that it may have.</param>
     public static JointDiagnosis Find(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known)
     {
-        int[] wrong = [.. Enumerable.Range(0, pictures.Count).Where(i => !pictures[i].Evidence.IsRight)];
+        int[] wrong = [.. Enumerable.Range(0, pictures.Count).Where(i => !pictures[i].Sample.IsRight)];
         if (wrong.Length == 0) return new();
-        if (pictures.All(picture => picture.Evidence.Picture.IsOneColor))
+        if (pictures.All(picture => picture.Sample.Picture.IsOneColor))
             return new() { TellsNothing = true, Unexplained = [.. wrong.Select(i => pictures[i].Scene)] };
         var found = Search(pictures, known);
-        int[] unexplained = [.. wrong.Where(i => !pictures[i].Evidence.IsExplainedBy(found.Verdict.Programs[i]))];
+        int[] unexplained = [.. wrong.Where(i => !pictures[i].Sample.IsExplainedBy(found.Verdict.Programs[i]))];
         if (2 * unexplained.Length < wrong.Length)
         {
             return found with
@@ -79,13 +79,13 @@ internal sealed record JointDiagnosis
         var without = Verdict.Plus(ChangeSource.Missing(kind))!;
         return pictures.Index().Any(picture => picture.Item.Scene.Scene.Models.Any(model => model.Kind == kind)
             && Weight(without.Programs[picture.Index], picture.Item)
-                > Weight(Verdict.Programs[picture.Index], picture.Item) + picture.Item.Evidence.LeastPixels);
+                > Weight(Verdict.Programs[picture.Index], picture.Item) + picture.Item.Sample.LeastPixels);
     }
 
     /// <summary>The program that leaves the least, and those that leave as little.</summary>
     private static JointDiagnosis Search(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known)
     {
-        var ranked = new HypothesisSearch([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null, null, null).Run();
+        var ranked = new HypothesisSearch([.. pictures.Select(picture => picture.Sample)], known, [], 1, null, null, null).Run();
         var verdict = ranked[0];
         var alike = ranked.TakeWhile(other => other.Total < verdict.Total + Priors.AsLikely);
         return new()
@@ -116,29 +116,29 @@ internal sealed record JointDiagnosis
 
     private static FormulaProgram Right(SubmittedPicture picture) => FormulaProgram.For(picture.Scene.Scene.Camera);
 
-    private static double Weight(FormulaProgram program, SubmittedPicture picture) => picture.Evidence.Misfit(program).Weight;
+    private static double Weight(FormulaProgram program, SubmittedPicture picture) => picture.Sample.Residual(program).Weight;
 
     private static bool IsHardlyExplained(FormulaProgram program, SubmittedPicture picture)
     {
-        var left = picture.Evidence.Misfit(program);
-        var all = picture.Evidence.Misfit(Right(picture));
+        var left = picture.Sample.Residual(program);
+        var all = picture.Sample.Residual(Right(picture));
         return left != all && left.Weight > MayLeave * all.Weight;
     }
 
     /// <summary>
     /// The steps where all outlines are right and only the light is not. If it is wrong on one kind of shape, this one's formula may be the reason.
     /// </summary>
-    private static (IReadOnlyCollection<SectionKind>? Steps, string? Note) OnlyLight(SubmittedPicture[] wrong)
+    private static (IReadOnlyCollection<StepKind>? Steps, string? Note) OnlyLight(SubmittedPicture[] wrong)
     {
-        var kinds = wrong.Select(picture => LikelyCause.InAnotherLight(picture.Evidence, new Renderer(picture.Scene.Scene).CastHits().Model))
+        var kinds = wrong.Select(picture => LikelyCause.InAnotherLight(picture.Sample, new Renderer(picture.Scene.Scene).CastHits().Model))
             .TakeWhile(kinds => kinds.Count > 0).ToList();
         if (kinds.Count < wrong.Length) return default;
         var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value)
             .ToDictionary(kind => kind.Key, kind => kind.Sum());
         var most = counts.MaxBy(kind => kind.Value);
         var isOneKind = most.Value >= OneKind * counts.Values.Sum();
-        return (isOneKind && Enum.TryParse<SectionKind>(most.Key == "mesh" ? "triangle" : most.Key, true, out var shape)
-                ? [SectionKind.Light, SectionKind.Bytes, shape] : [SectionKind.Light, SectionKind.Bytes],
+        return (isOneKind && Enum.TryParse<StepKind>(most.Key == "mesh" ? "triangle" : most.Key, true, out var shape)
+                ? [StepKind.Light, StepKind.Bytes, shape] : [StepKind.Light, StepKind.Bytes],
             isOneKind && most.Key == "background" ? "only the background is wrong" : "all outlines are right, only the light is not");
     }
 }

@@ -11,15 +11,15 @@ internal static class MarkWords
         ?? (hiding.Select(id => MistakeCatalog.Named(id)!).FirstOrDefault(mistake => mistake.Steps.All(step => step == ShapeKind.Of(because)?.Step)) is { } mistake
             ? $"If they are written: {mistake.Hint.Question}" : "");
 
-    public static string NotDrawn(string part) => part == Diagnosis.Attenuation
+    public static string NotDrawn(string part) => part == MissingParts.Attenuation
         ? $"{NotSeen(part)}: attenuation is not written yet, or a mistake hides it."
         : $"{NotSeen(part)}: they are not written yet, or a mistake hides them.";
 
     /// <summary>What a picture without a part looks like.</summary>
     public static string NotSeen(string part) => part switch
     {
-        Diagnosis.Attenuation => "Colours do not get darker with the distance",
-        Diagnosis.Clipping => "zNear and zFar cut nothing",
+        MissingParts.Attenuation => "Colours do not get darker with the distance",
+        MissingParts.Clipping => "zNear and zFar cut nothing",
         _ => $"No {ShapeKind.Of(part)?.Many ?? part} are drawn",
     };
 

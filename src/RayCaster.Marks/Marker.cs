@@ -44,7 +44,7 @@ internal sealed class Marker(Rubric rubric)
             _ => new(() => JointDiagnosis.Find(pictures, rubric.Known))).Value;
         var verdict = diagnosis.Verdict;
         return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Judge(picture, diagnosis))],
-            [.. Diagnosis.Parts.Intersect(verdict.Missing)],
+            [.. MissingParts.All.Intersect(verdict.Missing)],
             [.. verdict.AllMistakes.Where(mistake => mistake.Place is null).Select(mistake => mistake.Id)],
             [.. verdict.Mistakes.Where(mistake => diagnosis.IsCertain && mistake.IsUsual).Select(mistake => mistake.Id)],
             [.. diagnosis.HidingMistakes.Select(mistake => mistake.Id)],
@@ -75,7 +75,7 @@ internal sealed class Marker(Rubric rubric)
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
     private static List<MarkedScene> UnderstoodScenes(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
     [
-        .. pictures.Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess)
+        .. pictures.Where(picture => picture.Sample.IsRight || !diagnosis.IsGuess)
             .Select(picture => picture.Scene).Except(diagnosis.Unexplained),
     ];
 
@@ -85,7 +85,7 @@ internal sealed class Marker(Rubric rubric)
         var understood = UnderstoodScenes(pictures, diagnosis);
         var judged = pictures.ConvertAll(picture => picture.Scene);
         var isAllUnderstood = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
-        SectionKind[] steps =
+        StepKind[] steps =
         [
             .. Edits(diagnosis).SelectMany(edit => edit.Place!.Steps), .. diagnosis.Steps ?? [],
         ];
@@ -137,9 +137,9 @@ internal sealed class Marker(Rubric rubric)
         diagnosis.Alternatives.Prepend(diagnosis.Verdict).SelectMany(program => program.AllMistakes).Where(mistake => mistake.Place is not null);
 
     /// <summary>Whether an item is about a step: it needs its shape, or has a mistake in its formulas or in their effect.</summary>
-    private static bool Concerns(RubricItem item, SectionKind step) =>
-        item.Undone.Contains(step is SectionKind.Light ? Diagnosis.Attenuation : step.ToString().ToLowerInvariant())
-        || item.Mistakes.Select(mistake => MistakeCatalog.Named(mistake)!).Any(mistake => step is SectionKind.Light or SectionKind.Bytes
+    private static bool Concerns(RubricItem item, StepKind step) =>
+        item.Undone.Contains(step is StepKind.Light ? MissingParts.Attenuation : step.ToString().ToLowerInvariant())
+        || item.Mistakes.Select(mistake => MistakeCatalog.Named(mistake)!).Any(mistake => step is StepKind.Light or StepKind.Bytes
             ? mistake.Steps.Any(touched => touched.IsOfColors()) : mistake.Slide == FormulaBook.Slides.StylesOf(step)[0].Slide);
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
@@ -154,7 +154,7 @@ internal sealed class Marker(Rubric rubric)
     private static SceneMarks Judge(SubmittedPicture picture, JointDiagnosis diagnosis)
     {
         var verdict = !picture.CanBeJudged ? SceneVerdict.NoPicture
-            : picture.Evidence.IsRight ? SceneVerdict.Right
+            : picture.Sample.IsRight ? SceneVerdict.Right
             : diagnosis.Unexplained.Contains(picture.Scene) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
         var isDistinctive = verdict is SceneVerdict.Explained or SceneVerdict.Unexplained && !picture.Picture!.IsOneColor && !picture.IsUntouched;

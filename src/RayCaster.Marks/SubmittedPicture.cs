@@ -23,7 +23,7 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
         && new PictureDifference(Picture, LabSteps.Draw(Scene.Scene, 1)).Largest <= PictureJudge.Tolerance;
 
     /// <summary>The pixels by which the picture is judged, if it can be judged.</summary>
-    public Evidence Evidence => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
+    public PictureSample Sample => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
 
     /// <summary>A hash of its size and bytes, if there is a picture.</summary>
     public string Digest => field ??= $"{Picture!.Width} {Convert.ToHexStringLower(SHA256.HashData(Picture.Rgb))}";

@@ -42,13 +42,13 @@ internal sealed class CheckCommand() : Command("check", "<scene>...", "Finds err
 
         if (!quiet)
             StandardStreams.WriteOutput((scenes.Count == 1 ? files[0] : $"{scenes.Count} scenes") + ": no errors.");
-        if (!scenes.TrueForAll(SceneFitness.CanJudge))
-            throw new ProblemException($"a scene has more than {SceneFitness.MaxModels:N0} models: too many to try mistakes on");
+        if (!scenes.TrueForAll(MutationCoverage.CanJudge))
+            throw new ProblemException($"a scene has more than {MutationCoverage.MaxModels:N0} models: too many to try mistakes on");
         var mistakes = MistakeCatalog.All.Where(mistake => line.Get(shapes) is not { } some || mistake.Touches(some));
-        var fitness = SceneFitness.Of(scenes, line.Get(Option.Threads), [.. mistakes], line.Budget());
+        var fitness = MutationCoverage.Of(scenes, line.Get(Option.Threads), [.. mistakes], line.Budget());
         var absent = required.Where(id => fitness.Tested.All(mistake => mistake.Id != id)
             || fitness.Hidden.Concat(fitness.NotTried).Any(mistake => mistake.Id == id)).ToArray();
-        if (!quiet) StandardStreams.WriteOutput(FitnessReport.Text(fitness));
+        if (!quiet) StandardStreams.WriteOutput(CoverageReport.Text(fitness));
         if (absent.Length == 0) return ExitCode.Done;
         StandardStreams.WriteError($"required, but not shown: {string.Join(", ", absent)}");
         return ExitCode.No;

@@ -8,7 +8,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         text => text switch { "symptom" => HintLevel.Symptom, "question" => HintLevel.Question, "answer" => HintLevel.Answer, _ => null });
     private static readonly Option<string[]> parts = Option.List("--done", "<parts>",
         "What your program draws already, for example plane,sphere: plane, sphere, aabb, circle, triangle, mesh, attenuation, clipping. " +
-        "If one of these does not show, that is a mistake; other parts may be missing.", Diagnosis.Parts);
+        "If one of these does not show, that is a mistake; other parts may be missing.", MissingParts.All);
     private static readonly Option<bool> asJson = Option.Switch("--json", "Prints everything as JSON, also the answers and errors.");
 
     public override string Description =>
@@ -59,15 +59,15 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         var budget = line.Budget();
         var prepared = new SceneDiagnosis(scene, line.Get(Option.Threads), budget: budget, size: size);
         var diagnosis = prepared.Judge(picture, line.Get(parts) ?? []);
-        var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
+        var hidden = diagnosis.Kind == DiagnosisKind.Matches ? prepared.Hidden : [];
         if (budget?.UsedUp is { } limit) line.Warn($"Not everything was tried within {limit}; --all tries everything.");
         StandardStreams.WriteOutput(json
             ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden) + MoreHelp(diagnosis, level));
-        return diagnosis.Finding == Finding.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
+        return diagnosis.Kind == DiagnosisKind.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
     }
 
-    private static string MoreHelp(Diagnosis diagnosis, HintLevel level) => diagnosis.Finding != Finding.Mistake ? "" : level switch
+    private static string MoreHelp(Diagnosis diagnosis, HintLevel level) => diagnosis.Kind != DiagnosisKind.Mistake ? "" : level switch
     {
         HintLevel.Symptom => "\nMore help: --hint question, or --hint answer\n",
         HintLevel.Question => "\nMore help: --hint answer\n",

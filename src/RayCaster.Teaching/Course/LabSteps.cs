@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Course;
 
 /// <summary>The ten steps in which students write the lab, and the picture after each, which is the hand-out's reference.</summary>
 public static class LabSteps
@@ -53,15 +53,15 @@ public static class LabSteps
     internal static string[] DoneAt(Scene scene, int step) =>
     [
         .. scene.Models.Where(model => StepOf(model) < step).Select(model => model.Kind).Distinct(),
-        .. step >= Shading ? (string[])[Diagnosis.Attenuation] : [],
-        .. step >= Clipping ? (string[])[Diagnosis.Clipping] : [],
+        .. step >= Shading ? (string[])[MissingParts.Attenuation] : [],
+        .. step >= Clipping ? (string[])[MissingParts.Clipping] : [],
     ];
 
     /// <summary>The kinds of shape in a scene whose formula is written in a step.</summary>
     internal static IEnumerable<string> KindsOf(Scene scene, int step) =>
         scene.Models.Where(model => StepOf(model) == step).Select(model => model.Kind).Distinct();
 
-    private static int StepOf(Model model) => Slides.OfShape(model.Kind) is { } slide ? Slides.StepOf(slide) : Count;
+    private static int StepOf(Model model) => ShapeKind.Of(model.Kind)?.Slide is { } slide ? Slides.StepOf(slide) : Count;
 
     /// <summary>Each model in its full colour, without attenuation.</summary>
     private static Picture Unshaded(Scene scene)

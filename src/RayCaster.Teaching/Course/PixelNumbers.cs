@@ -2,7 +2,7 @@ using System.Diagnostics;
 using Bytes = (byte R, byte G, byte B);
 using Hit = (int Model, double T);
 
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Course;
 
 /// <summary>What a student's bodies compute for one pixel, beside the right numbers. The first that differs is marked.</summary>
 public sealed class PixelNumbers
@@ -104,7 +104,7 @@ public sealed class PixelNumbers
         }
     }
 
-    private bool IsWritten(Model model) => Slides.OfShape(model.Kind) is not { } slide
+    private bool IsWritten(Model model) => ShapeKind.Of(model.Kind)?.Slide is not { } slide
         || !Slides.Steps[Slides.StepOf(slide) - 1].Slides.Any(unwritten.Contains);
 
     /// <summary>The text for each number.</summary>
@@ -150,7 +150,7 @@ public sealed class PixelNumbers
     private IEnumerable<Line> OfModel(Model model, int index)
     {
         var name = $"t of {ModelName.Typed(scene, index)}";
-        var slide = Slides.OfShape(model.Kind) ?? model.Kind;
+        var slide = ShapeKind.Of(model.Kind)?.Slide ?? model.Kind;
         var rightly = model.Intersect(right) ?? double.PositiveInfinity;
         if (!IsWritten(model) || yours.GetValueOrDefault($"{index}") is not (double T, bool Counts)[] calls)
         {

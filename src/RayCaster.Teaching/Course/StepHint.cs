@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Course;
 
 /// <summary>The message of a failing picture test of the lab: only what the picture shows.</summary>
 public static class StepHint
@@ -24,7 +24,7 @@ public static class StepHint
 
     private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
     {
-        if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
+        if (diagnosis is not { Kind: DiagnosisKind.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
         // light, zNear and zFar may not be written yet
         Change[] mistakes = [.. suspect.Mistakes.Where(mistake => step == 0 || Slides.StepOf(mistake.Slide) <= step)];
         if (mistakes.Length == 0) return ["Only a few pixels are wrong: too few to name a mistake.", .. OfStep(step, level)];
@@ -47,12 +47,12 @@ public static class StepHint
 
     private static IEnumerable<string> OfPicture(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
     {
-        string[] missing = diagnosis.Finding == Finding.TellsNothing
+        string[] missing = diagnosis.Kind == DiagnosisKind.TellsNothing
             ? [.. LabSteps.KindsOf(scene, step)]
-            : [.. diagnosis.NotYet.Where(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping))];
+            : [.. diagnosis.NotYet.Where(part => part is not (MissingParts.Attenuation or MissingParts.Clipping))];
         if (missing.Length > 0) yield return $"Not to be seen where it should be: {string.Join(", ", missing)}.";
         // A picture without anything in it may have lost its light, or its hits. Once both are written and tested, the step's shape is to blame.
-        var isOfTheShape = missing.Length > 0 && diagnosis.Finding == Finding.TellsNothing && step > LabSteps.Clipping;
+        var isOfTheShape = missing.Length > 0 && diagnosis.Kind == DiagnosisKind.TellsNothing && step > LabSteps.Clipping;
         if (!isOfTheShape) foreach (var sentence in diagnosis.Likely) yield return sentence;
         if (missing.Length == 0 && diagnosis.Likely.Count == 0) yield return "None of the known mistakes makes this picture.";
         foreach (var question in OfStep(step, level)) yield return question;

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>
 /// A number that records how it was computed. A formula over this type explains a pixel: it is the same code that draws, and the values equal

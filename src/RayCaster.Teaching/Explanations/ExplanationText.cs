@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>A part of an explanation.</summary>
 /// <param name="Title">What it is about; empty for the first.</param>

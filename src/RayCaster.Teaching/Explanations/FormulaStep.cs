@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>A step of a formula with the numbers of one pixel.</summary>
 /// <param name="Name">Its name on the slide.</param>

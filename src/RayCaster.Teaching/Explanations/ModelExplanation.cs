@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>One model in the explanation of a pixel: its formula evaluated over <see cref="Derivation"/>, which records each step.</summary>
 internal sealed class ModelExplanation

@@ -1,6 +1,6 @@
 using System.Text.RegularExpressions;
 
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>The source text of a formula in the notation of the slides: "(Q − P) · n / (d · n)".</summary>
 internal static partial class Notation

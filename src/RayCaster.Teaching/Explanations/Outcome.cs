@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>The result of a ray for a model, or for one of its crossings.</summary>
 public enum Outcome

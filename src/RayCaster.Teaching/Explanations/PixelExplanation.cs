@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>
 /// How one pixel gets its colour: the ray, each model's formula with this pixel's numbers, the result of each crossing, and the colour.

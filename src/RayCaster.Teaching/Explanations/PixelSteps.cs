@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>The steps of a pixel's explanation that are not those of a model.</summary>
 internal static class PixelSteps

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>The result of a pixel's ray, for one model.</summary>
 /// <param name="T">The t of the hit, else of the crossing that comes closest to counting; not finite if there is none.</param>

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>
 /// A drawing from the side, in the plane of a pixel's ray and the camera's V: sections of the shapes, the clip planes and the crossings.

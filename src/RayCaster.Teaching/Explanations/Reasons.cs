@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>The reasons for outcomes, in words for students.</summary>
 internal static class Reasons

@@ -1,6 +1,6 @@
-using static RayCaster.Teaching.PictureJudge;
+using static RayCaster.Teaching.Comparison.PictureJudge;
 
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour.</summary>
 /// <param name="Bytes">The other picture's bytes.</param>

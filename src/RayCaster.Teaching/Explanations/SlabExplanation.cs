@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>A slab of a box: the space B0 ≤ coordinate ≤ B1.</summary>
 /// <param name="Axis">x, y or z.</param>

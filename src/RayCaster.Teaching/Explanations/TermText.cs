@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>
 /// Writes a formula with its numbers; named steps are written as their values. Three terms of the same form are written as a vector,

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Explanations;
 
 /// <summary>Why a formula gives NaN: the test that failed, or the operation without a result, with its numbers.</summary>
 internal static class Why

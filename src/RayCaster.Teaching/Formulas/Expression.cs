@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Formulas;
 
 /// <summary>What an <see cref="Expression"/> does with its operands.</summary>
 internal enum Operator
@@ -45,10 +45,10 @@ internal sealed class Expression
 
     private string? text; // thousands of edits share their parts, and are told apart by their texts
 
-    private Expression(Operator op, Quantity quantity, ImmutableArray<Expression> operands, Symbol? symbol = null, double number = 0)
+    private Expression(Operator op, Dimension quantity, ImmutableArray<Expression> operands, Symbol? symbol = null, double number = 0)
     {
-        (Operator, Quantity, Operands, Symbol, Value) = (op, quantity, operands, symbol, number);
-        if (op == Operator.Number) Constant = Batch.Of(number);
+        (Operator, Dimension, Operands, Symbol, Value) = (op, quantity, operands, symbol, number);
+        if (op == Operator.Number) Constant = PixelValues.Of(number);
         Function = Array.IndexOf(functions, (op, quantity.Kind) switch
         {
             (Operator.Call, _) => symbol!.Text,
@@ -62,7 +62,7 @@ internal sealed class Expression
 
     public Operator Operator { get; }
 
-    public Quantity Quantity { get; }
+    public Dimension Dimension { get; }
 
     public ImmutableArray<Expression> Operands { get; }
 
@@ -76,17 +76,17 @@ internal sealed class Expression
     public double Value { get; }
 
     /// <summary>The same in all pixels.</summary>
-    public Batch Constant { get; }
+    public PixelValues Constant { get; }
 
     /// <summary>The bits of all names and functions in it.</summary>
     public UInt128 Reads { get; }
 
-    public static Expression Number(double value) => new(Operator.Number, Quantity.Number, [], number: value);
+    public static Expression Number(double value) => new(Operator.Number, Dimension.Number, [], number: value);
 
-    public static Expression Name(Symbol symbol, Quantity quantity) => new(Operator.Name, quantity, [], symbol);
+    public static Expression Name(Symbol symbol, Dimension quantity) => new(Operator.Name, quantity, [], symbol);
 
     /// <summary>A function's parameter: any vector.</summary>
-    public static Expression Parameter(Symbol symbol) => Name(symbol, Quantity.Words["displacement"]);
+    public static Expression Parameter(Symbol symbol) => Name(symbol, Dimension.Words["displacement"]);
 
     /// <summary>An operation; null if its operands are not of the kinds that it takes.</summary>
     public static Expression? Of(Operator op, params ImmutableArray<Expression> operands) =>
@@ -95,9 +95,9 @@ internal sealed class Expression
     /// <summary>The call of a function of vectors; null if its operands are no vectors.</summary>
     public static Expression? Call(string function, params ImmutableArray<Expression> operands)
     {
-        if (operands.Any(operand => operand.Quantity.Kind != ValueKind.Vector)) return null;
-        var length = operands.Sum(operand => operand.Quantity.Length);
-        Quantity? quantity = (function, operands.Length) switch
+        if (operands.Any(operand => operand.Dimension.Kind != ValueKind.Vector)) return null;
+        var length = operands.Sum(operand => operand.Dimension.Length);
+        Dimension? quantity = (function, operands.Length) switch
         {
             ("dot", 2) or ("length", 1) => new(ValueKind.Number, length),
             ("cross", 2) => new(ValueKind.Vector, length),
@@ -154,16 +154,16 @@ internal sealed class Expression
     /// <summary>Whether two operands have units that can be added or compared. Edits need not keep that, the slides do.</summary>
     public bool IsConsistent => Operands.All(operand => operand.IsConsistent)
         && (!(Operator is >= Operator.Less and <= Operator.Subtract or Operator.Min or Operator.Max) || Operands is not [var a, var b]
-            || a.Quantity.IsPure || b.Quantity.IsPure || a.Quantity.Length == b.Quantity.Length && a.Quantity.Measure switch
+            || a.Dimension.IsPure || b.Dimension.IsPure || a.Dimension.Length == b.Dimension.Length && a.Dimension.Measure switch
             {
-                Measure.Point => Operator is Operator.Subtract || b.Quantity.Measure == Measure.None,
-                Measure.None => b.Quantity.Measure == Measure.None || (b.Quantity.Measure == Measure.Point && Operator == Operator.Add),
-                var measure => b.Quantity.Measure == measure,
+                Measure.Point => Operator is Operator.Subtract || b.Dimension.Measure == Measure.None,
+                Measure.None => b.Dimension.Measure == Measure.None || (b.Dimension.Measure == Measure.Point && Operator == Operator.Add),
+                var measure => b.Dimension.Measure == measure,
             });
 
     public override string ToString() => text ??= FormulaText.Of(this);
 
-    private static Quantity? QuantityOf(Operator op, ImmutableArray<Expression> operands)
+    private static Dimension? QuantityOf(Operator op, ImmutableArray<Expression> operands)
     {
         if (operands.Length != op switch
         {
@@ -172,29 +172,29 @@ internal sealed class Expression
             >= Operator.Or and <= Operator.Divide or Operator.Min or Operator.Max or Operator.Power => 2,
             _ => 1,
         }) return null;
-        var a = operands[0].Quantity;
-        var b = operands[^1].Quantity;
+        var a = operands[0].Dimension;
+        var b = operands[^1].Dimension;
         return op switch
         {
-            Operator.And or Operator.Or or Operator.Not => a.Kind == ValueKind.Truth && b.Kind == ValueKind.Truth ? Quantity.Truth : null,
-            Operator.If => a.Kind == ValueKind.Truth && operands[1].Quantity.Kind == b.Kind ? b : null,
+            Operator.And or Operator.Or or Operator.Not => a.Kind == ValueKind.Truth && b.Kind == ValueKind.Truth ? Dimension.Truth : null,
+            Operator.If => a.Kind == ValueKind.Truth && operands[1].Dimension.Kind == b.Kind ? b : null,
             _ when a.Kind == ValueKind.Truth || b.Kind == ValueKind.Truth => null,
             Operator.X or Operator.Y or Operator.Z => a.Kind == ValueKind.Vector ? a with { Kind = ValueKind.Number, Measure = 0 } : null,
-            Operator.Vector => operands.All(operand => operand.Quantity.Kind == ValueKind.Number) ? new(ValueKind.Vector, a.Length) : null,
+            Operator.Vector => operands.All(operand => operand.Dimension.Kind == ValueKind.Number) ? new(ValueKind.Vector, a.Length) : null,
             Operator.Negate or Operator.Abs or Operator.Truncate or Operator.Cast or Operator.Power or Operator.Srgb => a,
             Operator.Sqrt => a with { Length = a.Length / 2 },
-            Operator.Sin or Operator.Cos or Operator.Tan or Operator.Atan => a.Kind == ValueKind.Number ? Quantity.Number : null,
+            Operator.Sin or Operator.Cos or Operator.Tan or Operator.Atan => a.Kind == ValueKind.Number ? Dimension.Number : null,
             Operator.Multiply => a.Kind == ValueKind.Vector && b.Kind == ValueKind.Vector ? null : Product(a, b, 1),
             Operator.Divide => a.Kind == ValueKind.Number && b.Kind == ValueKind.Vector ? null : Product(a, b, -1),
             _ when a.Kind != b.Kind => null,
-            >= Operator.Less and <= Operator.Equal => a.Kind == ValueKind.Number ? Quantity.Truth : null,
+            >= Operator.Less and <= Operator.Equal => a.Kind == ValueKind.Number ? Dimension.Truth : null,
             Operator.Subtract when a.Measure == Measure.Point && b.Measure == Measure.Point => a with { Measure = 0 },
             Operator.Add when b.Measure == Measure.Point => b,
             _ => a.IsPure ? b with { Measure = b.Measure == Measure.Point ? 0 : b.Measure } : a,
         };
     }
 
-    private static Quantity Product(Quantity a, Quantity b, int sign)
+    private static Dimension Product(Dimension a, Dimension b, int sign)
     {
         var kind = a.Kind == ValueKind.Vector || b.Kind == ValueKind.Vector ? ValueKind.Vector : ValueKind.Number;
         var measure = sign < 0 && a.Measure == b.Measure ? 0 : a.IsPure ? b.Measure : a.Measure; // pixels / pixels is a pure number

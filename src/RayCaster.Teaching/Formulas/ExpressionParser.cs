@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Formulas;
 
 /// <summary>Reads an expression in the slides' notation: L·d, a × b, |T − P|, √(R² − D2), t &gt; bias and z ≤ zFar.</summary>
 /// <param name="scope">The names that may be read.</param>
@@ -48,7 +48,7 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
             if (strength <= least) break;
             next++;
             var right = ParseOperation(strength);
-            var areVectors = (left.Quantity.Kind, right.Quantity.Kind) == (ValueKind.Vector, ValueKind.Vector);
+            var areVectors = (left.Dimension.Kind, right.Dimension.Kind) == (ValueKind.Vector, ValueKind.Vector);
             left = Checked(sign switch
             {
                 "×" => Expression.Call("cross", left, right),
@@ -86,7 +86,7 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
         {
             var inner = ParseOperation(0);
             Expect("|");
-            return Checked(inner.Quantity.Kind == ValueKind.Vector ? Expression.Call("length", inner) : Expression.Of(Operator.Abs, inner), token);
+            return Checked(inner.Dimension.Kind == ValueKind.Vector ? Expression.Call("length", inner) : Expression.Of(Operator.Abs, inner), token);
         }
         if (token == "(")
         {
@@ -128,7 +128,7 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
     {
         null => throw new FormatException($"'{sign}' does not take such operands"),
         { IsConsistent: false } when !allUnits => throw new FormatException($"the units on both sides of '{sign}' differ: "
-            + string.Join(" and ", made.Operands.Select(operand => $"{operand} is {operand.Quantity}"))),
+            + string.Join(" and ", made.Operands.Select(operand => $"{operand} is {operand.Dimension}"))),
         _ => made,
     };
 }

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Formulas;
 
 /// <summary>The slides' formulas, read from the texts beside this file: for each step a section in each right style.</summary>
 internal sealed class FormulaBook
@@ -7,8 +7,8 @@ internal sealed class FormulaBook
         from file in (string[])["Vectors.txt", "Camera.txt", "Shapes.txt", "Hits.txt"]
         select (file, TextOf(file))));
 
-    private readonly Dictionary<SectionKind, List<FormulaSection>> sections = [];
-    private readonly Dictionary<SectionKind, Dictionary<string, Expression>> givens = [];
+    private readonly Dictionary<StepKind, List<Step>> sections = [];
+    private readonly Dictionary<StepKind, Dictionary<string, Expression>> givens = [];
 
     /// <param name="texts">The texts, each with the name that an error shows.</param>
     /// <exception cref="FormatException">What is wrong, and where.</exception>
@@ -29,12 +29,12 @@ internal sealed class FormulaBook
     private static Dictionary<string, Expression> OfPixel { get; } = Names("x: pixels, y: pixels");
 
     /// <summary>The styles of a step, the slides' own first.</summary>
-    public IReadOnlyList<FormulaSection> StylesOf(SectionKind kind) => sections[kind];
+    public IReadOnlyList<Step> StylesOf(StepKind kind) => sections[kind];
 
-    public FormulaSection this[SectionKind kind, string style] => sections[kind].First(section => section.Style == style);
+    public Step this[StepKind kind, string style] => sections[kind].First(section => section.Style == style);
 
     /// <summary>Whether a step is given a name, such as a sphere its R.</summary>
-    public bool IsGiven(SectionKind kind, Symbol name) => givens.TryGetValue(kind, out var own) && own.ContainsKey(name.Text);
+    public bool IsGiven(StepKind kind, Symbol name) => givens.TryGetValue(kind, out var own) && own.ContainsKey(name.Text);
 
     /// <summary>A text that lies beside this file.</summary>
     public static string TextOf(string file)
@@ -55,30 +55,30 @@ internal sealed class FormulaBook
         return names;
     }
 
-    private static Quantity UnitOf(string word) => Quantity.Words.TryGetValue(word, out var unit) ? unit
-        : throw new FormatException($"unknown unit '{word}'; there are {string.Join(", ", Quantity.Words.Keys)}");
+    private static Dimension UnitOf(string word) => Dimension.Words.TryGetValue(word, out var unit) ? unit
+        : throw new FormatException($"unknown unit '{word}'; there are {string.Join(", ", Dimension.Words.Keys)}");
 
     /// <summary>What a step computes for later steps; its other names are its own.</summary>
     private static readonly string[] results = ["W", "U", "V", "h", "w", "column", "row", "c", "r", "d"];
 
     /// <summary>The names that a section can read besides what it is given: what earlier steps have computed.</summary>
-    private Dictionary<string, Expression> ScopeOf(SectionKind kind)
+    private Dictionary<string, Expression> ScopeOf(StepKind kind)
     {
-        SectionKind[] before = kind switch
+        StepKind[] before = kind switch
         {
-            SectionKind.Vectors or SectionKind.Camera or SectionKind.File or SectionKind.Bytes => [],
-            SectionKind.Sample => [SectionKind.File],
-            SectionKind.Pixel => [SectionKind.Camera, SectionKind.Sample],
-            _ => [SectionKind.Camera, SectionKind.Pixel],
+            StepKind.Vectors or StepKind.Camera or StepKind.File or StepKind.Bytes => [],
+            StepKind.Sample => [StepKind.File],
+            StepKind.Pixel => [StepKind.Camera, StepKind.Sample],
+            _ => [StepKind.Camera, StepKind.Pixel],
         };
         var scope = new Dictionary<string, Expression>();
-        if (kind is not (SectionKind.Vectors or SectionKind.Bytes))
+        if (kind is not (StepKind.Vectors or StepKind.Bytes))
         {
-            var isOfPixel = kind is SectionKind.File or SectionKind.Pixel;
+            var isOfPixel = kind is StepKind.File or StepKind.Pixel;
             foreach (var (name, expression) in isOfPixel ? OfScene.Concat(OfPixel) : OfScene) scope[name] = expression;
         }
         foreach (var formula in before.SelectMany(step => sections[step][0].Formulas).Where(formula => results.Contains(formula.Name.Text)))
-            scope[formula.Name.Text] = Expression.Name(formula.Name, formula.Right.Quantity);
+            scope[formula.Name.Text] = Expression.Name(formula.Name, formula.Right.Dimension);
         if (givens.TryGetValue(kind, out var own))
             foreach (var (name, expression) in own) scope[name] = expression;
         return scope;
@@ -88,7 +88,7 @@ internal sealed class FormulaBook
     private sealed class Reader(FormulaBook book, string file)
     {
         private readonly List<Formula> formulas = [];
-        private SectionKind? kind;
+        private StepKind? kind;
         private string style = "", slide = "";
         private Dictionary<string, Expression> scope = [], start = [];
 
@@ -129,9 +129,9 @@ internal sealed class FormulaBook
         {
             End();
             var end = line.IndexOf(']', StringComparison.Ordinal);
-            if (end < 0 || !Enum.TryParse<SectionKind>(line[1..end], ignoreCase: true, out var found))
+            if (end < 0 || !Enum.TryParse<StepKind>(line[1..end], ignoreCase: true, out var found))
                 throw new FormatException(
-                    $"'{line}' where a section is expected: {string.Join(", ", Enum.GetNames<SectionKind>()).ToLowerInvariant()}");
+                    $"'{line}' where a section is expected: {string.Join(", ", Enum.GetNames<StepKind>()).ToLowerInvariant()}");
             (kind, style) = (found, line[(end + 1)..].Trim());
             start = book.ScopeOf(found);
             scope = new(start);
@@ -176,10 +176,10 @@ internal sealed class FormulaBook
         private void Add(Symbol name, Expression right)
         {
             formulas.Add(new(name, right, []));
-            scope[name.Text] = Expression.Name(name, right.Quantity);
+            scope[name.Text] = Expression.Name(name, right.Dimension);
         }
 
-        private static Expression Claimed(Expression right, Quantity claimed) => right.Quantity == claimed ? right
-            : throw new FormatException($"{right} is {right.Quantity}, not {claimed}");
+        private static Expression Claimed(Expression right, Dimension claimed) => right.Dimension == claimed ? right
+            : throw new FormatException($"{right} is {right.Dimension}, not {claimed}");
     }
 }

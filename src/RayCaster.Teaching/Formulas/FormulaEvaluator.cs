@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Formulas;
 
 /// <summary>Draws pixels of a scene as programs do. Of a program that differs from the first one, it computes only what the difference reaches.
 /// </summary>
@@ -17,12 +17,12 @@ internal sealed class FormulaEvaluator
 
     private readonly Scene scene;
     private readonly int count; // pixels of a group: those that are drawn, and with the last one again and again as many as the arithmetic needs
-    private readonly BatchArithmetic arithmetic;
-    private readonly Batch[] givens;
+    private readonly PixelArithmetic arithmetic;
+    private readonly PixelValues[] givens;
     private readonly Part[] parts;
     private readonly Group[] groups;
-    private readonly Dictionary<(int Part, FormulaSection Section), Batch[]>? rightFrames; // null for many pixels: they would take much memory
-    private readonly Batch[] ofPixel = new Batch[Symbol.Max], ofShape = new Batch[Symbol.Max], ofRule = new Batch[Symbol.Max]; // used again and again
+    private readonly Dictionary<(int Part, Step Section), PixelValues[]>? rightFrames; // null for many pixels: they would take much memory
+    private readonly PixelValues[] ofPixel = new PixelValues[Symbol.Max], ofShape = new PixelValues[Symbol.Max], ofRule = new PixelValues[Symbol.Max]; // used again and again
     private readonly FormulaProgram? right;
 
     /// <param name="pixels">Columns from the left and lines from the top of the file.</param>
@@ -48,23 +48,23 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>The values of the names that every scene gives, each at its symbol's place.</summary>
-    private static Batch[] GivensOf(Camera camera)
+    private static PixelValues[] GivensOf(Camera camera)
     {
-        var givens = new Batch[Symbol.Max];
-        Give("P", Batch.Of(camera.Position));
-        Give("T", Batch.Of(camera.Target));
-        Give("up", Batch.Of(camera.Up));
-        Give("fovY", Batch.Of(camera.FovY));
-        Give("width", Batch.Of(camera.Width));
-        Give("height", Batch.Of(camera.Height));
-        Give("zNear", Batch.Of(camera.ZNear));
-        Give("zFar", Batch.Of(Math.Min(camera.ZFar, double.MaxValue))); // so that the infinite t of a parallel ray never counts
-        Give("bias", Batch.Of(camera.Bias == 0 ? -double.Epsilon : camera.Bias)); // with a bias of 0, t = 0 counts
-        Give("∞", Batch.Of(double.PositiveInfinity));
-        Give("π", Batch.Of(Math.PI));
+        var givens = new PixelValues[Symbol.Max];
+        Give("P", PixelValues.Of(camera.Position));
+        Give("T", PixelValues.Of(camera.Target));
+        Give("up", PixelValues.Of(camera.Up));
+        Give("fovY", PixelValues.Of(camera.FovY));
+        Give("width", PixelValues.Of(camera.Width));
+        Give("height", PixelValues.Of(camera.Height));
+        Give("zNear", PixelValues.Of(camera.ZNear));
+        Give("zFar", PixelValues.Of(Math.Min(camera.ZFar, double.MaxValue))); // so that the infinite t of a parallel ray never counts
+        Give("bias", PixelValues.Of(camera.Bias == 0 ? -double.Epsilon : camera.Bias)); // with a bias of 0, t = 0 counts
+        Give("∞", PixelValues.Of(double.PositiveInfinity));
+        Give("π", PixelValues.Of(Math.PI));
         return givens;
 
-        void Give(string name, Batch value) => givens[Symbol.Of(name).Place] = value;
+        void Give(string name, PixelValues value) => givens[Symbol.Of(name).Place] = value;
     }
 
     /// <summary>What a program draws in some pixels, of which there may be many: red, green, blue, and so on.</summary>
@@ -112,18 +112,18 @@ internal sealed class FormulaEvaluator
         var basis = group.Right;
         (givens[Symbol.Of("x").Place], givens[Symbol.Of("y").Place]) = (group.X, group.Y);
         arithmetic.GiveBack(0);
-        arithmetic.Functions = program[SectionKind.Vectors];
-        var changed = basis is null ? 0 : ChangedFunctions(basis.Program[SectionKind.Vectors], arithmetic.Functions);
+        arithmetic.Functions = program[StepKind.Vectors];
+        var changed = basis is null ? 0 : ChangedFunctions(basis.Program[StepKind.Vectors], arithmetic.Functions);
         var frame = Copied(givens, ofPixel);
         if (program.SwapsEnds)
             (frame[pointP.Place], frame[pointT.Place]) = (frame[pointT.Place], frame[pointP.Place]);
         if (basis is not null && basis.Program.SwapsEnds != program.SwapsEnds) changed |= pointP.Bit | pointT.Bit;
-        foreach (var kind in (ReadOnlySpan<SectionKind>)[SectionKind.Camera, SectionKind.File, SectionKind.Sample, SectionKind.Pixel])
+        foreach (var kind in (ReadOnlySpan<StepKind>)[StepKind.Camera, StepKind.File, StepKind.Sample, StepKind.Pixel])
             Define(program[kind], frame, basis?.Program[kind], basis?.Frame, ref changed);
 
-        var loop = program[SectionKind.Nearest];
-        var isUsual = loop == FormulaBook.Slides.StylesOf(SectionKind.Nearest)[0];
-        var sameLoop = basis is not null && loop == basis.Program[SectionKind.Nearest];
+        var loop = program[StepKind.Nearest];
+        var isUsual = loop == FormulaBook.Slides.StylesOf(StepKind.Nearest)[0];
+        var sameLoop = basis is not null && loop == basis.Program[StepKind.Nearest];
         var areNew = !sameLoop || !program.LeftOut.SetEquals(basis!.Program.LeftOut) || program.Scatters != basis.Program.Scatters;
         var crossed = new Crossed[parts.Length];
         for (var i = 0; i < parts.Length; i++)
@@ -132,16 +132,16 @@ internal sealed class FormulaEvaluator
             var rule = program.RuleOf(part.Kind);
             var isSame = sameLoop && ReferenceEquals(rule, basis!.Program.RuleOf(part.Kind)) && (rule.Reads & changed) == 0
                 && (part.Kind is { } kind ? IsSame(kind) : (changed & ofRay) == 0)
-                && (!part.IsLarge || basis.Program[SectionKind.Vectors] == program[SectionKind.Vectors]);
+                && (!part.IsLarge || basis.Program[StepKind.Vectors] == program[StepKind.Vectors]);
             areNew |= !isSame;
             crossed[i] = isSame ? basis!.Hits[i] : CrossingsOf(i, program, rule, frame, changed, basis, !isUsual);
         }
         var (nearest, t) = areNew ? Nearest(program, crossed, frame, isUsual) : (basis!.Nearest, basis.T);
-        if (!areNew && IsSame(SectionKind.Light) && IsSame(SectionKind.Bytes) && (Formula.Written.Bit & changed) == 0
-            && program[SectionKind.File].Has(Formula.Written) == basis!.Program[SectionKind.File].Has(Formula.Written)) return basis;
+        if (!areNew && IsSame(StepKind.Light) && IsSame(StepKind.Bytes) && (Formula.Written.Bit & changed) == 0
+            && program[StepKind.File].Has(Formula.Written) == basis!.Program[StepKind.File].Has(Formula.Written)) return basis;
         return new(program, frame, crossed, nearest, t, BytesOf(program, frame, nearest, t, group.Shown));
 
-        bool IsSame(SectionKind kind) =>
+        bool IsSame(StepKind kind) =>
             basis is not null && ReferenceEquals(program[kind], basis.Program[kind]) && (program[kind].Reads & changed) == 0;
     }
 
@@ -149,7 +149,7 @@ internal sealed class FormulaEvaluator
         best = Symbol.Of("best"), axisW = Symbol.Of("W");
 
     /// <summary>The functions whose values an edit changes, also through another function.</summary>
-    private static UInt128 ChangedFunctions(FormulaSection before, FormulaSection now)
+    private static UInt128 ChangedFunctions(Step before, Step now)
     {
         UInt128 changed = 0;
         if (ReferenceEquals(before, now)) return changed;
@@ -162,7 +162,7 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>Computes a section's formulas, or takes their values from another frame where nothing that they read has changed.</summary>
-    private void Define(FormulaSection section, Batch[] frame, FormulaSection? before, Batch[]? old, ref UInt128 changed)
+    private void Define(Step section, PixelValues[] frame, Step? before, PixelValues[]? old, ref UInt128 changed)
     {
         for (var i = 0; i < section.Formulas.Length; i++)
         {
@@ -182,15 +182,15 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>Computes a section's formulas.</summary>
-    private void Define(FormulaSection section, Batch[] frame)
+    private void Define(Step section, PixelValues[] frame)
     {
         foreach (var (name, expression, _) in section.Formulas) frame[name.Place] = arithmetic.Evaluate(expression, frame);
     }
 
-    private Crossed CrossingsOf(int part, FormulaProgram program, FormulaSection rule, Batch[] camera, UInt128 changed, State? basis, bool withAll)
+    private Crossed CrossingsOf(int part, FormulaProgram program, Step rule, PixelValues[] camera, UInt128 changed, State? basis, bool withAll)
     {
         var (model, kind, numbers) = parts[part];
-        if (kind is null || (parts[part].IsLarge && !AreTrianglesEdited(program))) return HitsOf(model, rule, camera);
+        if (kind is null || (parts[part].IsLarge && !AreTrianglesMutated(program))) return HitsOf(model, rule, camera);
         var used = arithmetic.Used;
         var section = program[kind.Value];
         if (parts[part].IsLarge)
@@ -205,7 +205,7 @@ internal sealed class FormulaEvaluator
         arithmetic.GiveBack(used, crossed.T, crossed.IsHit, crossed.Far, crossed.Ends?.X);
         return crossed;
 
-        Crossed Decided((Symbol, Batch)[] triangles)
+        Crossed Decided((Symbol, PixelValues)[] triangles)
         {
             var own = FrameOf(triangles, camera, ofShape);
             Define(section, own);
@@ -232,20 +232,20 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>Whether a program computes the hits of triangles by other formulas than the slides'.</summary>
-    public static bool AreTrianglesEdited(FormulaProgram program)
+    public static bool AreTrianglesMutated(FormulaProgram program)
     {
         var slides = FormulaBook.Slides;
-        var section = program[SectionKind.Triangle];
-        return !slides.StylesOf(SectionKind.Triangle).Contains(section)
-            || (section.Reads & ChangedFunctions(slides.StylesOf(SectionKind.Vectors)[0], program[SectionKind.Vectors])) != 0;
+        var section = program[StepKind.Triangle];
+        return !slides.StylesOf(StepKind.Triangle).Contains(section)
+            || (section.Reads & ChangedFunctions(slides.StylesOf(StepKind.Vectors)[0], program[StepKind.Vectors])) != 0;
     }
 
     /// <summary>The first crossing of a shape that counts, in each pixel.</summary>
     /// <param name="frame">What the shape's formulas have computed.</param>
     /// <param name="withAll">Whether a t that is no number may be a hit, and the second crossing is needed, too.</param>
-    private Crossed Counted(FormulaSection section, FormulaSection rule, Batch[] frame, Batch[] camera, bool withAll)
+    private Crossed Counted(Step section, Step rule, PixelValues[] frame, PixelValues[] camera, bool withAll)
     {
-        var one = Batch.Of(1);
+        var one = PixelValues.Of(1);
         var when = section.Has(Formula.When) ? frame[Formula.When.Place] : one;
         var first = ByRule(frame[Formula.Near.Place], rule, camera);
         var second = section.Has(Formula.Far) ? ByRule(frame[Formula.Far.Place], rule, camera) : default;
@@ -258,7 +258,7 @@ internal sealed class FormulaEvaluator
             t[i] = when[i] == 0 || !(isFirst || isSecond) ? double.NaN : isFirst ? first.T[i] : second.T[i];
             if (isHit is not null) isHit[i] = when[i] != 0 && (isFirst || isSecond) ? 1 : 0;
         }
-        Batch? ends = null;
+        PixelValues? ends = null;
         if (first.Ends is { } all)
         {
             var own = arithmetic.New(count);
@@ -275,14 +275,14 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>A crossing's t as the rule has it, and whether it counts.</summary>
-    private (Batch T, Batch Counts, Batch? Ends, Batch? Second) ByRule(Batch crossing, FormulaSection rule, Batch[] camera)
+    private (PixelValues T, PixelValues Counts, PixelValues? Ends, PixelValues? Second) ByRule(PixelValues crossing, Step rule, PixelValues[] camera)
     {
         var frame = Copied(camera, ofRule);
         frame[parameter.Place] = crossing;
         Define(rule, frame);
-        return (frame[Formula.Near.Place], rule.Has(Formula.When) ? frame[Formula.When.Place] : Batch.Of(1), Of(Formula.Ends), Of(Formula.Second));
+        return (frame[Formula.Near.Place], rule.Has(Formula.When) ? frame[Formula.When.Place] : PixelValues.Of(1), Of(Formula.Ends), Of(Formula.Second));
 
-        Batch? Of(Symbol name) => rule.Has(name) ? frame[name.Place] : null;
+        PixelValues? Of(Symbol name) => rule.Has(name) ? frame[name.Place] : null;
     }
 
     /// <summary>Puts in each pixel the lesser of two t, of which NaN is none.</summary>
@@ -293,16 +293,16 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>The unedited section in the same style.</summary>
-    private static FormulaSection StyleOf(FormulaSection section, FormulaProgram program) =>
+    private static Step StyleOf(Step section, FormulaProgram program) =>
         program[section.Kind].Style == section.Style ? program[section.Kind] : FormulaBook.Slides[section.Kind, section.Style];
 
     /// <summary>A shape's frame in a style, as the program that others differ from has it.</summary>
-    private Batch[] RightFrame(int part, FormulaSection section, Batch[] camera)
+    private PixelValues[] RightFrame(int part, Step section, PixelValues[] camera)
     {
         if (rightFrames!.TryGetValue((part, section), out var frame)) return frame;
         var (functions, used, work) = (arithmetic.Functions, arithmetic.Used, arithmetic.Work);
-        arithmetic.Functions = right![SectionKind.Vectors];
-        frame = FrameOf(parts[part].Numbers, camera, new Batch[Symbol.Max]);
+        arithmetic.Functions = right![StepKind.Vectors];
+        frame = FrameOf(parts[part].Numbers, camera, new PixelValues[Symbol.Max]);
         Define(section, frame);
         foreach (var formula in section.Formulas) frame[formula.Name.Place] = frame[formula.Name.Place].Copy();
         arithmetic.Functions = functions;
@@ -311,21 +311,21 @@ internal sealed class FormulaEvaluator
         return rightFrames[(part, section)] = frame;
     }
 
-    private static Batch[] FrameOf((Symbol Name, Batch Value)[] numbers, Batch[] camera, Batch[] into)
+    private static PixelValues[] FrameOf((Symbol Name, PixelValues Value)[] numbers, PixelValues[] camera, PixelValues[] into)
     {
         var frame = Copied(camera, into);
         foreach (var (symbol, value) in numbers) frame[symbol.Place] = value;
         return frame;
     }
 
-    private static Batch[] Copied(Batch[] frame, Batch[] into)
+    private static PixelValues[] Copied(PixelValues[] frame, PixelValues[] into)
     {
         frame.CopyTo(into, 0);
         return into;
     }
 
     /// <summary>For each pixel the triangle of a mesh that the definition hits first; corners of NaN where it hits none.</summary>
-    private (Symbol Name, Batch Value)[] ProposedBy(Mesh mesh, Batch[] camera)
+    private (Symbol Name, PixelValues Value)[] ProposedBy(Mesh mesh, PixelValues[] camera)
     {
         var corners = (A: arithmetic.NewVector(count), B: arithmetic.NewVector(count), C: arithmetic.NewVector(count));
         var none = new Vector3(double.NaN, double.NaN, double.NaN);
@@ -351,9 +351,9 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>The hits of a model whose own formulas are the definition's: a large mesh, a shape of one's own.</summary>
-    private Crossed HitsOf(Model model, FormulaSection rule, Batch[] camera)
+    private Crossed HitsOf(Model model, Step rule, PixelValues[] camera)
     {
-        var isUsual = FormulaBook.Slides.StylesOf(SectionKind.Rule).Contains(rule) && rule.Style != "aim";
+        var isUsual = FormulaBook.Slides.StylesOf(StepKind.Rule).Contains(rule) && rule.Style != "aim";
         var hits = arithmetic.New(count);
         for (var i = 0; i < count; i++)
         {
@@ -380,18 +380,18 @@ internal sealed class FormulaEvaluator
         double? Counts(double t, int pixel)
         {
             if (double.IsNaN(t)) return null;
-            var only = (Batch[])camera.Clone();
-            only[direction.Place] = Batch.Of(camera[direction.Place].At(pixel));
-            var (own, counts, _, _) = ByRule(Batch.Of(t), rule, only);
+            var only = (PixelValues[])camera.Clone();
+            only[direction.Place] = PixelValues.Of(camera[direction.Place].At(pixel));
+            var (own, counts, _, _) = ByRule(PixelValues.Of(t), rule, only);
             return counts[0] != 0 ? own[0] : null;
         }
     }
 
     /// <summary>Which part each pixel shows, −1 for none, and at which t.</summary>
-    private (int[] Part, double[] T) Nearest(FormulaProgram program, Crossed[] crossed, Batch[] camera, bool isUsual)
+    private (int[] Part, double[] T) Nearest(FormulaProgram program, Crossed[] crossed, PixelValues[] camera, bool isUsual)
     {
         int[] drawn = [.. Enumerable.Range(0, parts.Length).Where(k => !program.LeftOut.Contains(parts[k].Model.Kind)
-            && !(program.Scatters && parts[k].Kind == SectionKind.Triangle))];
+            && !(program.Scatters && parts[k].Kind == StepKind.Triangle))];
         var nearest = new int[count];
         Array.Fill(nearest, -1);
         var t = arithmetic.New(count);
@@ -405,7 +405,7 @@ internal sealed class FormulaEvaluator
                     if (hits[i] < t[i]) (nearest[i], t[i]) = (k, hits[i]);
             }
         }
-        else Choose(program[SectionKind.Nearest], drawn, crossed, camera, nearest, t);
+        else Choose(program[StepKind.Nearest], drawn, crossed, camera, nearest, t);
         foreach (var k in drawn)
         {
             if (crossed[k].Ends is not { } ends) continue;
@@ -416,9 +416,9 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>Chooses by the formulas of the loop. The triangles of a mesh are one model, which has one hit.</summary>
-    private void Choose(FormulaSection loop, int[] drawn, Crossed[] crossed, Batch[] camera, int[] nearest, double[] shownT)
+    private void Choose(Step loop, int[] drawn, Crossed[] crossed, PixelValues[] camera, int[] nearest, double[] shownT)
     {
-        var frame = FrameOf([(parameter, new(shownT)), (best, new(shownT))], camera, new Batch[Symbol.Max]);
+        var frame = FrameOf([(parameter, new(shownT)), (best, new(shownT))], camera, new PixelValues[Symbol.Max]);
         Define(loop, frame);
         var start = frame[Symbol.Of("start").Place];
         var offersBoth = frame[Symbol.Of("both").Place][0] != 0;
@@ -461,7 +461,7 @@ internal sealed class FormulaEvaluator
         }
     }
 
-    private byte[] BytesOf(FormulaProgram program, Batch[] camera, int[] nearest, double[] t, int shown)
+    private byte[] BytesOf(FormulaProgram program, PixelValues[] camera, int[] nearest, double[] t, int shown)
     {
         var frame = Copied(camera, ofRule);
         var own = arithmetic.NewVector(count);
@@ -469,13 +469,13 @@ internal sealed class FormulaEvaluator
         for (var i = 0; i < count; i++) own.Set(i, ColorOf(nearest[i]));
         frame[parameter.Place] = new(t);
         frame[Symbol.Of("K").Place] = own;
-        Define(program[SectionKind.Light], frame);
+        Define(program[StepKind.Light], frame);
         var lit = frame[Symbol.Of("colour").Place];
         for (var i = 0; i < count; i++) seen.Set(i, nearest[i] < 0 ? own.At(i) : lit.At(i)); // the background does not fade
         frame[Symbol.Of("colour").Place] = seen;
-        Define(program[SectionKind.Bytes], frame);
+        Define(program[StepKind.Bytes], frame);
         var rgb = frame[Symbol.Of("rgb").Place];
-        var isWritten = program[SectionKind.File].Has(Formula.Written) ? camera[Formula.Written.Place] : Batch.Of(1);
+        var isWritten = program[StepKind.File].Has(Formula.Written) ? camera[Formula.Written.Place] : PixelValues.Of(1);
         var bytes = new byte[3 * shown];
         for (var i = 0; i < shown; i++)
         {
@@ -493,38 +493,38 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>The step whose formulas cross a model; null for a shape of one's own, and for a mesh without triangles.</summary>
-    public static SectionKind? KindOf(Model model) => PartsOf(model).First().Kind;
+    public static StepKind? KindOf(Model model) => PartsOf(model).First().Kind;
 
     /// <summary>A model with the numbers that its section reads; a small mesh is its triangles.</summary>
     private static IEnumerable<Part> PartsOf(Model model) => model switch
     {
-        Model<Plane> { Primitive: var plane } => [new(model, SectionKind.Plane, NumbersOf(plane))],
-        Model<Sphere> { Primitive: var sphere } => [new(model, SectionKind.Sphere, NumbersOf(sphere))],
-        Model<Circle> { Primitive: var circle } => [new(model, SectionKind.Circle, NumbersOf(circle))],
-        Model<Aabb> { Primitive: var box } => [new(model, SectionKind.Aabb, NumbersOf(box))],
-        Model<Triangle> { Primitive: var triangle } => [new(model, SectionKind.Triangle, NumbersOf(triangle))],
+        Model<Plane> { Primitive: var plane } => [new(model, StepKind.Plane, NumbersOf(plane))],
+        Model<Sphere> { Primitive: var sphere } => [new(model, StepKind.Sphere, NumbersOf(sphere))],
+        Model<Circle> { Primitive: var circle } => [new(model, StepKind.Circle, NumbersOf(circle))],
+        Model<Aabb> { Primitive: var box } => [new(model, StepKind.Aabb, NumbersOf(box))],
+        Model<Triangle> { Primitive: var triangle } => [new(model, StepKind.Triangle, NumbersOf(triangle))],
         Mesh { TriangleCount: > 0 and <= MaxTriangles } mesh =>
-            Enumerable.Range(0, mesh.TriangleCount).Select(i => new Part(mesh, SectionKind.Triangle, NumbersOf(mesh[i]))),
-        Mesh { TriangleCount: > MaxTriangles } mesh => [new(mesh, SectionKind.Triangle, []) { IsLarge = true }],
+            Enumerable.Range(0, mesh.TriangleCount).Select(i => new Part(mesh, StepKind.Triangle, NumbersOf(mesh[i]))),
+        Mesh { TriangleCount: > MaxTriangles } mesh => [new(mesh, StepKind.Triangle, []) { IsLarge = true }],
         _ => [new(model, null, [])],
     };
 
     private static readonly Symbol Q = Symbol.Of("Q"), n = Symbol.Of("n"), C = Symbol.Of("C"), R = Symbol.Of("R"), B0 = Symbol.Of("B0"),
         B1 = Symbol.Of("B1"), A = Symbol.Of("A"), B = Symbol.Of("B");
 
-    private static (Symbol Name, Batch Value)[] NumbersOf(Plane plane) => [(Q, Batch.Of(plane.Point)), (n, Batch.Of(plane.Normal))];
+    private static (Symbol Name, PixelValues Value)[] NumbersOf(Plane plane) => [(Q, PixelValues.Of(plane.Point)), (n, PixelValues.Of(plane.Normal))];
 
-    private static (Symbol Name, Batch Value)[] NumbersOf(Sphere sphere) => [(C, Batch.Of(sphere.Center)), (R, Batch.Of(sphere.Radius))];
+    private static (Symbol Name, PixelValues Value)[] NumbersOf(Sphere sphere) => [(C, PixelValues.Of(sphere.Center)), (R, PixelValues.Of(sphere.Radius))];
 
-    private static (Symbol Name, Batch Value)[] NumbersOf(Circle circle) =>
-        [(C, Batch.Of(circle.Center)), (n, Batch.Of(circle.Normal)), (R, Batch.Of(circle.Radius))];
+    private static (Symbol Name, PixelValues Value)[] NumbersOf(Circle circle) =>
+        [(C, PixelValues.Of(circle.Center)), (n, PixelValues.Of(circle.Normal)), (R, PixelValues.Of(circle.Radius))];
 
-    private static (Symbol Name, Batch Value)[] NumbersOf(Aabb box) => [(B0, Batch.Of(box.Min)), (B1, Batch.Of(box.Max))];
+    private static (Symbol Name, PixelValues Value)[] NumbersOf(Aabb box) => [(B0, PixelValues.Of(box.Min)), (B1, PixelValues.Of(box.Max))];
 
-    private static (Symbol Name, Batch Value)[] NumbersOf(Triangle triangle) =>
-        [(A, Batch.Of(triangle.A)), (B, Batch.Of(triangle.B)), (C, Batch.Of(triangle.C))];
+    private static (Symbol Name, PixelValues Value)[] NumbersOf(Triangle triangle) =>
+        [(A, PixelValues.Of(triangle.A)), (B, PixelValues.Of(triangle.B)), (C, PixelValues.Of(triangle.C))];
 
-    private sealed record Part(Model Model, SectionKind? Kind, (Symbol Name, Batch Value)[] Numbers)
+    private sealed record Part(Model Model, StepKind? Kind, (Symbol Name, PixelValues Value)[] Numbers)
     {
         /// <summary>Whether it is a whole mesh of many triangles.</summary>
         public bool IsLarge { get; init; }
@@ -541,7 +541,7 @@ internal sealed class FormulaEvaluator
         public double[]? Far { get; init; }
 
         /// <summary>Whether the ray ends here with the background.</summary>
-        public Batch? Ends { get; init; }
+        public PixelValues? Ends { get; init; }
 
         /// <summary>The same in arrays of its own.</summary>
         public Crossed Copy() => new([.. T])
@@ -554,7 +554,7 @@ internal sealed class FormulaEvaluator
 
     /// <param name="Frame">What camera and pixel have computed.</param>
     /// <param name="Nearest">The part that each pixel shows; −1 for none.</param>
-    private sealed record State(FormulaProgram Program, Batch[] Frame, Crossed[] Hits, int[] Nearest, double[] T, byte[] Bytes)
+    private sealed record State(FormulaProgram Program, PixelValues[] Frame, Crossed[] Hits, int[] Nearest, double[] T, byte[] Bytes)
     {
         /// <summary>The same in arrays of its own.</summary>
         public State Copy() => this with
@@ -580,10 +580,10 @@ internal sealed class FormulaEvaluator
         public int Shown { get; }
 
         /// <summary>Their columns.</summary>
-        public Batch X { get; }
+        public PixelValues X { get; }
 
         /// <summary>Their lines.</summary>
-        public Batch Y { get; }
+        public PixelValues Y { get; }
 
         /// <summary>What the program draws there that others differ from.</summary>
         public State? Right { get; set; }

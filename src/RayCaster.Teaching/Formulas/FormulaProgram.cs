@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Formulas;
 
 /// <summary>A program: a section for each step, and the few things that no formula says.</summary>
 /// <remarks>It never changes; two programs that differ in a step share the others.</remarks>
@@ -8,14 +8,14 @@ internal sealed record FormulaProgram
     /// thousands of pairs.</summary>
     public const int MaxTriangles = 20_000, MaxTrianglesBeside = 1000;
 
-    private FormulaProgram(ImmutableArray<FormulaSection> sections) => Sections = sections;
+    private FormulaProgram(ImmutableArray<Step> sections) => Sections = sections;
 
-    private ImmutableArray<FormulaSection> Sections { get; init; }
+    private ImmutableArray<Step> Sections { get; init; }
 
-    public FormulaSection this[SectionKind kind] => Sections[(int)kind];
+    public Step this[StepKind kind] => Sections[(int)kind];
 
     /// <summary>The rule of some kinds of shape, where it is another than that of all.</summary>
-    public ImmutableDictionary<SectionKind, FormulaSection> Rules { get; private init; } = ImmutableDictionary<SectionKind, FormulaSection>.Empty;
+    public ImmutableDictionary<StepKind, Step> Rules { get; private init; } = ImmutableDictionary<StepKind, Step>.Empty;
 
     /// <summary>The kinds of shape, by their names in scene files, that are not drawn.</summary>
     public ImmutableHashSet<string> LeftOut { get; init; } = [];
@@ -34,15 +34,15 @@ internal sealed record FormulaProgram
     public bool ProposesTriangles { get; init; }
 
     /// <summary>Whether the file is as wide as the scene's picture is high, and the other way round.</summary>
-    public bool IsTurned => this[SectionKind.File].Has(Formula.Turned);
+    public bool IsTurned => this[StepKind.File].Has(Formula.Turned);
 
     /// <summary>The slides' formulas, as a camera measures depth and samples pixels.</summary>
     public static FormulaProgram For(Camera camera)
     {
         var book = FormulaBook.Slides;
-        return new FormulaProgram([.. Enum.GetValues<SectionKind>().Select(kind => book.StylesOf(kind)[0])])
-            .With(book[SectionKind.Rule, camera.Clip == ClipMode.Depth ? "depth" : "distance"])
-            .With(book[SectionKind.Sample, camera.Sample == PixelSample.Corner ? "corner" : "center"]);
+        return new FormulaProgram([.. Enum.GetValues<StepKind>().Select(kind => book.StylesOf(kind)[0])])
+            .With(book[StepKind.Rule, camera.Clip == ClipMode.Depth ? "depth" : "distance"])
+            .With(book[StepKind.Sample, camera.Sample == PixelSample.Corner ? "corner" : "center"]);
     }
 
     /// <summary>The sides of its file.</summary>
@@ -53,7 +53,7 @@ internal sealed record FormulaProgram
         !FormulaBook.Slides.StylesOf(shape.Step).Contains(this[shape.Step]) || Rules.ContainsKey(shape.Step));
 
     /// <summary>How many triangles of meshes each ray must try, one by one, because their formulas are not the slides'.</summary>
-    public long TrianglesTried(Scene scene) => !ProposesTriangles && FormulaEvaluator.AreTrianglesEdited(this)
+    public long TrianglesTried(Scene scene) => !ProposesTriangles && FormulaEvaluator.AreTrianglesMutated(this)
         ? scene.Models.OfType<Mesh>().Where(mesh => mesh.TriangleCount > FormulaEvaluator.MaxTriangles).Sum(mesh => (long)mesh.TriangleCount) : 0;
 
     /// <summary>How many of some rays are cast within so many tries.</summary>
@@ -77,15 +77,15 @@ internal sealed record FormulaProgram
         return new(width, height, rgb);
     }
 
-    public FormulaSection RuleOf(SectionKind? kind) => kind is { } own && Rules.TryGetValue(own, out var rule) ? rule : this[SectionKind.Rule];
+    public Step RuleOf(StepKind? kind) => kind is { } own && Rules.TryGetValue(own, out var rule) ? rule : this[StepKind.Rule];
 
-    public FormulaProgram With(FormulaSection section) => this with { Sections = Sections.SetItem((int)section.Kind, section) };
+    public FormulaProgram With(Step section) => this with { Sections = Sections.SetItem((int)section.Kind, section) };
 
     /// <summary>With a section in the place of its own; if that has edits, too, with both.</summary>
     /// <param name="section">A style, or one with edits.</param>
     /// <param name="shapes">The kinds of shape whose rule it is; empty for all.</param>
     /// <returns>Null if both edit the same part of a formula, or have different styles.</returns>
-    public FormulaProgram? With(FormulaSection section, ImmutableArray<SectionKind> shapes)
+    public FormulaProgram? With(Step section, ImmutableArray<StepKind> shapes)
     {
         if (shapes.IsEmpty) return this[section.Kind].Merged(section) is { } merged ? With(merged) : null;
         var rules = Rules;

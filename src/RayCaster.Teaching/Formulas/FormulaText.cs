@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Formulas;
 
 /// <summary>Writes expressions in the slides' notation.</summary>
 internal static class FormulaText

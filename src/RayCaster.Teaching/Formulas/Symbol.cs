@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Teaching.Formulas;
 
 /// <summary>A name in a formula.</summary>
 /// <param name="Place">Where its value is kept.</param>

@@ -1,0 +1,70 @@
+namespace RayCaster.Teaching.Changes;
+
+/// <summary>
+/// What somebody may have written in a program: a mistake of the catalogue in one of its ways, a slip that has no name, a part that is not written
+/// yet, or another right style.
+/// </summary>
+public sealed record Change
+{
+    /// <summary>The id of all slips that are not in the catalogue.</summary>
+    public const string NoName = "edit";
+
+    internal Change(ImmutableArray<ImmutableArray<StepChange>> ways, double bits) => (Ways, Bits) = (ways, bits);
+
+    /// <summary>What it does to a program: the first of these that fits, because a rule of depths is another than one of distances.</summary>
+    internal ImmutableArray<ImmutableArray<StepChange>> Ways { get; }
+
+    /// <summary>The less, the likelier.</summary>
+    internal double Bits { get; init; }
+
+    /// <summary>What is wrong in the program, in one line; empty for what is no mistake.</summary>
+    public string Cause { get; internal init; } = "";
+
+    /// <summary>The mistake of the catalogue; null for others.</summary>
+    public Mistake? Mistake { get; internal init; }
+
+    /// <summary>Whether it is what most people write who make its mistake.</summary>
+    internal bool IsUsual { get; init; }
+
+    /// <summary>The slip of a formula; null for others.</summary>
+    internal Mutant? Mutant { get; init; }
+
+    /// <summary>What is not written yet: a kind of shape, attenuation or clipping; null for others.</summary>
+    internal string? Missing { get; init; }
+
+    /// <summary>Where it is, if it is a slip that the catalogue does not have.</summary>
+    public FormulaPlace? Place { get; internal init; }
+
+    /// <summary>Help in three steps; empty for what is no mistake.</summary>
+    public Hint Hint { get => field ?? Mistake?.Hint ?? new("", "", ""); internal init; }
+
+    /// <summary>The id of its mistake; <see cref="NoName"/> for a slip without one, empty for what is no mistake.</summary>
+    public string Id => Mistake?.Id ?? (Mutant is null ? "" : Mutant.Label ?? NoName);
+
+    /// <summary>The title of the slide with the right formula; empty for what is no mistake.</summary>
+    public string Slide => Mistake?.Slide ?? Mutant?.Section.Slide ?? "";
+
+    /// <summary>The steps whose formulas are changed: by any way of its mistake, or by the slip.</summary>
+    internal IReadOnlySet<StepKind> Steps => Mistake?.Steps ?? OwnSteps.ToHashSet();
+
+    /// <summary>The steps whose formulas it changes itself; where it is a rule of some kinds of shape, these shapes alone.</summary>
+    internal IEnumerable<StepKind> OwnSteps =>
+        Ways[0].OfType<StepChange.Written>().Where(step => !step.Shapes.IsEmpty).ToArray() is { Length: > 0 } rules
+            ? rules.SelectMany(rule => rule.Shapes) : Ways[0].SelectMany(step => step.Steps);
+
+    internal bool IsOtherSample => Mistake?.IsOtherSample == true;
+
+    /// <summary>Whether it counts as a mistake; rays through the other sample point are none beside one.</summary>
+    internal bool IsMistake => Id != "" && !IsOtherSample;
+
+    /// <summary>A program with it; null if the program has a change of the same part of a formula, or if it does not fit.</summary>
+    internal FormulaProgram? In(FormulaProgram program)
+    {
+        foreach (var way in Ways)
+            if (way.Aggregate((FormulaProgram?)program, (all, step) => all is null ? null : step.In(all)) is { } changed) return changed;
+        return null;
+    }
+
+    /// <summary>Its id.</summary>
+    public override string ToString() => Id;
+}

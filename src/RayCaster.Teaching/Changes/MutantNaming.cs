@@ -1,0 +1,88 @@
+namespace RayCaster.Teaching.Changes;
+
+/// <summary>The place of an edit in the slides' formulas, as far as the picture shows it.</summary>
+public sealed record FormulaPlace
+{
+    internal FormulaPlace(IReadOnlyList<StepKind> steps, string? step, string? formula) => (Steps, Step, Formula) = (steps, step, formula);
+
+    internal IReadOnlyList<StepKind> Steps { get; }
+
+    /// <summary>The step, as its formulas' text calls it; several with commas.</summary>
+    public string Section => string.Join(", ", Steps.Select(MutantNaming.SectionOf));
+
+    /// <summary>The name that the edited formula computes; null if several do.</summary>
+    public string? Step { get; }
+
+    /// <summary>That formula as the slides have it; null if there are several.</summary>
+    public string? Formula { get; }
+}
+
+/// <summary>Gives small edits of formulas hints like those of known mistakes: first the symptom, at last what was written.</summary>
+internal static class MutantNaming
+{
+    /// <summary>Of edits that draw the same, those that cost more than the likeliest by this are ignored.</summary>
+    private const double Likely = 0.25;
+
+    /// <summary>Most names that are listed where a picture cannot tell formulas apart.</summary>
+    private const int MaxNames = 5;
+
+    /// <summary>The likeliest slip, with the known mistake whose label it has, or with words of its own.</summary>
+    /// <param name="slips">All that draw the same, the likeliest first.</param>
+    public static Change Named(IReadOnlyList<Change> slips)
+    {
+        var first = slips[0];
+        Mutant[] likely = [.. slips.Select(change => change.Mutant!).Where(mutant => mutant.Cost <= first.Mutant!.Cost + Likely)];
+        var mutant = likely[0];
+        if (Array.Find(likely, other => other.Label is not null) is { } known)
+            return first with { Mistake = MistakeCatalog.Named(known.Label!), Cause = $"{SectionOf(known.Section.Kind)}: {Describe(known)}" };
+
+        StepKind[] kinds = [.. likely.Select(other => other.Section.Kind).Distinct()];
+        var isOneStep = kinds.Length == 1;
+        // Other styles have other formulas: the texts use those of the likeliest style.
+        Formula?[] formulas = [.. likely.Where(other => other.Right == mutant.Right).Select(other => other.Formula).Distinct()];
+        var formula = isOneStep && formulas.Length == 1 ? formulas[0] : null;
+        var place = new FormulaPlace(kinds, formula?.Computed, formula?.ToString());
+        return first with
+        {
+            Place = place,
+            Cause = $"{place.Section}: {Describe(mutant)}",
+            Hint = new(
+                isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
+                formula is not null ? $"Look at {formula.Computed}. {MutationOperators.QuestionOf(mutant.Operator)}"
+                    : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Section}\"; this scene cannot tell {NamesOf(formulas)} apart."
+                    : $"Something is wrong in one of these steps: {place.Section}. This scene cannot tell them apart.",
+                $"{(formula is null ? "For example, it" : "It")} looks as if {Describe(mutant)}."),
+        };
+    }
+
+    internal static string SectionOf(StepKind kind) => kind.ToString().ToLowerInvariant();
+
+    private static string Describe(Mutant mutant)
+    {
+        var where = mutant.Formula is { } formula ? $"in {formula}" : "in the whole formula";
+        return mutant.Operator switch
+        {
+            MutationOperator.MissingCondition => $"{mutant.Meant} was not tested {where}",
+            MutationOperator.ExtraCondition => $"{mutant.Written} was tested {where}",
+            _ => $"{mutant.Written} was written instead of {mutant.Meant} {where}",
+        };
+    }
+
+    private static string NamesOf(IEnumerable<Formula?> formulas)
+    {
+        string[] names = [.. formulas.Select(formula => formula?.Computed ?? "all of them").Distinct()];
+        return names.Length > MaxNames ? "its formulas" : string.Join(names.Length == 2 ? " and " : ", ", names);
+    }
+
+    private static string SymptomOf(StepKind kind) => kind switch
+    {
+        StepKind.Vectors => "All that is computed with products and lengths of vectors is wrong.",
+        StepKind.Camera or StepKind.File or StepKind.Sample or StepKind.Pixel =>
+            "Everything stands elsewhere or is deformed: the rays are wrong.",
+        StepKind.Rule or StepKind.Nearest =>
+            "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
+        StepKind.Light => "All outlines are right, only the light is not.",
+        StepKind.Bytes => "All outlines are right, only the colours are not.",
+        _ => $"Only {ShapeKind.Of(kind).Many} are wrong; all else is right.",
+    };
+}

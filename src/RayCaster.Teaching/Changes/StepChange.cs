@@ -1,0 +1,98 @@
+namespace RayCaster.Teaching.Changes;
+
+/// <summary>What a change does in one step of a program, or what no formula says.</summary>
+internal abstract class StepChange
+{
+    /// <summary>The steps whose formulas it changes: for a rule of some kinds of shape these shapes, for a style none.</summary>
+    public abstract IEnumerable<StepKind> Steps { get; }
+
+    /// <summary>A program with it; null if the program has a change of the same place, or another style.</summary>
+    public abstract FormulaProgram? In(FormulaProgram program);
+
+    /// <summary>Other formulas of a step, or another style of it, as Mistakes.txt has them.</summary>
+    /// <param name="style">The style; the scene's, or the first one, if null.</param>
+    /// <param name="shapes">The kinds of shape whose rule it is; empty for all.</param>
+    public sealed class Written(
+        StepKind kind, string? style, ImmutableArray<StepKind> shapes, ImmutableArray<(string Name, string Right)> formulas) : StepChange
+    {
+        /// <summary>Each section with the formulas: a search asks for it thousands of times.</summary>
+        private readonly ConditionalWeakTable<Step, Step> edited = [];
+
+        public StepKind Kind => kind;
+
+        public string? Style => style;
+
+        public ImmutableArray<StepKind> Shapes => shapes;
+
+        public ImmutableArray<(string Name, string Right)> Formulas => formulas;
+
+        public override IEnumerable<StepKind> Steps => !shapes.IsEmpty ? shapes : formulas.IsEmpty ? [] : [kind];
+
+        private bool IsOfScene => kind is StepKind.Rule or StepKind.Sample;
+
+        /// <summary>Whether it is what another change is in scenes that measure depth, or sample pixels, otherwise.</summary>
+        public bool IsForAnotherSceneThan(Written other) => IsOfScene && other.Kind == kind && style is not null && other.Style is not null
+            && style != other.Style && shapes.SequenceEqual(other.Shapes);
+
+        /// <summary>A section with the formulas.</summary>
+        public Step In(Step section) => formulas.IsEmpty ? section
+            : edited.GetValue(section, own => formulas.Aggregate(own, (all, formula) => all.With(formula.Name, formula.Right)));
+
+        public override FormulaProgram? In(FormulaProgram program)
+        {
+            var own = program[kind].Style;
+            if (IsOfScene && style is not null && style != own) return null;
+            var slides = FormulaBook.Slides;
+            return program.With(In(style is not null ? slides[kind, style] : IsOfScene ? slides[kind, own] : slides.StylesOf(kind)[0]), shapes);
+        }
+    }
+
+    /// <summary>A step with a slip. Of a large mesh it decides only about that triangle which the ray hits.</summary>
+    public sealed class Mutated(Step section) : StepChange
+    {
+        public override IEnumerable<StepKind> Steps => [section.Kind];
+
+        public override FormulaProgram? In(FormulaProgram program) => (program with { ProposesTriangles = true }).With(section, []);
+    }
+
+    /// <summary>Another right style of a step, where a program has the usual one.</summary>
+    public sealed class OtherStyle(Step usual, Step style) : StepChange
+    {
+        public override IEnumerable<StepKind> Steps => [];
+
+        public override FormulaProgram? In(FormulaProgram program) => program[usual.Kind] == usual ? program.With(style) : null;
+    }
+
+    /// <summary>A kind of shape, by its name in scene files, that is not drawn.</summary>
+    public sealed class LeftOut(string kind) : StepChange
+    {
+        public override IEnumerable<StepKind> Steps => [];
+
+        public override FormulaProgram? In(FormulaProgram program) =>
+            program.LeftOut.Contains(kind) ? null : program with { LeftOut = program.LeftOut.Add(kind) };
+    }
+
+    /// <summary>The camera stands at T and looks at P.</summary>
+    public sealed class SwappedEnds : StepChange
+    {
+        public override IEnumerable<StepKind> Steps => [StepKind.Camera];
+
+        public override FormulaProgram? In(FormulaProgram program) => program.SwapsEnds ? null : program with { SwapsEnds = true };
+    }
+
+    /// <summary>Last bits decide where a triangle shows.</summary>
+    public sealed class ScatteredTriangles : StepChange
+    {
+        public override IEnumerable<StepKind> Steps => [StepKind.Triangle];
+
+        public override FormulaProgram? In(FormulaProgram program) => program.Scatters ? null : program with { Scatters = true };
+    }
+
+    /// <summary>All bytes of the picture are farther on in the file.</summary>
+    public sealed class MovedBytes(int count) : StepChange
+    {
+        public override IEnumerable<StepKind> Steps => [StepKind.File];
+
+        public override FormulaProgram? In(FormulaProgram program) => program.MovedBytes != 0 ? null : program with { MovedBytes = count };
+    }
+}

@@ -1,0 +1,96 @@
+namespace RayCaster.Teaching.Comparison;
+
+/// <summary>A comparison in words.</summary>
+public static class ComparisonText
+{
+    /// <summary>The verdict in a word or two.</summary>
+    public static string Of(Likeness verdict) => verdict.Words;
+
+    internal const string Cropped = "Was it cropped on its way, for example by a screenshot?";
+
+    /// <summary>A sentence for a picture of which every channel is as many levels too bright, or too dark.</summary>
+    internal static string Shifted(int levels) =>
+        $"Every channel is {Digits.Count(Math.Abs(levels), "level")} {(levels > 0 ? "brighter" : "darker")}: " +
+        "is a number added on its way to a byte?";
+
+    /// <summary>The comparison in whole lines.</summary>
+    /// <param name="mine">The name of the picture in question.</param>
+    /// <param name="reference">The name of the picture that it should be.</param>
+    public static string Of(PictureComparison comparison, string mine, string reference)
+    {
+        if (comparison.Difference is not { } d)
+        {
+            var (a, b) = (comparison.Mine, comparison.Reference);
+            var isSwapped = (a.Width, a.Height) == (b.Height, b.Width);
+            return $"{mine} is wrong: it has {a.Width} x {a.Height} pixels, {reference} has {b.Width} x {b.Height}" +
+                $"{(isSwapped ? ": width and height are swapped" : "")}.\n" +
+                (comparison.Crop is { } crop ? $"It is the right picture without {crop.Missing}. {Cropped}\n" : "")
+                + OneColor(comparison, mine) + Recognized(comparison);
+        }
+        return comparison.Likeness switch
+        {
+            Likeness.Identical => $"{mine} and {reference} are identical: {Digits.Count(d.Pixels, "pixel")}.\n",
+            Likeness.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed for up to 1 % of them.\n",
+            Likeness.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n" +
+                (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n" : ""),
+            Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but only 1 % may be.\n" + Rounding(d) +
+                (d.Wrong > 0 ? $"  Besides, {Outlines(d)}, which is allowed.\n" : ""),
+            _ => $"{mine} is wrong: {Digits.Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n" +
+                Where(comparison, d, mine),
+        };
+    }
+
+    /// <summary>The largest difference and two means in one line.</summary>
+    public static string Measures(PictureDifference d) => string.Create(CultureInfo.InvariantCulture,
+        $"Measures, in levels of 255: maximum {d.Largest}, MAE {d.MeanAbsoluteError:0.#####}, RMSE {d.RootMeanSquareError:0.#####}\n");
+
+    private static string Where(PictureComparison comparison, PictureDifference d, string mine)
+    {
+        var (x, y) = d.WrongMiddle!.Value;
+        var area = d.WrongArea!.Value;
+        var last = d.Mine.Height - 1;
+        return $"  In the middle of the widest wrong area: column {x}, line {y} from the top (row {last - y} from the bottom): " +
+            $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n" +
+            $"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
+            $"(rows {last - area.Bottom} to {last - area.Top}).\n" +
+            (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}" : "") +
+            (Math.Abs(d.Shift ?? 0) > 1 ? $"  {Shifted(d.Shift!.Value)}\n" : "") + OneColor(comparison, mine) + Recognized(comparison) +
+            (comparison.ByModels is { } models ? ModelsText.Of(comparison, models, mine) : "");
+    }
+
+    private static string OneColor(PictureComparison comparison, string mine) =>
+        comparison.Mine.IsOneColor ? $"Every pixel of {mine} is {comparison.Mine[0, 0]}.\n" : "";
+
+    private static string Recognized(PictureComparison comparison)
+    {
+        if (comparison.Recognition is not { } r) return "";
+        var d = r.Difference;
+        var rest = r.Likeness switch
+        {
+            Likeness.Identical or Likeness.WithinRounding => "right",
+            Likeness.OutlinesOnly => $"right but for {Digits.Count(d.Wrong, "pixel")} on outlines",
+            Likeness.RoundedOtherwise => $"right but for rounding, where {OffByOne(d)}",
+            _ => $"nearly right, but for {Digits.Part(d.Wrong, d.Pixels)}",
+        };
+        var change = r.Transform.Description;
+        return $"{char.ToUpperInvariant(change[0])}{change[1..]} it is {rest}: {r.Transform.Question}\n" +
+            (r.Likeness == Likeness.RoundedOtherwise ? Rounding(d) : "");
+    }
+
+    private static string Rounding(PictureDifference d)
+    {
+        if (d.Shift is { } levels) return $"  {Shifted(levels)}\n";
+        var lighter = d.OffByOne - d.OneDarker;
+        return lighter <= 0.01 * d.OffByOne
+                ? $"  {Digits.Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded?\n"
+            : d.OneDarker <= 0.01 * d.OffByOne
+                ? $"  {Digits.Share(lighter, d.Pixels)} of the pixels are one level lighter: rounded up, or times 256 instead of 255?\n"
+            : "";
+    }
+
+    private static string OffByOne(PictureDifference d) =>
+        $"{Digits.Part(d.OffByOne, d.Pixels)} {(d.OffByOne == 1 ? "is" : "are")} off by 1 level";
+
+    private static string Outlines(PictureDifference d) =>
+        $"{Digits.Part(d.Wrong, d.Pixels)} show{(d.Wrong == 1 ? "s" : "")} the other side of an outline";
+}

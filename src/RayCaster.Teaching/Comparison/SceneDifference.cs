@@ -1,0 +1,143 @@
+namespace RayCaster.Teaching.Comparison;
+
+/// <summary>A wrong picture of a scene, model by model.</summary>
+internal sealed class SceneDifference
+{
+    /// <summary>The most models that are drawn alone, to find which one a wrong pixel shows.</summary>
+    private const int MaxTried = 32;
+
+    /// <summary>The most models that are left out one by one, to find whether they are missing.</summary>
+    private const int MaxLeftOut = 8;
+
+    /// <summary>The share of pixels that an explanation must cover; pixels on outlines are uncertain.</summary>
+    private const double Nearly = 0.99;
+
+    private readonly Scene scene;
+    private readonly PictureDifference difference;
+    private readonly HitMap hits, others; // others: of the scene with fewer models
+    private readonly int? threads;
+
+    /// <param name="scene">The scene in the pictures' size.</param>
+    /// <param name="threads">How many threads cast rays; one per core if null.</param>
+    public SceneDifference(Scene scene, PictureDifference difference, int? threads)
+    {
+        (this.scene, this.difference, this.threads) = (scene, difference, threads);
+        hits = new Renderer(scene, threads).CastHits();
+        var own = Picture.Of(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
+        ReferenceToOwn = new(difference.Reference, own);
+        var mineToOwn = new PictureDifference(difference.Mine, own);
+        IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
+        IsReferenceOwn = IsOwn(ReferenceToOwn) && !IsMineOwn;
+        others = new(hits.Width, hits.Height);
+    }
+
+    public PictureDifference ReferenceToOwn { get; }
+
+    /// <summary>Whether the reference is the scene's own picture: at most 2 % of its pixels differ by more than rounding.</summary>
+    public bool IsReferenceOwn { get; }
+
+    /// <summary>Whether the picture in question is the scene's own picture and the reference is not: they may be swapped.</summary>
+    public bool IsMineOwn { get; }
+
+    /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not that
+    /// picture.</summary>
+    public IReadOnlyList<ModelDifference> Models => field ??= IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
+
+    /// <summary>The model without which the scene gives the picture, but for one wrong pixel in twenty; null for none.</summary>
+    public int? MissingModel => PixelsOf.Where(pixels => pixels.Key >= 0).Select(CountWrong)
+        .Where(model => difference.Wrong > 0 && model.Wrong >= 0.95 * difference.Wrong && IsMissing(model))
+        .Select(model => (int?)model.Model).FirstOrDefault();
+
+    /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
+    public IReadOnlyList<int> ModelAt => hits.Model;
+
+    private ILookup<int, int> PixelsOf => field ??= Enumerable.Range(0, difference.Pixels).ToLookup(i => hits.Model[i]);
+
+    private static bool IsOwn(PictureDifference d) => d.Wrong <= d.Pixels / 50;
+
+    private List<ModelDifference> FindModels()
+    {
+        List<ModelDifference> models = [.. PixelsOf.Select(CountWrong)];
+        models.Sort((a, b) => (-a.Share, -a.Wrong, a.Model).CompareTo((-b.Share, -b.Wrong, b.Model)));
+
+        var shown = Shown(models);
+        var leftOut = 0;
+        for (var i = 0; i < models.Count && models[i].Wrong > 0; i++)
+        {
+            var model = models[i] with { Shows = [.. shown[models[i].Model]] };
+            if (model is { Model: >= 0, Share: >= Nearly / 2 } && leftOut++ < MaxLeftOut)
+                model = model with { IsMissing = IsMissing(model) };
+            if (!model.IsMissing && model.Share >= Nearly / 2) model = model with { OtherColor = OtherColor(model) };
+            models[i] = model;
+        }
+        return models;
+    }
+
+    private ModelDifference CountWrong(IGrouping<int, int> pixels) =>
+        new(pixels.Key, ModelName.Of(scene, pixels.Key), pixels.Count(), pixels.Count(IsWrong))
+        {
+            Color = pixels.Key < 0 ? scene.Background : scene.Models[pixels.Key].Color,
+        };
+
+    /// <summary>What the wrong pixels of each model show, the most frequent first: another model that alone fits, and in how many pixels.</summary>
+    private ILookup<int, (int Model, int Pixels)> Shown(List<ModelDifference> models)
+    {
+        var wrong = Enumerable.Range(0, difference.Pixels).Where(IsWrong).ToArray();
+        var fitting = new Dictionary<int, int?>(); // the model that a wrong pixel shows; null where several fit
+        var background = scene.Background.ToBytes();
+        foreach (var i in wrong)
+            if (hits.Model[i] >= 0) Try(i, -1, background);
+
+        foreach (var model in models.Where(model => model.Model >= 0).OrderByDescending(model => model.Pixels).Take(MaxTried))
+        {
+            var alone = scene with { Models = [scene.Models[model.Model]] };
+            new Renderer(alone, threads).CastHits(others);
+            foreach (var i in wrong)
+                if (others.Model[i] >= 0 && hits.Model[i] != model.Model) Try(i, model.Model, alone.BytesAt(others, i));
+        }
+        return fitting.Where(fit => fit.Value is not null).CountBy(fit => (Of: hits.Model[fit.Key], Other: fit.Value!.Value))
+            .OrderBy(count => (-count.Value, count.Key.Other)).ToLookup(count => count.Key.Of, count => (count.Key.Other, count.Value));
+
+        void Try(int pixel, int model, (byte, byte, byte) color)
+        {
+            if (Shows(pixel, color)) fitting[pixel] = fitting.ContainsKey(pixel) ? null : model;
+        }
+    }
+
+    private bool IsMissing(ModelDifference model)
+    {
+        var without = scene with { Models = [.. scene.Models.Where((_, i) => i != model.Model)] };
+        new Renderer(without, threads).CastHits(others);
+        return IsExplained(model, pixel => without.BytesAt(others, pixel));
+    }
+
+    /// <summary>The colour that gives the bytes of the model's pixels if it is multiplied by their attenuation; null if none does.</summary>
+    private Color? OtherColor(ModelDifference model)
+    {
+        var color = new Color(Channel(model, 0), Channel(model, 1), Channel(model, 2));
+        return IsExplained(model, pixel => (LightAt(pixel, model.Model) * color).ToBytes()) ? color : null;
+    }
+
+    /// <summary>Whether nearly all of a model's pixels have some colours.</summary>
+    private bool IsExplained(ModelDifference model, Func<int, (byte, byte, byte)> color) =>
+        PixelsOf[model.Model].Count(i => Shows(i, color(i))) >= Nearly * model.Pixels;
+
+    /// <summary>The sum of a channel's bytes divided by the sum of the attenuations; rounding changes it little.</summary>
+    private double Channel(ModelDifference model, int channel)
+    {
+        double bytes = 0, light = 0;
+        foreach (var i in PixelsOf[model.Model])
+        {
+            if (difference.Mine.Rgb[3 * i + channel] == 255) continue;
+            bytes += difference.Mine.Rgb[3 * i + channel];
+            light += 255 * LightAt(i, model.Model);
+        }
+        return light > 0 ? bytes / light : 1;
+    }
+
+    private double LightAt(int pixel, int model) => model < 0 ? 1 : scene.Attenuation<Scalar>(hits.T[pixel]);
+
+    private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > PictureJudge.Tolerance;
+
+    private bool Shows(int pixel, (byte, byte, byte) color) => PictureJudge.IsNear(difference.Mine.At(pixel), color);
+}

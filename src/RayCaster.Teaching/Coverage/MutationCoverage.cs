@@ -1,0 +1,291 @@
+using System.Collections.Concurrent;
+
+namespace RayCaster.Teaching.Coverage;
+
+/// <summary>
+/// How good a scene is as a test: which mistakes of the catalogue its picture cannot show, which it cannot distinguish, and how many of its pixels
+/// depend on the last bits. Several scenes are judged as a set: one may show what another hides.
+/// </summary>
+public sealed class MutationCoverage
+{
+    /// <summary>A mistake is visible if it changes so many pixels.</summary>
+    public const int LeastPixels = 20;
+
+    /// <summary>On scenes with more models, no mistakes are tried.</summary>
+    public const int MaxModels = 10_000;
+
+    /// <summary>A smaller picture of the same shape is judged in place of a larger one.</summary>
+    private const int MaxPixels = 1_000_000;
+
+    /// <summary>How many pixels of each picture are enough for most mistakes; the others need more.</summary>
+    private const int Samples = 4096;
+
+    /// <summary>How many pixels are compared for the other mistakes, and for each of their other variants.</summary>
+    private const int MoreSamples = 60_000, VariantSamples = 15_000;
+
+    /// <summary>How many triangles are tried in all if each ray must try every triangle of a mesh.</summary>
+    private const int MaxTests = 10_000_000;
+
+    /// <summary>How many pixels are drawn between two looks whether they show a mistake.</summary>
+    private const int PixelsAtOnce = 4096;
+
+    /// <summary>How many mistakes are tried between two looks at the budget.</summary>
+    private const int Together = 16;
+
+    private MutationCoverage()
+    {
+    }
+
+    /// <summary>The mistakes that the scenes were tested for.</summary>
+    public required IReadOnlyList<Mistake> Tested { get; init; }
+
+    /// <summary>The scenes, in the sizes in which they were judged.</summary>
+    public required IReadOnlyList<Scene> Scenes { get; init; }
+
+    /// <summary>Whether a smaller picture was judged in place of a large one.</summary>
+    public required bool IsReduced { get; init; }
+
+    /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
+    public required IReadOnlyList<Mistake> Hidden { get; init; }
+
+    /// <summary>The mistakes that show, but not in the usual way: a program with that may draw the right picture.</summary>
+    public required IReadOnlyList<Mistake> SurvivingAsUsual { get; init; }
+
+    /// <summary>The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</summary>
+    public required IReadOnlyList<Mistake> WithinRounding { get; init; }
+
+    /// <summary>The mistakes that take too long to try, because a scene has too many triangles or the time is over.</summary>
+    public required IReadOnlyList<Mistake> NotTried { get; init; }
+
+    /// <summary>Whether the time was over before all mistakes were tried.</summary>
+    public required bool IsCut { get; init; }
+
+    /// <summary>Groups of visible mistakes that draw the same pictures.</summary>
+    public required IReadOnlyList<IReadOnlyList<Mistake>> Twins { get; init; }
+
+    /// <summary>Whether every picture is of one colour.</summary>
+    public required bool ShowsNothing { get; init; }
+
+    /// <summary>How many pixels show another model when a number of the camera is moved by its last bit.</summary>
+    public required int FragilePixels { get; init; }
+
+    /// <summary>How many pixels the pictures have together.</summary>
+    public required long PixelCount { get; init; }
+
+    /// <summary>Judges a set of scenes.</summary>
+    /// <param name="scenes">At least one; each passes <see cref="CanJudge"/>.</param>
+    /// <param name="threads">How many threads draw; one per core if left out.</param>
+    /// <param name="tested">The mistakes that they should show; all of the catalogue if left out.</param>
+    /// <param name="budget">How much may be done, in the order of the mistakes; any amount if left out.</param>
+    public static MutationCoverage Of(
+        IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? tested = null, SearchBudget? budget = null)
+    {
+        tested ??= MistakeCatalog.All;
+        Scene[] judged = [.. scenes.Select(Judged)];
+        var (known, views) = TryAll(judged, tested, threads, budget);
+        var hidden = HiddenOf(known, views);
+        Mistake[] seen = [.. known.Except(hidden)];
+        return new()
+        {
+            Tested = tested,
+            Scenes = judged,
+            IsReduced = !judged.SequenceEqual(scenes),
+            Hidden = hidden,
+            SurvivingAsUsual = [.. seen.Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))],
+            WithinRounding = [.. hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))],
+            NotTried = [.. tested.Except(known)],
+            Twins = Groups(views, [.. seen], budget),
+            ShowsNothing = views.All(view => view.IsOfOneColor),
+            FragilePixels = views.Sum(view => FragilePixelsOf(view.Scene, threads)),
+            PixelCount = judged.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height),
+            IsCut = budget?.UsedUp is not null, // at last: the groups may be cut, too
+        };
+    }
+
+    /// <returns>The mistakes that were tried, and what they show.</returns>
+    private static (Mistake[] Known, View[] Views) TryAll(
+        IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> tested, int? threads, SearchBudget? budget)
+    {
+        Mistake[] known = [.. tested.Where(mistake => scenes.All(scene => CanTry(scene, mistake)))];
+        View[] views = [.. scenes.Select(scene => new View(scene, budget))];
+        var tried = SearchBudget.Do(budget, known.Length, Together, threads, i =>
+        {
+            foreach (var view in views) view.Try(known[i]);
+        });
+        return (known[..tried], views);
+    }
+
+    private static Mistake[] HiddenOf(Mistake[] known, View[] views) => [.. known.Where(mistake => !views.Any(view => view.Shows(mistake)))];
+
+    /// <summary>The mistakes of the catalogue that a scene's picture cannot show.</summary>
+    internal static IReadOnlyList<Mistake> HiddenIn(
+        Scene scene, int? threads, SearchBudget? budget = null, IReadOnlyList<Mistake>? tested = null)
+    {
+        var (known, views) = TryAll([Judged(scene)], tested ?? [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads, budget);
+        return HiddenOf(known, views);
+    }
+
+    /// <summary>Whether a scene has so few models that mistakes can be tried on it.</summary>
+    public static bool CanJudge(Scene scene) => scene.Models.Count <= MaxModels;
+
+    /// <summary>Whether a mistake does not take too long to try.</summary>
+    internal static bool CanTry(Scene scene, Mistake mistake) =>
+        CanTry(scene, mistake.Usual);
+
+    /// <summary>The same for what people write.</summary>
+    internal static bool CanTry(Scene scene, Change change) =>
+        change.In(FormulaProgram.For(scene.Camera)) is not { } program || program.TrianglesTried(scene) <= FormulaProgram.MaxTriangles;
+
+    private static Scene Judged(Scene scene)
+    {
+        var camera = scene.Camera;
+        var most = Math.Clamp(MaxPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MaxPixels); // so that the time stays the same
+        var shrink = Math.Sqrt((double)camera.Width * camera.Height / most);
+        if (shrink <= 1) return scene;
+        return scene.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink)));
+    }
+
+    /// <summary>The groups of mistakes that no picture distinguishes.</summary>
+    private static List<IReadOnlyList<Mistake>> Groups(View[] views, List<Mistake> seen, SearchBudget? budget)
+    {
+        var groups = new List<IReadOnlyList<Mistake>>();
+        while (seen is [var first, ..] && budget?.IsSpent() != true)
+        {
+            Mistake[] group =
+                [.. seen.Where(other => other == first || (budget?.IsSpent() != true && views.All(view => view.AreAlike(first, other))))];
+            seen.RemoveAll(group.Contains);
+            if (group.Length > 1) groups.Add(group);
+        }
+        return groups;
+    }
+
+    /// <summary>As much of a scene's picture with each mistake as is needed.</summary>
+    private sealed class View
+    {
+        private readonly SearchBudget? budget;
+        private readonly FormulaProgram slides;
+        private readonly (int X, int Y)[] places; // any beginning is spread over the picture
+        private readonly Picture right;
+        private readonly ConcurrentDictionary<Mistake, byte[]> samples = [];
+        private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [];
+
+        public View(Scene scene, SearchBudget? budget)
+        {
+            this.budget = budget;
+            Scene = scene;
+            slides = FormulaProgram.For(scene.Camera);
+            right = slides.Draw(scene); // mistakes are edits of its formulas: other last bits than the definition's are none
+            var spread = new GoldenRatioSequence(right.Count);
+            places = [.. Enumerable.Range(0, right.Count).Select(k => (spread[k] % right.Width, spread[k] / right.Width))];
+        }
+
+        public Scene Scene { get; }
+
+        public bool IsOfOneColor => right.IsOneColor;
+
+        /// <summary>Whether the picture shows a mistake, in any of its variants.</summary>
+        public bool Shows(Mistake mistake) => shown.GetValueOrDefault(mistake);
+
+        /// <summary>The same for its first variant.</summary>
+        public bool ShowsFirst(Mistake mistake) => shownFirst.GetValueOrDefault(mistake);
+
+        /// <summary>Whether a mistake changes any byte of the samples.</summary>
+        public bool ShowsByALevel(Mistake mistake) => samples[mistake].Chunk(3).Index().Any(sample =>
+            places[sample.Index] is var (x, y) && right[x, y] != (sample.Item[0], sample.Item[1], sample.Item[2]));
+
+        /// <summary>Draws samples of the picture, and more of it if they do not show the mistake.</summary>
+        public void Try(Mistake mistake)
+        {
+            var program = mistake.Usual.In(slides)!;
+            var drawn = samples[mistake] = FormulaEvaluator.Draw(
+                Scene, program, places[..Math.Min(program.RaysWithin(Scene, MaxTests, Samples), right.Count)], budget);
+            shownFirst[mistake] = HasOtherSize(program) || Differ(drawn, 0, LeastPixels)
+                || (mistake.Touches(Scene) && Changes(program, MoreSamples));
+            shown[mistake] = shownFirst[mistake] || (mistake.Touches(Scene)
+                && mistake.Changes.Skip(1).Any(variant => variant.In(slides) is { } other && Changes(other, VariantSamples)));
+        }
+
+        /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
+        public bool AreAlike(Mistake a, Mistake b)
+        {
+            var (one, other) = (a.Usual.In(slides)!, b.Usual.In(slides)!);
+            if (one.IsTurned != other.IsTurned) return false;
+            var isSlow = one.TrianglesTried(Scene) + other.TrianglesTried(Scene) > 0;
+            var left = isSlow ? 1 : LeastPixels;
+            var (first, second) = (samples[a], samples[b]);
+            for (var i = 0; i < Math.Min(first.Length, second.Length); i += 3)
+                if (!AreNear(first, second, i) && --left == 0) return false;
+            if (isSlow) return true;
+            for (var k = Samples; k < right.Count; k += PixelsAtOnce)
+            {
+                var some = places[k..Math.Min(right.Count, k + PixelsAtOnce)];
+                (first, second) = (FormulaEvaluator.Draw(Scene, one, some, budget), FormulaEvaluator.Draw(Scene, other, some, budget));
+                for (var i = 0; i < first.Length; i += 3)
+                    if (!AreNear(first, second, i) && --left == 0) return false;
+            }
+            return true;
+        }
+
+        /// <summary>Whether a variant changes enough pixels of a part of the picture.</summary>
+        private bool Changes(FormulaProgram program, int most)
+        {
+            // Triangles that cover more than their area change large parts of a picture, which the samples would have shown.
+            if (HasOtherSize(program) || program.TrianglesTried(Scene) > 0) return HasOtherSize(program);
+            most = Math.Min(most, right.Count);
+            var left = (int)Math.Ceiling((double)LeastPixels * most / right.Count);
+            for (var k = 0; k < most; k += PixelsAtOnce)
+            {
+                var some = places[k..Math.Min(most, k + PixelsAtOnce)];
+                left -= Differences(FormulaEvaluator.Draw(Scene, program, some, budget), k);
+                if (left <= 0) return true;
+            }
+            return false;
+        }
+
+        private bool HasOtherSize(FormulaProgram program) => program.SizeOf(Scene.Camera) != (right.Width, right.Height);
+
+        private bool Differ(byte[] drawn, int first, int least) => Differences(drawn, first) >= least;
+
+        /// <summary>How many pixels differ by more than rounding from the right picture's, from one of the places on.</summary>
+        private int Differences(byte[] drawn, int first)
+        {
+            var differing = 0;
+            for (var i = 0; i < drawn.Length; i += 3)
+            {
+                var (x, y) = places[first + i / 3];
+                if (!PictureJudge.IsNear((drawn[i], drawn[i + 1], drawn[i + 2]), right[x, y])) differing++;
+            }
+            return differing;
+        }
+
+        private static bool AreNear(byte[] one, byte[] other, int i) =>
+            PictureJudge.IsNear((one[i], one[i + 1], one[i + 2]), (other[i], other[i + 1], other[i + 2]));
+    }
+
+    /// <summary>Moves each number of the camera by its last bit, up and down, and counts the pixels that ever show another model.</summary>
+    private static int FragilePixelsOf(Scene scene, int? threads)
+    {
+        var right = new Renderer(scene, threads).CastHits();
+        var fragile = new bool[right.Model.Length];
+        foreach (var camera in Nudged(scene.Camera))
+        {
+            var hits = new Renderer(scene with { Camera = camera }, threads).CastHits();
+            for (var i = 0; i < fragile.Length; i++) fragile[i] |= hits.Model[i] != right.Model[i];
+        }
+        return fragile.Count(pixel => pixel);
+    }
+
+    private static IEnumerable<Camera> Nudged(Camera camera)
+    {
+        foreach (var nudge in (Func<double, double>[])[Math.BitIncrement, Math.BitDecrement])
+        {
+            foreach (var P in Nudged(camera.Position, nudge)) yield return camera.With(position: P);
+            foreach (var T in Nudged(camera.Target, nudge)) yield return camera.With(target: T);
+            foreach (var up in Nudged(camera.Up, nudge)) yield return camera.With(up: up);
+            yield return camera.With(fovY: nudge(camera.FovY));
+        }
+    }
+
+    private static Vector3[] Nudged(Vector3 v, Func<double, double> nudge) =>
+        [v with { X = nudge(v.X) }, v with { Y = nudge(v.Y) }, v with { Z = nudge(v.Z) }];
+}

@@ -1,0 +1,160 @@
+namespace RayCaster.Teaching.Hypotheses;
+
+/// <summary>Decides which of the hypotheses that a search has found are named, and which sentences the diagnosis has if none is.</summary>
+/// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
+/// <param name="done">What the program certainly draws.</param>
+/// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
+internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Change>? likely)
+{
+    /// <summary>What explains a picture leaves at most this share of the wrong pixels.</summary>
+    public const double Explained = 0.1;
+
+    /// <summary>What explanations cost that are mentioned where none is named, for each picture.</summary>
+    public const double Mentioned = 1.5 * Priors.OtherProgram;
+
+    /// <summary>How many of the nearest mistakes are mentioned if none explains the picture.</summary>
+    private const int Shown = 3;
+
+    /// <summary>How many of the best are examined, and how many of them are named.</summary>
+    private const int Examined = 12, MaxNamed = 5;
+
+    /// <summary>How many pixels are drawn with each mistake, at most.</summary>
+    private const int Pixels = 6000;
+
+    private readonly PictureSample sample = SampleOf(prepared, picture);
+
+    private SuspectFinder Suspects => new(prepared, sample);
+
+    /// <summary>What is known before a mistake is tried.</summary>
+    private Diagnosis Facts => new()
+    {
+        TooManyModels = prepared.TooManyModels,
+        NotTried = prepared.NotTried,
+        ProvesNothing = prepared.Right.IsOneColor,
+        Shift = sample.Shift,
+        PixelCount = sample.PixelCount,
+        WrongCount = sample.WrongCount,
+        OutlineCount = sample.OutlineCount,
+        DarkerShare = sample.DarkerShare,
+    };
+
+    /// <summary>Looks at what the picture shows by itself, then for mistakes.</summary>
+    public Diagnosis Decide()
+    {
+        if (prepared.Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
+            return Facts with { Kind = DiagnosisKind.Cropped, Missing = crop.Missing };
+        if (sample.WrongCount == 0 || (prepared.TooManyModels && sample.IsOnlyOutlines)) return Facts with { Kind = DiagnosisKind.Matches };
+        var plain = PlainPicture.Describe(prepared.Scene, picture, prepared.Right);
+        var tellsNothing = Facts with { Kind = DiagnosisKind.TellsNothing, Likely = plain is null ? [] : [plain] };
+        if (plain is not null && (prepared.TooManyModels || !PlainPicture.IsOneShade(prepared.Scene, picture))) return tellsNothing;
+        if (prepared.TooManyModels) return Facts with { Kind = DiagnosisKind.NoneOfThese };
+        var found = Search();
+        if (plain is null) return found;
+        // several mistakes, or one of thousands of slips, would explain one colour by chance
+        found = found with
+        {
+            Suspects = [.. found.Suspects.Where(suspect => suspect is { Mistakes: [{ Id: not Change.NoName }], NotYet.Count: 0 })],
+        };
+        return found.Suspects.Count > 0 ? found : tellsNothing with { MissingModel = found.MissingModel };
+    }
+
+    /// <summary>The pixels that count. If most of the wrong ones lie on outlines, these count too where one mistake explains all of them: a box
+    /// that loses its edge to 0 · ∞ is not forgiven.</summary>
+    private static PictureSample SampleOf(SceneDiagnosis prepared, Picture picture)
+    {
+        var (scene, right) = (prepared.Scene, prepared.Right);
+        var sample = new PictureSample(scene, right, picture, Pixels, !prepared.TooManyModels, prepared.Budget);
+        if (sample.WrongCount >= sample.OutlineCount || sample.OutlineCount <= MutationCoverage.LeastPixels) return sample;
+        var strict = new PictureSample(scene, right, picture, Pixels, forgiveOutlines: false, prepared.Budget);
+        return prepared.Known.Any(IsAll) ? strict : sample;
+
+        // A mistake of the camera may by chance be the last bits of another program.
+        bool IsAll(Mistake mistake) => !mistake.Steps.Any(step => step.IsOfRays()) && mistake.Changes.Any(change => ((double[])[0.1, 1]).All(share =>
+            strict.Residual(change.In(FormulaProgram.For(scene.Camera)), share).Unexplained <= Explained * strict.WrongCount));
+    }
+
+    /// <summary>Searches, and decides: named is what is shorter than any other explanation.</summary>
+    private Diagnosis Search()
+    {
+        var byModels = sample.HasRightSize ? new SceneDifference(prepared.Scene, new(picture, prepared.Right), prepared.Threads) : null;
+        var missing = byModels?.MissingModel;
+        var byMissingModel = missing is { } model ? Priors.MissingModel + sample.BitsOf(sample.Residual(
+            prepared.Scene with { Models = [.. prepared.Scene.Models.Where((_, i) => i != model)] }, FormulaProgram.For(prepared.Scene.Camera)))
+            : double.PositiveInfinity;
+        var none = Facts with { Kind = DiagnosisKind.NoneOfThese, MissingModel = missing is { } lost ? ModelName.Of(prepared.Scene, lost) : null };
+
+        var ranked = new HypothesisSearch([sample], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible).Run();
+        var best = ranked[0];
+        var isEnough = best.Total < Math.Min(Priors.OtherProgram, byMissingModel);
+        var (sentences, byNumber) = missing is null ? OtherCause(best, byModels, isEnough) : ([], double.PositiveInfinity);
+        if (isEnough && best.Total <= byNumber) return Naming(none, best, ranked, sentences);
+
+        if (sample.IsOnlyOutlines) return none with { Kind = DiagnosisKind.Matches };
+        if (missing is not null) return none;
+        if (sentences.Count == 0 && LikelyCause.OfTheWhole(sample) is { } whole) sentences = [whole];
+        return none with { Likely = sentences, Nearest = byNumber < best.Total ? [] : NearestOf(ranked, best) };
+    }
+
+    /// <summary>The sentences about another cause, and the bits of its explanation of the picture.</summary>
+    private (IReadOnlyList<string> Sentences, double Total) OtherCause(Hypothesis best, SceneDifference? byModels, bool isEnough)
+    {
+        var isOfCamera = best.Told.Count > 1 && best.Told.All(mistake => mistake.Steps.All(step => step.IsOfRays()));
+        var price = isOfCamera ? Priors.NumberForTwo : Priors.OtherNumber;
+        if (best.Total <= price || sample.IsOnlyOutlines || byModels is null)
+            return ([], double.PositiveInfinity);
+        var (residual, certain) = LikelyCause.Certain(prepared, byModels, sample);
+        var total = certain is null ? double.PositiveInfinity : price + sample.BitsOf(residual);
+        if (total < best.Total) return ([certain!], total);
+        return (isEnough ? [] : [.. LikelyCause.Hints(byModels, sample)], double.PositiveInfinity);
+    }
+
+    private IReadOnlyList<Suspect> NearestOf(List<Hypothesis> ranked, Hypothesis best)
+    {
+        return
+        [
+            .. ranked.Where(candidate => candidate.Mistakes.Count > 0 && candidate.Total < Mentioned)
+                .DistinctBy(candidate => IdsOf(candidate.Mistakes)).Take(Shown)
+                .OrderBy(candidate => candidate.Residual.Unexplained).Select(candidate => Suspects.Of(candidate, best)),
+        ];
+    }
+
+    /// <summary>Names the best candidate, and others that also explain the picture.</summary>
+    private Diagnosis Naming(Diagnosis facts, Hypothesis best, List<Hypothesis> ranked, IReadOnlyList<string> sentences)
+    {
+        string[] missing = [.. best.MissingShapes];
+        if (best.Mistakes.Count == 0 && missing.Length > 0 && sample.BitsOf(best.Residual) > Priors.NotYet)
+        {
+            // Beside missing shapes a small mistake counts for little, so the rest is judged by itself.
+            var drawn = prepared.Scene with { Models = [.. prepared.Scene.Models.Where(model => !missing.Contains(model.Kind))] };
+            var rest = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible, prepared.Budget).Judge(sample.Picture, done, likely);
+            if (rest.Kind != DiagnosisKind.Matches)
+                return facts with
+                {
+                    Kind = rest.Kind,
+                    NotYet = [.. missing, .. rest.NotYet],
+                    Suspects = rest.Suspects,
+                    Likely = rest.Likely,
+                };
+        }
+        var named = ranked.Where(candidate => candidate.Told.Count > 0 && candidate.Total < Priors.OtherProgram)
+            .DistinctBy(candidate => candidate.Key).Take(Examined);
+        if (best.Told.Count == 0) // what may have lost those shapes, if they are written already
+            named = named.Where(candidate => candidate.Missing.Count == 0 && candidate.Total < best.Total + Priors.Known);
+        else if (missing.Length > 0) named = named.Take(1);
+        if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(Suspects.HidingMistakes(best));
+        Hypothesis[] first = [.. named.DistinctBy(candidate => IdsOf(candidate.Told)).Take(MaxNamed)];
+        return facts with
+        {
+            Kind = best.Told.Count > 0 ? DiagnosisKind.Mistake : DiagnosisKind.Unfinished,
+            NotYet = best.Missing,
+            Likely = sentences,
+            Suspects =
+            [
+                .. first.Select(candidate => Suspects.Of(candidate, first[0])).DistinctBy(suspect => IdsOf(suspect.Mistakes)),
+            ],
+        };
+    }
+
+    /// <summary>The same for mistakes in another order, or made in other ways.</summary>
+    private static string IdsOf(IEnumerable<Change> mistakes) => string.Join(' ', mistakes.Select(mistake => mistake.Id).Order());
+}

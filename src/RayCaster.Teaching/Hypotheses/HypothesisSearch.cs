@@ -1,0 +1,216 @@
+namespace RayCaster.Teaching.Hypotheses;
+
+/// <summary>
+/// Looks for the shortest explanations of a program's pictures: few and likely changes that leave few pixels unexplained. All single changes are
+/// tried on few pixels and the best on more; then the shortest so far are extended by second changes that explain what they leave.
+/// </summary>
+/// <param name="pictures">The pictures, each of another scene; the bits of all are added.</param>
+/// <param name="known">The known mistakes that are tried.</param>
+/// <param name="done">What the program certainly draws.</param>
+/// <param name="threads">How many threads draw; one per core if null.</param>
+/// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
+/// <param name="budget">How much the search may do; null for any amount. The pictures spend it.</param>
+/// <param name="possible">Which edits are tried that have no name; all if null.</param>
+internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
+    int? threads, Predicate<Change>? likely, SearchBudget? budget, Predicate<Change>? possible)
+{
+    /// <summary>The share of the evidence that a first and a second look compares.</summary>
+    private const double Few = 0.008, More = 0.05;
+
+    /// <summary>By how many bits few pixels, and more, may overrate what is left. What is longer than the shortest by more is not looked at again.
+    /// </summary>
+    private const double OfFew = 16, OfMore = 4;
+
+    /// <summary>How many explanations get a second look, and a last one at all of the sample.</summary>
+    private const int Closer = 150, Closest = 30, Nearest = 12;
+
+    /// <summary>How many explanations are extended by other changes, how many if two mistakes are known that are near, how many because
+    /// they draw the right colours, and how many of their extensions get a closer look.</summary>
+    private const int Extended = 90, Least = 20, ByColors = 30, Extensions = 40, BestExtensions = 8;
+
+    /// <summary>How many unfinished programs are extended by all known mistakes.</summary>
+    private const int UnfinishedOnes = 4;
+
+    /// <summary>What two known mistakes cost, and two that leave what rays along an edge may leave. A shorter explanation ends the search.</summary>
+    private const double Pair = 2 * (Priors.Known + Priors.Variant), NearPair = Pair + 16;
+
+    /// <summary>How many explanations are measured between two looks at the budget.</summary>
+    private const int Together = 64;
+
+    /// <summary>In a scene of more models no edits are tried.</summary>
+    private const int MaxModels = 200;
+
+    private readonly List<Hypothesis> found = []; // compared with all of the sample
+    private readonly Hypothesis right = Hypothesis.Of(pictures.Select(picture => picture.Scene))!;
+
+    /// <summary>What nothing explains.</summary>
+    private double Literal => pictures.Count(picture => picture.WrongCount > 0) * Priors.OtherProgram;
+
+    private double Bound => found.Count == 0 ? Literal : Math.Min(Literal, found.Min(of => of.Total));
+
+    /// <summary>The hypotheses that were compared with all of the sample, the shortest explanation first.</summary>
+    public List<Hypothesis> Run()
+    {
+        found.Add(Measure(right, 1, pictures)); // also if the time is over: there would be nothing to judge by
+        try
+        {
+            Search();
+            found.AddRange(Measured([.. found.OrderBy(of => of.Total).Take(10).Where(of => of.Changes.Length > 1).SelectMany(Less)], 1));
+        }
+        catch (TimeoutException)
+        {
+        }
+        var alike = found.Where(of => of.Changes is [{ Mutant: not null }]).ToLookup(of => of.Left);
+        return [.. found.OrderBy(of => of.Total).Select(of => Named(of, alike[of.Left]))
+            .Where(of => of.Changes.All(change => change.Place is null || possible?.Invoke(change) != false))]; // in the order in which it is told, too
+    }
+
+    /// <summary>Without each of its changes.</summary>
+    private IEnumerable<Hypothesis?> Less(Hypothesis of) =>
+        of.Changes.Select(change => Hypothesis.Of(pictures.Select(picture => picture.Scene), of.Changes.Remove(change)));
+
+    /// <summary>With a name for each slip: a picture that several slips draw tells the likeliest.</summary>
+    /// <param name="alike">The single slips that draw the same.</param>
+    private static Hypothesis Named(Hypothesis of, IEnumerable<Hypothesis> alike)
+    {
+        if (of.Changes is not [{ Mutant: not null }])
+            return of with { Changes = [.. of.Changes.Select(change => change.Mutant is null ? change : MutantNaming.Named([change]))] };
+        Hypothesis[] same = [.. alike.OrderBy(other => other.Changes[0].Mutant!.Cost)];
+        return same[0] with { Changes = [MutantNaming.Named([.. same.Select(other => other.Changes[0])])], Total = of.Total };
+    }
+
+    private void Search()
+    {
+        string[] kinds = ShownColors.KindsOf(pictures);
+        string[] parts = [.. kinds.Length > 1 ? kinds : [], MissingParts.Attenuation, MissingParts.Clipping];
+        Change[] missing = [.. ChangeSource.Missing(parts.Except(done))];
+        Change[] named = [.. ChangeSource.Of(known, likely)];
+        var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
+        Change[] wordings = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Wordings(scene, known)];
+        Change[] cheap = [.. missing, .. ChangeSource.Styles(scene), .. named.Where(change => change.IsOtherSample)];
+
+        // one change, or a program that is not finished
+        var singles = Measured([.. named.Select(right.With)], Few);
+        var ways = Measured([.. Ways(missing, kinds.Length)], Few);
+        Refine([.. singles.Concat(ways).Concat(Measured([.. wordings.Select(right.With)], Few)).OrderBy(of => of.Total)]);
+        if (Bound < Priors.Known + Priors.NotYet) return;
+
+        // with something that costs little, or in an unfinished program
+        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(Nearest).ToArray())
+            Extend(one, cheap);
+        if (Bound < Priors.Unknown) return;
+        var byColors = ShownColors.MissingParts(pictures, done).Take(UnfinishedOnes)
+            .Select(way => ways.Find(other => other.Changes.Select(change => change.Missing).ToHashSet().SetEquals(way)));
+        Hypothesis[] unfinished = [.. ways.Take(UnfinishedOnes).Concat(byColors.OfType<Hypothesis>()).Distinct()];
+        foreach (var way in unfinished) Extend(way, named);
+        if (Bound < Pair) return;
+
+        // two known changes, in turn beside the shortest so far, and beside one that draws the right colours
+        Change[] seconds =
+        [
+            .. pictures.Any(picture => !picture.HasRightSize) ? named
+                : singles.OrderBy(single => single.Bits).DistinctBy(single => (single.Changes[0].Id, single.Left))
+                    .Select(single => single.Changes[0]),
+            .. cheap,
+        ];
+        seconds = [.. seconds.Distinct()];
+        Refine(Measured([.. PairsOfRays()], Few));
+        foreach (var one in singles.Where(IsOfBytes).DistinctBy(of => of.Changes[0].Id)) Extend(one, seconds);
+        if (Bound < Pair) return;
+        var colors = pictures.Select(picture => picture.ByColors()).ToArray();
+        var rest = new Queue<Hypothesis>(Measured([.. singles], Few, colors).DistinctBy(of => of.Left).Take(ByColors));
+        List<Hypothesis> extended = [];
+        ExtendBest(Extended / 3);
+        if (Bound < NearPair) return;
+
+        // an edit without a name, and two changes of which one may be such an edit
+        Change[] edits = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Mutants(scene, known)];
+        Refine(Measured([.. edits.Select(right.With)], Few));
+        if (Bound < Priors.Known + Priors.Unknown) return;
+        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(1).Concat(ways.Take(1))) Extend(one, edits);
+        ExtendBest(Extended);
+
+        void ExtendBest(int most)
+        {
+            for (var turn = 0; extended.Count < most; turn++)
+            {
+                var first = turn % 2 == 1 && rest.Count > 0 ? rest.Dequeue()
+                    : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => other.Left == of.Left))
+                        .MinBy(of => of.Total);
+                if (first is null && !rest.TryDequeue(out first)) return;
+                if (Bound < NearPair && extended.Count >= Least) return;
+                if (extended.Contains(first)) continue; // two that draw the same alone may differ beside a second change
+                extended.Add(first);
+                if (first.Bits + Priors.Style < Bound) Extend(first, seconds);
+            }
+        }
+    }
+
+    /// <summary>Every subset of what may be missing, but for a program that draws nothing.</summary>
+    private IEnumerable<Hypothesis?> Ways(Change[] missing, int kinds) =>
+        from bits in Enumerable.Range(1, (1 << missing.Length) - 1)
+        let parts = missing.Where((_, i) => (bits >> i & 1) != 0)
+        where parts.Count(part => MissingParts.IsShape(part.Missing!)) < kinds
+        select parts.Aggregate((Hypothesis?)right, (all, part) => all?.With(part));
+
+    /// <summary>Whether only colours or their places in the file are wrong, in the whole picture, so that it explains little alone.</summary>
+    private static bool IsOfBytes(Hypothesis one) => one.Changes[0].Steps.All(step => step.IsOfColors() || step == StepKind.File);
+
+    /// <summary>Two usual mistakes that both change which hits the whole picture shows: neither alone explains anything.</summary>
+    private IEnumerable<Hypothesis?> PairsOfRays()
+    {
+        Change[] usual =
+        [
+            .. ChangeSource.Of(known.Where(mistake => mistake.Steps.Any(step => step.IsOfRays() || step.IsOfHits())), likely)
+                .DistinctBy(change => change.Id),
+        ];
+        return from i in Enumerable.Range(0, usual.Length)
+               from second in usual[(i + 1)..]
+               select right.With(usual[i])?.With(second);
+    }
+
+    private void Extend(Hypothesis first, IEnumerable<Change> changes)
+    {
+        PictureSample[] left = [.. pictures.Select((picture, i) => new PictureSample(picture, first.Programs[i]))];
+        var bound = Bound;
+        var before = left.Sum(picture => (double)picture.WrongCount);
+        var measured = Measured([.. changes.Select(first.With).Where(with => with is not null && with.Bits < bound + Priors.AsLikely)], Few, left);
+        var promising = measured.Where(with =>
+            with.Total < bound + OfFew && with.Residuals.Sum(residual => residual.Unexplained) < 0.98 * before).Take(Extensions);
+        var best = Measured([.. promising], More, left).Where((with, i) => i < 2 || with.Total < bound + OfMore).Take(BestExtensions);
+        found.AddRange(Measured([.. best], 1).Select(with => with with { Gain = first.Total - with.Total }));
+    }
+
+    /// <summary>Looks at the best more closely, and at the best of these at all of the sample.</summary>
+    private void Refine(List<Hypothesis> candidates)
+    {
+        var closer = Measured([.. candidates.Take(Closer)], More);
+        found.AddRange(Measured([.. closer.Take(Closest)], 1));
+    }
+
+    /// <summary>Compares them with a share of the sample, and sorts them.</summary>
+    private List<Hypothesis> Measured(IReadOnlyList<Hypothesis?> candidates, double share, IReadOnlyList<PictureSample>? left = null)
+    {
+        var sample = left ?? pictures;
+        Hypothesis[] measured = [.. candidates.OfType<Hypothesis>()];
+        var done = SearchBudget.Do(budget, measured.Length, Together, threads, i => measured[i] = Measure(measured[i], share, sample));
+        if (done < measured.Length) throw new TimeoutException();
+        return [.. measured.OrderBy(one => one.Total)]; // those with the same total in the order of the candidates
+    }
+
+    private static Hypothesis Measure(Hypothesis candidate, double share, IReadOnlyList<PictureSample> sample)
+    {
+        var isOne = candidate.Changes.Count(change => change.IsMistake) < 2;
+        ImmutableArray<Residual> residuals =
+        [
+            .. sample.Select((picture, i) => picture.Residual(
+                isOne || candidate.Programs[i].TrianglesTried(picture.Scene) <= FormulaProgram.MaxTrianglesBeside ? candidate.Programs[i] : null,
+                share)),
+        ];
+        return candidate with
+        {
+            Residuals = residuals,
+            Total = candidate.Bits + residuals.Select((residual, i) => sample[i].BitsOf(residual)).Sum(),
+        };
+    }
+}

@@ -1,0 +1,247 @@
+using System.Collections.Concurrent;
+
+namespace RayCaster.Teaching.Hypotheses;
+
+/// <summary>
+/// The pixels of a picture by which mistakes are judged. In half of them the picture differs from the right one, in half it does not, and they are
+/// spread evenly. So a small fault counts although most of the picture is right.
+/// </summary>
+internal sealed class PictureSample
+{
+    /// <summary>About how many triangles are tried in the screening and in the last round, if each ray must try every triangle of a mesh.</summary>
+    private const int LeastTests = 50_000, MaxTests = 1_000_000;
+
+    /// <summary>How many wrong pixels, and how many others, tell most programs apart.</summary>
+    private const int FewPixelsAlike = 32;
+
+    /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
+    private const double Chance = 0.05;
+
+    /// <summary>The share of a picture's pixels that last bits may change.</summary>
+    private const double LastBits = 0.002;
+
+    /// <summary>If a greater share of the pixels is wrong, those on outlines do not matter.</summary>
+    private const double FewPixels = 0.03;
+
+    private readonly ConcurrentDictionary<(int Wrong, int Other), ConcurrentBag<FormulaEvaluator>> evaluators = []; // that no thread uses now
+    private readonly SearchBudget? budget;
+    private readonly FormulaProgram? basis; // that others differ from; the slides' if null
+    private readonly int most;
+    private readonly int allWrong; // also those that a first mistake explains
+    private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
+
+    /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
+    /// <param name="pixels">The most pixels that are compared; fewer in a scene of many models.</param>
+    /// <param name="budget">What drawing spends; null if it is not counted.</param>
+    public PictureSample(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true, SearchBudget? budget = null)
+    {
+        (Scene, Picture, Right, this.budget) = (scene, picture, right, budget);
+        most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
+        var difference = HasRightSize ? new PictureDifference(picture, right) : null;
+        var judge = new PictureJudge(right, scene);
+        List<int> wrong = [], other = [];
+        for (var i = 0; i < PixelCount; i++) (difference is null || difference.LevelsAt(i) > PictureJudge.Tolerance ? wrong : other).Add(i);
+        Shift = difference?.Shift;
+        DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
+        if (forgiveOutlines && difference is not null && wrong.Count <= FewPixels * PixelCount)
+        {
+            OutlineCount = wrong.Count;
+            wrong = [.. judge.WrongPixels(difference)];
+            OutlineCount -= wrong.Count;
+        }
+        WrongCount = allWrong = wrong.Count;
+        IsOnlyOutlines = difference is not null && judge.AreStray(difference, wrong);
+        wrongPixels = Spread(wrong, most);
+        otherPixels = Spread(other, most);
+    }
+
+    /// <summary>The same pixels as evidence for a second mistake: those that a first one does not explain count as wrong.</summary>
+    public PictureSample(PictureSample whole, FormulaProgram first)
+    {
+        (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
+        basis = first with { MovedBytes = 0 };
+        var drawn = whole.Draw(first);
+        var isExplained = whole.wrongPixels[..drawn.Wrong].Concat(whole.otherPixels[..drawn.Other]).Index()
+            .ToLookup(pixel => PictureJudge.IsNear(drawn.ColorAt(pixel.Index), Picture.At(pixel.Item)), pixel => pixel.Item);
+        wrongPixels = [.. isExplained[false]];
+        otherPixels = [.. isExplained[true]];
+        WrongCount = (int)whole.Residual(first).Unexplained;
+        allWrong = whole.allWrong;
+    }
+
+    private PictureSample(PictureSample whole, int[] pixels)
+    {
+        (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
+        (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
+    }
+
+    /// <summary>The same pixels in another order, all of them taken for wrong, in which each colour that the picture shows counts alike: a mistake
+    /// that draws most models right is near, even if a second one changes most of the picture.</summary>
+    public PictureSample ByColors()
+    {
+        int[][] colors = [.. wrongPixels.Concat(otherPixels).GroupBy(pixel => ColorOf(Picture.At(pixel))).Select(same => same.ToArray())];
+        return new(this, [.. Enumerable.Range(0, 2 * most).SelectMany(k => colors.Where(color => k < color.Length).Select(color => color[k]))]);
+
+        int ColorOf((byte, byte, byte) shown) => shown == Scene.Background.ToBytes() ? -1
+            : Scene.Models.TakeWhile(model => !ShownColors.IsShadeOf(shown, model.Color)).Count();
+    }
+
+    public Scene Scene { get; }
+
+    public Picture Right { get; }
+
+    public Picture Picture { get; }
+
+    public int PixelCount => Picture.Width * Picture.Height;
+
+    public int WrongCount { get; }
+
+    /// <summary>
+    /// In how many more pixels the picture shows what the scene shows a thousandth of a pixel away. There the last bits of doubles or floats decide.
+    /// That is not wrong, and must not be evidence: a mistake that changes a camera's number by its last bit would explain it.
+    /// </summary>
+    public int OutlineCount { get; }
+
+    /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
+    public double DarkerShare { get; }
+
+    /// <inheritdoc cref="PictureDifference.Shift"/>
+    public int? Shift { get; }
+
+    /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
+    public bool IsOnlyOutlines { get; }
+
+    /// <summary>Whether the picture has the size of the scene's own.</summary>
+    public bool HasRightSize => (Right.Width, Right.Height) == (Picture.Width, Picture.Height);
+
+    /// <summary>Whether it is the scene's picture, but for rounding and single pixels on outlines.</summary>
+    public bool IsRight => WrongCount == 0 || IsOnlyOutlines;
+
+    /// <summary>The fewest pixels that count: as many as a visible mistake changes, or as one compared pixel represents.</summary>
+    public double LeastPixels => Math.Max(MutationCoverage.LeastPixels, (double)WrongCount / most);
+
+    /// <summary>What a program draws in the pixels of the evidence.</summary>
+    public Drawn Draw(FormulaProgram program) => Draw(program, int.MaxValue);
+
+    private Drawn Draw(FormulaProgram program, int pixels)
+    {
+        var wrong = Affordable(Math.Min(pixels, wrongPixels.Length), program);
+        var other = Affordable(Math.Min(pixels, otherPixels.Length), program);
+        return new(program.SizeOf(Scene.Camera), wrong, other, Draw(program, wrong, other));
+    }
+
+    /// <summary>Whether a program draws the same picture as another, but for one pixel in two thousand. Most differ in the first pixels.</summary>
+    public bool AreAlike(Drawn one, FormulaProgram program) =>
+        one.Size == program.SizeOf(Scene.Camera) && AreAlike(one, Draw(program, FewPixelsAlike)) && AreAlike(one, Draw(program));
+
+    private static bool AreAlike(Drawn one, Drawn other)
+    {
+        var left = (other.Wrong + other.Other) / 2000;
+        return Differing(0, 0, Math.Min(one.Wrong, other.Wrong)) + Differing(one.Wrong, other.Wrong, Math.Min(one.Other, other.Other)) <= left;
+
+        int Differing(int ofOne, int ofOther, int count) =>
+            Enumerable.Range(0, count).Count(i => !PictureJudge.IsNear(one.ColorAt(ofOne + i), other.ColorAt(ofOther + i)));
+    }
+
+    /// <summary>What a program draws.</summary>
+    /// <param name="Wrong">In how many of the first wrong pixels.</param>
+    /// <param name="Other">In how many of the first others.</param>
+    /// <param name="Rgb">The bytes of the wrong pixels, then those of the others.</param>
+    public sealed record Drawn((int Width, int Height) Size, int Wrong, int Other, byte[] Rgb)
+    {
+        public (byte, byte, byte) ColorAt(int i) => (Rgb[3 * i], Rgb[3 * i + 1], Rgb[3 * i + 2]);
+    }
+
+    /// <summary>
+    /// The bits of the pixels that are left unexplained. Their share is unknown before, from all that is wrong down to what other last bits may
+    /// leave: each time that it halves is worth the same.
+    /// </summary>
+    public double BitsOf(Residual residual) => Priors.PerHalf * Math.Log2(1 + Math.Min(1, residual.Weight / Math.Max(1, allWrong)) / Priors.Rounding);
+
+    /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
+    public bool IsExplainedBy(FormulaProgram program) => Residual(program).Weight <= Math.Min(0.5 * WrongCount,
+        Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LastBits * PixelCount, 3 * LastBits * PixelCount)));
+
+    /// <summary>An estimate of how many pixels a program leaves unexplained; all of them for none.</summary>
+    /// <param name="share">The share of the chosen pixels that is compared; few show that a mistake is far off.</param>
+    public Residual Residual(FormulaProgram? program, double share = 1)
+    {
+        if (program is null || !CanDraw(program)) return new(PixelCount, PixelCount); // nothing is explained
+        var (wrong, other) = (CountOf(wrongPixels), CountOf(otherPixels));
+        return ResidualOf(wrong, other, Draw(program, wrong, other),
+            program.Scatters ? Draw(program with { Scatters = false }, wrong, other) : null);
+
+        int CountOf(int[] pixels) => Affordable(Math.Min(pixels.Length, (int)Math.Ceiling(most * share)), program, share);
+    }
+
+    /// <summary>The same of a program that draws another scene than the one that is meant.</summary>
+    public Residual Residual(Scene scene, FormulaProgram program, double share = 1)
+    {
+        var (wrong, other) = (CountOf(wrongPixels), CountOf(otherPixels));
+        return ResidualOf(wrong, other, FormulaEvaluator.Draw(scene, program, PixelsOf(wrong, other), budget), null);
+
+        int CountOf(int[] pixels) => Math.Min(pixels.Length, (int)Math.Ceiling(most * share));
+    }
+
+    /// <param name="rgb">What is drawn in the first wrong pixels and the first others.</param>
+    /// <param name="unaffected">What is drawn there if last bits spare a pixel; null if they do not matter.</param>
+    private Residual ResidualOf(int wrong, int other, byte[] rgb, byte[]? unaffected)
+    {
+        return Of(wrongPixels, 0, wrong, WrongCount) + Of(otherPixels, wrong, other, PixelCount - WrongCount);
+
+        Residual Of(int[] pixels, int first, int count, int stoodFor)
+        {
+            if (count == 0) return default;
+            var unexplained = 0.0;
+            var error = 0.0;
+            for (var k = 0; k < count; k++)
+            {
+                var shown = Picture.At(pixels[k]);
+                var difference = PictureDifference.Levels(At(rgb, first + k), shown);
+                if (unaffected is not null)
+                {
+                    var spared = PictureDifference.Levels(At(unaffected, first + k), shown);
+                    if (spared > PictureJudge.Tolerance && difference <= PictureJudge.Tolerance) unexplained += Chance;
+                    difference = Math.Min(difference, spared);
+                }
+                if (difference > PictureJudge.Tolerance) unexplained++;
+                error += difference / 255.0;
+            }
+            return new Residual(unexplained, error) * ((double)stoodFor / count);
+        }
+
+        static (byte, byte, byte) At(byte[] rgb, int i) => (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+    }
+
+    /// <summary>What a program draws in the first wrong pixels and in the first others.</summary>
+    private byte[] Draw(FormulaProgram program, int wrong, int other)
+    {
+        if (wrong + other == 0) return [];
+        if (program.MovedBytes != 0) return FormulaEvaluator.Draw(Scene, program, PixelsOf(wrong, other), budget);
+        var idle = evaluators.GetOrAdd((wrong, other), _ => []);
+        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), basis ?? FormulaProgram.For(Scene.Camera));
+        var rgb = evaluator.Draw(program, budget);
+        idle.Add(evaluator);
+        return rgb;
+    }
+
+    /// <summary>Lets go of what is kept for faster drawing. It is made again if it is needed.</summary>
+    public void Forget() => evaluators.Clear();
+
+    private (int X, int Y)[] PixelsOf(int wrong, int other) =>
+        [.. wrongPixels[..wrong].Concat(otherPixels[..other]).Select(pixel => (pixel % Picture.Width, pixel / Picture.Width))];
+
+    /// <summary>How many of some pixels are drawn: fewer if each ray must try every triangle of a mesh.</summary>
+    private int Affordable(int pixels, FormulaProgram program, double share = 1) =>
+        program.RaysWithin(Scene, LeastTests + share * MaxTests, pixels);
+
+    private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height)
+        && program.TrianglesTried(Scene) <= FormulaProgram.MaxTriangles;
+
+    /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
+    private static int[] Spread(List<int> all, int most)
+    {
+        var place = new GoldenRatioSequence(Math.Max(1, all.Count));
+        return [.. Enumerable.Range(0, Math.Min(all.Count, most)).Select(k => all[place[k]])];
+    }
+}
