@@ -91,6 +91,7 @@ public sealed class DrawTests : CommandTests
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("ball.png")));
     }
 
+    [Trait("waits", "yes")]
     [Theory(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     [InlineData("HUP", 129)]
     [InlineData("INT", 130)]
@@ -105,6 +106,7 @@ public sealed class DrawTests : CommandTests
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("room.png")));
     }
 
+    [Trait("waits", "yes")]
     [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void WaitingForASceneCanBeInterrupted()
     {

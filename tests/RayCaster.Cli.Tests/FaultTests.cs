@@ -61,6 +61,7 @@ public sealed class FaultTests : CommandTests
         Assert.Equal("2\n", File.ReadAllText(raycaster.PathOf("code")));
     }
 
+    [Trait("waits", "yes")]
     [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void AReaderThatHasStoppedDoesNotKeepOneFromCancelling()
     {
@@ -90,6 +91,7 @@ public sealed class FaultTests : CommandTests
         Assert.Equal((2, "raycaster: there is not enough memory\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
+    [Trait("waits", "yes")]
     [Fact]
     public void AKilledRunLeavesTheOldPictureAndATemporaryFile()
     {
@@ -107,6 +109,7 @@ public sealed class FaultTests : CommandTests
         Assert.Equal(9, PictureFile.Read(raycaster.PathOf("room.png")).Width);
     }
 
+    [Trait("waits", "yes")]
     [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void ARunDoesNotDisturbAnotherThatWritesTheSamePicture()
     {

@@ -4,6 +4,7 @@ namespace RayCaster.Cli.Tests;
 
 /// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says which files are
 /// written.</summary>
+[Trait("waits", "yes")]
 public sealed class InterruptionTests : CommandTests
 {
     /// <summary>After this time a program reads or computes. If it does not yet, the runtime ends it with the same exit code.</summary>

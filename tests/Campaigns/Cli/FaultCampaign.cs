@@ -8,6 +8,7 @@ namespace RayCaster.Cli.Tests;
 /// What may go wrong around the real process: it ends by itself with a message and the right exit code, and what it leaves is the old picture or the
 /// new one, whole. Where a fault cannot be made (no shell, no right to mount), its test is skipped.
 /// </summary>
+[Trait("waits", "yes")]
 public sealed class FaultCampaign : CommandTests
 {
     /// <summary>From before its first instruction to after its last: whenever a signal comes, there is the old picture or the new one, and

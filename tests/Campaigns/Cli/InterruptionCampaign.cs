@@ -4,6 +4,7 @@ namespace RayCaster.Cli.Tests;
 
 /// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says which files are
 /// written.</summary>
+[Trait("waits", "yes")]
 public sealed class InterruptionCampaign : CommandTests
 {
     /// <summary>All processes wait at the same time, so the test waits once.</summary>

@@ -1,6 +1,7 @@
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
+[Trait("waits", "yes")]
 public sealed class PartCampaign : CommandTests
 {
     [Fact]

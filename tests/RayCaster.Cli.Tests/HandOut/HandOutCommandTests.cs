@@ -66,6 +66,7 @@ public sealed class HandOutCommandTests : CommandTests
         Assert.Equal(ExitCode.Failed, raycaster.ExitCode);
     }
 
+    [Trait("waits", "yes")]
     [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void AnInterruptedRunLeavesNothing()
     {

@@ -1,3 +1,5 @@
+using RayCaster.Testing.Fuzzing;
+
 namespace RayCaster.Engine.Tests.Rendering;
 
 /// <summary>The fast renderer gives the same model and the same bits of t as the definition.</summary>
@@ -44,7 +46,7 @@ public class RendererTests
     {
         var empty = 0;
         for (var i = 0; i < count; i++)
-            if (AssertEqual(make(new Random(seed * 1_000_000 + i)), $"scene {i} of seed {seed}") < 2) empty++;
+            if (AssertEqual(make(Campaign.Random(seed * 1_000_000 + i)), $"scene {i} of seed {seed}, {Campaign.Again}") < 2) empty++;
         Assert.True(empty <= 0.3 * count, $"{empty} of {count} scenes show less than two models: they test little");
     }
 

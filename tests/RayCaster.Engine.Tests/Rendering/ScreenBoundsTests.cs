@@ -1,3 +1,5 @@
+using RayCaster.Testing.Fuzzing;
+
 namespace RayCaster.Engine.Tests.Rendering;
 
 /// <summary>
@@ -45,7 +47,7 @@ public class ScreenBoundsTests
     private static void AssertIsHit(string shape, int companions)
     {
         var (model, outline) = shapes[shape];
-        var random = new Random(9);
+        var random = Campaign.Random(9);
         var hits = 0;
         for (var i = 0; i < Rays; i++)
         {
@@ -67,7 +69,7 @@ public class ScreenBoundsTests
             var ray = ScalarRenderer.Cast(scene, column, row);
             var t = fast.T[(height - 1 - row) * width + column];
             Assert.True(t.Equals(ray.HitParameter), $"{shape} from {position}, look {look}, up {tilt}, fovY {fovY:R}, {width} x {height}, "
-                + $"column {column}, row {row}: the definition's t is {ray.HitParameter:R}, the renderer's {t:R}");
+                + $"column {column}, row {row}: the definition's t is {ray.HitParameter:R}, the renderer's {t:R}; {Campaign.Again}");
             if (ray.HitModel is not null) hits++;
         }
         Assert.InRange(hits, 0.1 * Rays, 0.985 * Rays);

@@ -1,5 +1,6 @@
 namespace RayCaster.Cli.Tests.HandOut;
 
+[Trait("waits", "yes")]
 public sealed class HandOutCommandCampaign : CommandTests
 {
     [Fact]
