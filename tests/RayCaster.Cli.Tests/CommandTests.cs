@@ -3,6 +3,7 @@ using System.Diagnostics;
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Tests that run the console app in a temporary folder.</summary>
+[Trait("program", "yes")] // native.sh runs them with another one
 public abstract class CommandTests : IDisposable
 {
     private protected static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
