@@ -67,7 +67,7 @@ internal sealed record FormulaProgram
     {
         var (width, height) = SizeOf(scene.Camera);
         var rgb = new byte[3 * width * height];
-        var lines = Math.Max(1, FormulaEvaluator.Block / width); // that are drawn together
+        var lines = Math.Max(1, 4096 / width); // that are drawn together
         Parallel.For(0, (height + lines - 1) / lines, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, i =>
         {
             var first = i * lines;

@@ -5,7 +5,8 @@ namespace RayCaster.Testing.Fuzzing;
 
 /// <summary>
 /// Many inputs, one after another, each made of a seed and a number, on a thread that is watched: an input that takes too long is a find like one
-/// that throws. RAYCASTER_SEED is the seed, RAYCASTER_MINUTES how long a campaign lasts (docs/limits.md); without them a fixed sample is tried.
+/// that
+/// throws. RAYCASTER_SEED is the seed, RAYCASTER_MINUTES how long a campaign lasts (docs/limits.md); without them a fixed sample is tried.
 /// </summary>
 internal static class Campaign
 {
@@ -13,12 +14,6 @@ internal static class Campaign
 
     /// <summary>What everything random begins with.</summary>
     public static int Seed { get; } = (int)(Number("RAYCASTER_SEED") ?? 1);
-
-    /// <summary>A generator of a test: the same for the same number and the same seed.</summary>
-    public static Random Random(int number) => new(unchecked(number + (Seed - 1) * 1_000_003));
-
-    /// <summary>How to have the same random things again, for a message.</summary>
-    public static string Again => $"RAYCASTER_SEED={Seed}";
 
     /// <summary>How long a campaign lasts; nothing for a sample.</summary>
     public static TimeSpan Time { get; } = TimeSpan.FromMinutes(Number("RAYCASTER_MINUTES") ?? 0);

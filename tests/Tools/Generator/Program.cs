@@ -4,7 +4,7 @@ using RayCaster;
 using RayCaster.Generator;
 using RayCaster.Files.Tests.Meshes;
 using RayCaster.Files.Tests.Scenes;
-using RayCaster.Marks.Tests;
+using RayCaster.Teaching.Tests.Marks;
 using RayCaster.Teaching.Tests.Explanations;
 using RayCaster.Teaching.Tests.Mistakes;
 
