@@ -31,7 +31,12 @@ internal sealed class Step(
         return -1;
     }
 
-    public bool Has(Symbol name) => formulas.Any(formula => formula.Name == name);
+    public bool Has(Symbol name)
+    {
+        foreach (var formula in formulas)
+            if (formula.Name == name) return true;
+        return false;
+    }
 
     public Step With(ImmutableArray<Formula> others) => new(kind, style, slide, scope, others);
 

@@ -12,7 +12,8 @@ public class CommittedMeshesTests
         var path = PathOf(name);
         var made = Make(name);
         Assert.True(
-            made.AsSpan().SequenceEqual(File.ReadAllBytes(path)), $"{path} is out of date; dotnet run --project tests/Tools/Generator writes it anew");
+            made.AsSpan().SequenceEqual(File.ReadAllBytes(path)),
+            $"{path} is out of date; dotnet run --project tests/Tools/Generator writes it anew");
     }
 
     [Theory]

@@ -2,6 +2,7 @@
 namespace RayCaster.Teaching.Tests.Formulas;
 
 /// <summary>Slips that the catalogue does not have are found in their step.</summary>
+[Trait("runs", "weekly")]
 public class PlantedSlipsCampaign(ITestOutputHelper output)
 {
     private static readonly string[] scenes = ["mistakes/generic", "mistakes/portrait", "mistakes/inside"];

@@ -7,6 +7,7 @@ namespace RayCaster.Teaching.Tests.Formulas;
 /// Sixty slips that were written down from the slides by somebody who did not know the operators, before any of them was tried. No operator and no
 /// cost was chosen by them: who tunes by them must plant others to measure.
 /// </summary>
+[Trait("runs", "weekly")]
 public class UnseenSlipsCampaign(ITestOutputHelper output)
 {
     private static readonly string[] scenes = ["mistakes/generic", "mistakes/portrait", "mistakes/inside"];

@@ -54,6 +54,7 @@ public class ClassCampaign
     }
 
     [Fact(Explicit = true)]
+    [Trait("runs", "weekly")]
     public void AtMostOneOfAHundredItemsIsBlamedInnocently()
     {
         var planted = slips.Select(slip => (slip.New, slip.Items, (Func<Scene, Picture>)(scene =>

@@ -19,5 +19,6 @@ public class AllowedSkipsTests
     public void ALineWithoutAPatternIsRefused() => Assert.Throws<InvalidDataException>(() => new AllowedSkips(["always"], (_, _) => true));
 
     [Fact]
-    public void TheProjectsListCanBeRead() => _ = new AllowedSkips(File.ReadAllLines(ProjectFolder.PathOf("tests/allowed-skips.txt")), (_, _) => true);
+    public void TheProjectsListCanBeRead() =>
+        _ = new AllowedSkips(File.ReadAllLines(ProjectFolder.PathOf("tests/allowed-skips.txt")), (_, _) => true);
 }

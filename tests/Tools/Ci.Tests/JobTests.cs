@@ -24,7 +24,7 @@ public class JobTests
     public void EachTestProjectOfTheSolutionMustLeaveAReport()
     {
         var projects = File.ReadLines(ProjectFolder.PathOf("RayCaster.sln")).Count(line => line.Contains(".Tests.csproj\""));
-        Assert.Equal(projects, table.Single(job => job.Name == "readme-test").Reports);
+        Assert.All(table.Where(job => job.Name is "readme-test" or "debug-all"), job => Assert.Equal(projects, job.Reports));
     }
 
     [Theory]

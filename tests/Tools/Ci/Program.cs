@@ -4,8 +4,8 @@ namespace RayCaster.Ci;
 
 /// <summary>
 /// Runs the jobs of jobs.json that this commit asks for, or those whose names it is given, in the root folder. Environment: WHOLE=yes for all
-/// jobs, as once a week; REQUIRE=all where nothing may be skipped that this system can do; SINCE, the commit whose changes say which jobs run;
-/// RAYCASTER_SEED for what is random.
+/// jobs, as once a week; REQUIRE=all where nothing may be skipped that this system can do; SINCE, a commit from which on the changes say which jobs
+/// run, if this machine knows of none that has passed; RAYCASTER_SEED for what is random.
 /// </summary>
 internal static class Program
 {
@@ -30,7 +30,7 @@ internal static class Program
         var week = Variable("WHOLE") is not null;
         var record = Record.OfUser();
         var lastPassed = record.LastPassed(Repository.Ancestors);
-        var changed = Repository.ChangedSince(Variable("SINCE") ?? lastPassed ?? "HEAD~1");
+        var changed = Repository.ChangedSince(lastPassed ?? Variable("SINCE") ?? "HEAD~1");
         var table = Job.ReadTable(File.ReadAllText("tests/Tools/Ci/jobs.json"));
         foreach (var name in names.Except(table.Select(job => job.Name))) throw new ArgumentException($"jobs.json has no job {name}");
         var jobs = table.Where(job => names.Length > 0 ? names.Contains(job.Name) : job.IsDue(week, changed))
@@ -39,8 +39,14 @@ internal static class Program
         // For each commit the same random numbers, so that a failure is one again; every week other ones.
         var seed = Variable("RAYCASTER_SEED") ?? $"{(week ? Random.Shared.Next(1, 1 << 24) : Repository.Seed)}";
         Console.WriteLine($"RAYCASTER_SEED={seed}");
-        var environment = new Dictionary<string, string> { ["RAYCASTER_SEED"] = seed, ["LAB_SEED"] = seed, ["WHOLE"] = week ? "yes" : "" };
-        foreach (var job in table.Except(jobs)) Console.WriteLine($"not in this run: {job.Name}");
+        var environment = new Dictionary<string, string>
+        {
+            ["RAYCASTER_SEED"] = seed,
+            ["LAB_SEED"] = seed,
+            ["WHOLE"] = week ? "yes" : "",
+            ["NOT_WEEKLY"] = week ? "" : "--filter-not-trait runs=weekly",
+        };
+        foreach (var job in names.Length > 0 ? [] : table.Except(jobs)) Console.WriteLine($"not in this run: {job.Name}");
 
         var folder = Directory.CreateTempSubdirectory("raycaster-ci-").FullName;
         var allowed = new AllowedSkips(File.ReadAllLines("tests/allowed-skips.txt"), Holds);
