@@ -10,9 +10,9 @@ internal static partial class HandOutFolder
         var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
             throw new ProblemException($"{folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
-        if (Unbuildable().Match(target) is { Success: true } part)
-            throw new ProblemException($"{folder} could not be built: MSBuild reads '{part}' in a folder's path as something else, as in {target}\n" +
-                "  Name another folder: its path must not have % before two digits or letters from A to F, nor @(, * or ?.");
+        if (Misread().Match(target[Path.GetPathRoot(target)!.Length..].Replace(Path.DirectorySeparatorChar, '/')) is { Success: true } part)
+            throw new ProblemException($"{folder} could not be built: MSBuild misreads '{part}' in a path, as in {target}\n" +
+                "  Name another folder: its path must not have % before two digits or letters from A to F, nor @(, ..., *, ?, :, \\ or \".");
         ThrowIfPicturesDiffer(cancellation);
         var files = HandOutFiles.With(isOpen);
         WrittenFiles.WriteFolder(folder, made =>
@@ -29,9 +29,9 @@ internal static partial class HandOutFolder
         });
     }
 
-    /// <summary>What MSBuild takes in a path for a character by its code, a list of items or a pattern.</summary>
-    [GeneratedRegex(@"%[0-9A-Fa-f]{2}|@\(|[*?]")]
-    private static partial Regex Unbuildable();
+    /// <summary>What MSBuild takes in a path for the code of a character, a list of items, a pattern, a drive, a separator or a quote.</summary>
+    [GeneratedRegex(@"%[0-9A-Fa-f]{2}|@\(|\.\.\.|[*?:\\""]")]
+    private static partial Regex Misread();
 
     /// <summary>A hand-out judges students by the pictures of this build: in a clone they must be the stored references.</summary>
     private static void ThrowIfPicturesDiffer(CancellationToken cancellation)

@@ -6,14 +6,14 @@ namespace RayCaster.Teaching;
 /// How much work a search for mistakes may do, from now on. A search that has done it returns what it has found. Work is the same on every machine,
 /// however busy it is and with any number of threads, so the answer is, too; time is limited only as a last resort.
 /// </summary>
-/// <param name="work">How many numbers may be computed: formulas times pixels.</param>
+/// <param name="work">How much may be computed: about operations of formulas times pixels.</param>
 /// <param name="lastResort">The processor time of all cores together; a minute if left out.</param>
 /// <param name="cancellation">If cancelled, the search ends in the same way.</param>
 /// <remarks>For one search after another: of two at the same time, it would depend on the machine which one does how much.</remarks>
 public sealed class SearchBudget(long work = SearchBudget.Usual, TimeSpan? lastResort = null, CancellationToken cancellation = default)
 {
-    /// <summary>The work that is done if the user sets no limit: some seconds of a core.</summary>
-    public const long Usual = 6_000_000_000;
+    /// <summary>The work that is done if the user sets no limit: some five seconds of a core.</summary>
+    public const long Usual = 1_500_000_000;
 
     /// <summary>The processor time after which a search ends if it has not done its work by then.</summary>
     public static readonly TimeSpan LastResort = TimeSpan.FromSeconds(60);

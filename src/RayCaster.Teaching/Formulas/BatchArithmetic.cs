@@ -10,6 +10,9 @@ internal sealed class BatchArithmetic(int pixels)
 {
     private static readonly FormulaSection slides = FormulaBook.Slides.StylesOf(SectionKind.Vectors)[0];
 
+    /// <summary>What an operation takes beside the pixels, as so many pixels do.</summary>
+    private const int WorkOfOperation = 150;
+
     private readonly List<double[]> pool = []; // the first ones are in use
     private bool isInSum;
 
@@ -19,7 +22,7 @@ internal sealed class BatchArithmetic(int pixels)
     /// <summary>How many arrays are in use.</summary>
     public int Used { get; private set; }
 
-    /// <summary>How many numbers have been computed.</summary>
+    /// <summary>What has been done: the numbers that were computed, and something for each operation.</summary>
     public long Work { get; set; }
 
     /// <summary>The value of an expression. What was computed on the way to it is given back.</summary>
@@ -87,7 +90,7 @@ internal sealed class BatchArithmetic(int pixels)
     /// <summary>An array for a result; its content is undefined.</summary>
     public double[] New(int length)
     {
-        Work += length;
+        Work += WorkOfOperation + length;
         if (length != pixels) return new double[length];
         if (Used == pool.Count) pool.Add(new double[pixels]);
         return pool[Used++];

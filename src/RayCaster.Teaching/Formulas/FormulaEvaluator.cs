@@ -13,6 +13,9 @@ internal sealed class FormulaEvaluator
     /// <summary>How many pixels are computed together, at most: their numbers stay in the processor's cache.</summary>
     private const int MaxTogether = 1024;
 
+    /// <summary>What a ray through a mesh's tree, or to a shape of one's own, takes, as so many computed numbers do.</summary>
+    private const int WorkOfRay = 500;
+
     private static readonly UInt128 ofRay = Symbol.Of("P").Bit | Symbol.Of("d").Bit;
 
     private readonly Scene scene;
@@ -329,6 +332,7 @@ internal sealed class FormulaEvaluator
     {
         var corners = (A: arithmetic.NewVector(count), B: arithmetic.NewVector(count), C: arithmetic.NewVector(count));
         var none = new Vector3(double.NaN, double.NaN, double.NaN);
+        arithmetic.Work += WorkOfRay * count;
         for (var i = 0; i < count; i++)
         {
             var origin = camera[pointP.Place].At(i);
@@ -355,6 +359,7 @@ internal sealed class FormulaEvaluator
     {
         var isUsual = FormulaBook.Slides.StylesOf(SectionKind.Rule).Contains(rule) && rule.Style != "aim";
         var hits = arithmetic.New(count);
+        arithmetic.Work += WorkOfRay * count;
         for (var i = 0; i < count; i++)
         {
             var origin = camera[pointP.Place].At(i);

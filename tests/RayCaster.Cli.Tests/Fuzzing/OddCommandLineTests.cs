@@ -5,12 +5,12 @@ namespace RayCaster.Cli.Tests.Fuzzing;
 /// <summary>Any command line is run or refused in words.</summary>
 public class OddCommandLineTests
 {
-    [Fact]
+    [Fact(Explicit = true)]
     public void OddCommandLinesDoNoHarm() =>
         Campaign.Run("command-line", 5000, OddCommandLine.Next, input => Understand(OddCommandLine.Words(input)));
 
     /// <summary>A sample through the real process, which leaves no temporary file.</summary>
-    [Fact]
+    [Fact(Explicit = true)]
     public void OddCommandLinesEndInAPictureOrInWords()
     {
         using var raycaster = new RayCasterProcess();

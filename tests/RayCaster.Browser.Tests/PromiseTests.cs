@@ -1,24 +1,25 @@
-namespace RayCaster.Web.Tests;
+namespace RayCaster.Browser.Tests;
 
 /// <summary>What the page promises: it is for every screen, nothing leaves the browser, it works without a network, and no scene ends it.</summary>
-[Collection("site")]
+[Collection("folder"), Trait("waits", "yes")]
 public class PromiseTests(Chromium chromium, Site site)
 {
     /// <summary>The file server is also the browser's proxy: no request of a page or of a worker escapes it.</summary>
     [BrowserFact]
     public async Task EachRequestIsForAFileOfTheSite()
     {
-        await using var web = await WebPage.OpenAsync(chromium, site, isProxied: true);
+        await using var web = await FolderPage.OpenAsync(chromium, site, isProxied: true);
         var page = web.Page;
         await page.ExplainAsync();
-        await page.DropWrongAsync();
+        await page.DropAsync(new Picture(500, 500));
+        await page.SaysAsync("mine.png is wrong");
         await page.ClickOnAsync("#diagnose"); // in a worker of its own
         await page.SaysAsync("Cancel");
         await page.ClickOnAsync("#diagnose");
         Assert.All(web.Server.Requests, request => Assert.Matches($"^GET {web.Server.Root}/[\\w./-]* (200|304)$", request));
 
         // That another request would have been seen:
-        await using var other = await web.Alone.NewPageAsync();
+        await using var other = await web.Tab.Context.NewPageAsync();
         await other.EvaluateExpressionAsync("fetch('http://elsewhere.example/', { mode: 'no-cors' })");
         Assert.Contains(web.Server.Requests, request => request.StartsWith("GET http://elsewhere.example/", StringComparison.Ordinal));
     }
@@ -26,7 +27,7 @@ public class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task ThePolicyOfThePageForbidsRequestsForOtherHosts()
     {
-        await using var web = await WebPage.OpenAsync(chromium, site, isProxied: true);
+        await using var web = await FolderPage.OpenAsync(chromium, site, isProxied: true);
         var forbidden = await web.Page.EvaluateExpressionAsync<string[]>("""
             (async () => {
                 const forbidden = [];
@@ -49,34 +50,13 @@ public class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task AfterTheFirstVisitNoNetworkIsNeeded()
     {
-        await using var web = await WebPage.OpenAsync(chromium, site);
+        await using var web = await FolderPage.OpenAsync(chromium, site);
         var page = web.Page;
         await page.EvaluateExpressionAsync("navigator.serviceWorker.ready.then(() => true)");
         await web.Server.DisposeAsync();
         await page.ReloadAsync();
         await page.ShowsAsync("#picture[data-final=true]");
         await page.ExplainAsync();
-    }
-
-    [BrowserFact]
-    public async Task NoWidthNeedsScrollingSidewaysAndTextHasContrastInLightAndDark()
-    {
-        await using var web = await WebPage.OpenAsync(chromium, site);
-        var page = web.Page;
-        await page.ExplainAsync();
-        await page.DropWrongAsync();
-        foreach (var width in new[] { 360, 1400 })
-        {
-            foreach (var scheme in new[] { "light", "dark" })
-            {
-                await page.SetViewportAsync(new() { Width = width, Height = 800 });
-                await page.EmulateMediaFeaturesAsync([new() { MediaFeature = PuppeteerSharp.MediaFeature.PrefersColorScheme, Value = scheme }]);
-                await page.WaitForFunctionAsync("width => innerWidth === width", width);
-                Assert.Equal((scheme, width), (scheme, await page.EvaluateExpressionAsync<int>(
-                    "Math.max(innerWidth, document.documentElement.scrollWidth)")));
-                Assert.Equal("", await page.FaintTextsAsync());
-            }
-        }
     }
 
     [BrowserFact]
@@ -91,7 +71,7 @@ public class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task AFileOfAMillionModelsIsRefused()
     {
-        await using var web = await WebPage.OpenAsync(chromium, site);
+        await using var web = await FolderPage.OpenAsync(chromium, site);
         using var folder = new TemporaryFolder();
         var models = string.Concat(Enumerable.Repeat("""{"type":"sphere","center":[0,0,0],"radius":1},""", 1_000_000));
         await (await web.Page.ShowsAsync("#open-scene")).UploadFileAsync(folder.Write("big.json", $$"""{"models":[{{models}}]}"""));
@@ -102,20 +82,20 @@ public class PromiseTests(Chromium chromium, Site site)
     /// <summary>The page tells why it does not draw a text, and draws the next one.</summary>
     private async Task IsRefusedAsync(string script, string message)
     {
-        await using var web = await WebPage.OpenAsync(chromium, site);
-        await web.Page.WriteSceneAsync(await web.Page.EvaluateExpressionAsync<string>(script));
+        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await web.WriteSceneAsync(await web.Page.EvaluateExpressionAsync<string>(script));
         await web.Page.ShowsAsync("#problems");
         Assert.Contains(message, await web.Page.TextOfAsync("#status") + await web.Page.TextOfAsync("#problems"));
         await IsDrawnAsync(web);
     }
 
-    private static async Task IsDrawnAsync(WebPage web)
+    private static async Task IsDrawnAsync(FolderPage web)
     {
         const string Next = """
             { "camera": { "position": [6, 0, 2.5], "target": [-6, 0, 0], "width": 44, "height": 30 },
               "models": [ { "type": "sphere", "center": [0, 0, 1], "radius": 1, "color": [1, 0.5, 0.1] } ] }
             """;
-        await web.Page.WriteSceneAsync(Next);
+        await web.WriteSceneAsync(Next);
         await web.Page.ShowsPictureOfAsync(Next);
         await web.Page.HidesAsync("#problems");
         Assert.Equal("", await web.Page.TextOfAsync("#scene-said"));

@@ -1,15 +1,19 @@
-namespace RayCaster.Live.Tests;
+using static RayCaster.Browser.Tests.HostedPage;
+
+namespace RayCaster.Browser.Tests;
 
 /// <summary>A page whose program ends, starts again, or is suspended for a while.</summary>
-[Collection("browser")]
-public class BreakTests(Chromium chromium)
+[Collection("server"), Trait("waits", "yes")]
+public class RestartTests(Chromium chromium)
 {
     [BrowserFact]
     public async Task CtrlCEndsTheProgramWithAPageOpenAndThePageSaysSo()
     {
         using var folder = new TemporaryFolder();
-        using var live = LiveProcess.Start(folder.Write("scene.json", LivePage.Ball));
-        var (page, _) = await chromium.OpenAsync(live.Address);
+        using var live = LiveProcess.Start(folder.Write("scene.json", Ball));
+        await using var tab = await chromium.OpenAsync();
+        await tab.ShowAsync(live.Address);
+        var page = tab.Page;
         live.Send("INT");
         Assert.Equal(130, await live.ExitCodeAsync());
         await page.SaysAsync("The program has ended");
@@ -20,9 +24,11 @@ public class BreakTests(Chromium chromium)
     public async Task APageContinuesWithItsCameraAndPixelWhenTheProgramIsStartedAgain()
     {
         using var folder = new TemporaryFolder();
-        var scene = folder.Write("scene.json", LivePage.Ball);
+        var scene = folder.Write("scene.json", Ball);
         var first = LiveProcess.Start(scene, 1, folder.Path);
-        var (page, _) = await chromium.OpenAsync(first.Address);
+        await using var tab = await chromium.OpenAsync();
+        await tab.ShowAsync(first.Address);
+        var page = tab.Page;
         await page.FocusAsync("#stage");
         await page.PressAsync("ArrowLeft");
         await page.ShowsAsync("#camera-reset:not([disabled])");
@@ -32,7 +38,7 @@ public class BreakTests(Chromium chromium)
         first.Dispose();
         await page.ShowsAsync("body.apart");
 
-        folder.Write("scene.json", LivePage.Ball.Replace("\"models\"", "\"background\": [0, 0, 1], \"models\"").Replace("1, 0.5, 0.1", "0, 0, 0"));
+        folder.Write("scene.json", Ball.Replace("\"models\"", "\"background\": [0, 0, 1], \"models\"").Replace("1, 0.5, 0.1", "0, 0, 0"));
         using var second = LiveProcess.Start(scene, 2, folder.Path);
         Assert.Equal(first.Address, second.Address);
         await page.ShowsAsync("body:not(.apart)");
@@ -45,11 +51,13 @@ public class BreakTests(Chromium chromium)
     public async Task APageContinuesAfterASleep()
     {
         using var folder = new TemporaryFolder();
-        using var live = LiveProcess.Start(folder.Write("scene.json", LivePage.Ball));
-        var (page, _) = await chromium.OpenAsync(live.Address);
+        using var live = LiveProcess.Start(folder.Write("scene.json", Ball), options: "--silence=1");
+        await using var tab = await chromium.OpenAsync();
+        await tab.ShowAsync(live.Address);
+        var page = tab.Page;
         live.Send("STOP");
-        folder.Write("scene.json", LivePage.Ball.Replace("\"width\": 40", "\"width\": 44"));
-        await Task.Delay(TimeSpan.FromSeconds(31));
+        folder.Write("scene.json", Ball.Replace("\"width\": 40", "\"width\": 44"));
+        await Task.Delay(TimeSpan.FromSeconds(3));
         live.Send("CONT");
         await page.SaysAsync("Up to date: 44 × 30 pixels");
     }

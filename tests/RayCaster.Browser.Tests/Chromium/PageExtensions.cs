@@ -1,6 +1,6 @@
-using PuppeteerSharp;
+using System.Diagnostics;
 
-namespace RayCaster.Live.Tests;
+namespace RayCaster.Browser.Tests;
 
 /// <summary>What a user waits for, reads and does.</summary>
 internal static class PageExtensions
@@ -26,6 +26,40 @@ internal static class PageExtensions
 
         /// <summary>Clicks on an element once it is visible.</summary>
         public async Task ClickOnAsync(string selector) => await (await page.ShowsAsync(selector)).ClickAsync();
+
+        /// <summary>Clicks on a pixel of the picture.</summary>
+        public async Task ClickOnPixelAsync(double column, double line, double width, double height)
+        {
+            var box = await page.BoxOfAsync("#picture");
+            await page.Mouse.ClickAsync(box.X + box.Width * (decimal)((column + 0.5) / width), box.Y + box.Height * (decimal)((line + 0.5) / height));
+            await page.ShowsAsync("#pixel-head");
+        }
+
+        /// <summary>Explains the pixel in the middle, by the keyboard.</summary>
+        public async Task ExplainAsync()
+        {
+            await page.FocusAsync("#stage");
+            await page.PressAsync("Enter");
+            await page.ShowsAsync("#pixel-head");
+        }
+
+        /// <summary>Waits until the page shows exactly the picture that the program draws of a scene.</summary>
+        public async Task ShowsPictureOfAsync(Scene scene) => await page.WaitForFunctionAsync("""
+            (width, height, base64) => {
+                const picture = document.getElementById('picture');
+                if (picture.dataset.final !== 'true' || picture.width !== width || picture.height !== height) return false;
+                const bytes = picture.getContext('2d').getImageData(0, 0, width, height).data, right = atob(base64);
+                for (let i = 0; i < width * height; i++)
+                    for (let c = 0; c < 3; c++) if (bytes[4 * i + c] !== right.charCodeAt(3 * i + c)) return false;
+                return true;
+            }
+            """, new WaitForFunctionOptions { PollingInterval = 100 },
+            scene.Camera.Width, scene.Camera.Height, Convert.ToBase64String(ScalarRenderer.Render(scene).Rgb));
+
+        public Task ShowsPictureOfAsync(string scene) => page.ShowsPictureOfAsync(Read(scene));
+
+        /// <summary>Drops a picture on the page.</summary>
+        public Task DropAsync(Picture picture, Func<Task>? dragged = null) => page.DropAsync("mine.png", Png(picture), dragged);
 
         /// <summary>Drags a file over the page and drops it there.</summary>
         /// <param name="dragged">What to do while it is over the page.</param>
@@ -78,5 +112,25 @@ internal static class PageExtensions
                 return faint.join('\n');
             }
             """);
+    }
+
+    public static Scene Read(string scene) => SceneReader.Parse(System.Text.Encoding.UTF8.GetBytes(scene), "scene.json", "").Scene!;
+
+    public static byte[] Png(Picture picture)
+    {
+        using var stream = new MemoryStream();
+        PictureFile.Write(stream, picture, PictureFormat.Png);
+        return stream.ToArray();
+    }
+
+    /// <summary>Waits for what the browser's own waiting cannot see.</summary>
+    public static async Task UntilAsync(Func<Task<bool>> holds)
+    {
+        var start = Stopwatch.GetTimestamp();
+        while (!await holds())
+        {
+            if (Stopwatch.GetElapsedTime(start) > TimeSpan.FromMinutes(2)) throw new TimeoutException("It does not hold after two minutes.");
+            await Task.Delay(20);
+        }
     }
 }

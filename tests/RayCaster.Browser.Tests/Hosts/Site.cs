@@ -7,23 +7,30 @@ using Microsoft.AspNetCore.Http;
 using Microsoft.Extensions.FileProviders;
 using Microsoft.Extensions.Logging;
 
-namespace RayCaster.Web.Tests;
+namespace RayCaster.Browser.Tests;
 
-/// <summary>The tests of the page without a server, which take turns with the one browser, and share the published folder.</summary>
-[CollectionDefinition("site")]
-public class SiteCollection : ICollectionFixture<Chromium>, ICollectionFixture<Site>;
+/// <summary>The tests of the page without a server, which share the published folder.</summary>
+[CollectionDefinition("folder")]
+public class FolderCollection : ICollectionFixture<Chromium>, ICollectionFixture<Site>;
 
-/// <summary>The folder that a course hosts, published once for all tests.</summary>
+/// <summary>The folder that a course hosts, published once for all tests; RAYCASTER_SITE may name one that is published already.</summary>
 public sealed partial class Site : IAsyncLifetime
 {
+    private static readonly string? published = Environment.GetEnvironmentVariable("RAYCASTER_SITE");
+
     private readonly TemporaryFolder folder = new();
     private bool cannotBeRestored;
 
-    internal string Folder => folder.Path;
+    /// <summary>The published files.</summary>
+    internal IEnumerable<string> Files()
+    {
+        Assert.SkipWhen(cannotBeRestored, "the runtime pack for browser-wasm cannot be restored");
+        return Directory.EnumerateFiles(published ?? folder.Path, "*", SearchOption.AllDirectories);
+    }
 
     public async ValueTask InitializeAsync()
     {
-        if (!File.Exists(BrowserFactAttribute.Path)) return;
+        if (!File.Exists(Chromium.Program) || published is not null) return;
         var (code, text) = await PublishAsync();
         cannotBeRestored = code != 0 && Unrestored().IsMatch(text);
         if (code != 0 && !cannotBeRestored) throw new InvalidOperationException(text);
@@ -34,7 +41,7 @@ public sealed partial class Site : IAsyncLifetime
     internal Task<FileServer> ServeAsync(string below = "")
     {
         Assert.SkipWhen(cannotBeRestored, "the runtime pack for browser-wasm cannot be restored");
-        return FileServer.StartAsync(Folder, below);
+        return FileServer.StartAsync(published ?? folder.Path, below);
     }
 
     public ValueTask DisposeAsync()
@@ -46,7 +53,7 @@ public sealed partial class Site : IAsyncLifetime
     private async Task<(int Code, string Text)> PublishAsync()
     {
         using var publish = Process.Start(new ProcessStartInfo(
-            "dotnet", ["publish", ProjectFolder.PathOf("src/RayCaster.Web"), "-c", "Release", "-o", Folder, "-v", "q", "-tl:off"])
+            "dotnet", ["publish", ProjectFolder.PathOf("src/RayCaster.Web"), "-c", "Release", "-o", folder.Path, "-v", "q", "-tl:off"])
         {
             RedirectStandardOutput = true,
         })!;
