@@ -1,7 +1,6 @@
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
-[Trait("waits", "yes")]
 public sealed class PartTests : CommandTests
 {
     [Fact]
@@ -95,6 +94,7 @@ public sealed class PartTests : CommandTests
         Assert.Equal(41, PictureFile.Read(raycaster.PathOf("a.png")).Width);
     }
 
+    [Trait("waits", "yes")]
     [Fact(Explicit = true, Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void WhatAKilledPartLeavesIsFinishedByRunningAgain()
     {
