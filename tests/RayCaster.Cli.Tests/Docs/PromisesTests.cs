@@ -9,7 +9,7 @@ public class PromisesTests
 {
     [Theory]
     [InlineData("67,108,864", SceneReader.MaxBytes)]
-    [InlineData("1,048,576", 1 << 20)]
+    [InlineData("threads | 1024", Option.MaxThreads)]
     [InlineData("268,435,456", MeshFile.MaxBytesAtOnce)]
     [InlineData("1000 are kept", SceneReading.MaxProblems)]
     [InlineData("20 are printed", SceneReading.Printed)]
@@ -22,6 +22,10 @@ public class PromisesTests
         Assert.Contains(written, Read("docs/limits.md"));
         Assert.Contains($"{limit}", Regex.Replace(written, @",|MiB|\b4 ", ""));
     }
+
+    [Fact]
+    public void ThreadsPerCoreAreThoseOfTheCode() =>
+        Assert.Contains($"at most {(Option.MaxThreadsPerCore == 4 ? "four" : Option.MaxThreadsPerCore)} per core", Read("docs/limits.md"));
 
     [Fact]
     public void FilesAreWrittenInOnePlace() =>
