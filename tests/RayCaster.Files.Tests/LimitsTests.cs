@@ -20,7 +20,7 @@ public class LimitsTests
 
     [Fact]
     public void AHeaderOfPlyThatIsLongerIsRefused() => Assert.Equal(
-        "a.ply(2): end_header is missing in the first 1048576 bytes; a header must not be longer",
+        "a.ply(3): end_header is missing in the first 1048576 bytes; a header must not be longer",
         Assert.Throws<ProblemException>(() => MeshBytes.Read("a.ply",
             [.. "ply\ncomment "u8, .. new byte[PlyHeader.MaxBytes], .. "\n\n"u8])).Message);
 

@@ -205,11 +205,11 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
             if (c < 0x20)
                 return new(end, end + 1, c == '\t' ? "a tab in a text is written \\t" : $"a text cannot hold the control character {c:X4}");
             if (c != '\\' || ++end == utf8.Length) continue;
-            var start = end - 1;
+            var digits = utf8[(end + 1)..Math.Min(end + 5, utf8.Length)];
             if (!"\"\\/bfnrtu"u8.Contains(utf8[end]))
-                return new(start, end + 1, "a backslash in a text is written twice: \\\\ (a path may have / instead)");
-            for (var left = utf8[end] == 'u' ? 4 : 0; left > 0 && end + 1 < utf8.Length; left--)
-                if (!char.IsAsciiHexDigit((char)utf8[++end])) return new(start, end, "four hexadecimal digits must follow \\u");
+                return new(end - 1, end + 1, "a backslash in a text is written twice: \\\\ (a path may have / instead)");
+            if (utf8[end] == 'u' && digits.IndexOfAnyExcept("0123456789abcdefABCDEF"u8) is >= 0 and var wrong)
+                return new(end - 1, end + 1 + wrong, "four hexadecimal digits must follow \\u (a backslash is written twice: \\\\)");
         }
         end = utf8.Length;
         return new(end, end, $"the file ends too early: the text that begins in line {tree.Text.LineOf(at)} is never closed");

@@ -56,7 +56,7 @@ public class SceneSchemaTests
     [MemberData(nameof(SceneFolders.Scenes), "Broken/Syntax", MemberType = typeof(SceneFolders))]
     public void AFileThatIsNotJsonHasNothingForTheSchema(string scene) => Assert.ThrowsAny<JsonException>(() => Accepts(Text(scene)));
 
-    private static bool Accepts(string json) => schema.Evaluate(JsonNode.Parse(json, null, lenient)).IsValid;
+    private static bool Accepts(string json) => schema.Evaluate(JsonDocument.Parse(json, lenient).RootElement).IsValid;
 
     private static string Text(string scene) => File.ReadAllText(SceneFolders.InTests(scene));
 }
