@@ -9,7 +9,6 @@ public class PromisesTests
 {
     [Theory]
     [InlineData("67,108,864", SceneReader.MaxBytes)]
-    [InlineData("threads | 1024", Option.MaxThreads)]
     [InlineData("268,435,456", MeshFile.MaxBytesAtOnce)]
     [InlineData("| threads | 1024,", Option.MaxThreads)]
     [InlineData("at most 4 per core are started", Option.MaxThreadsPerCore)]
@@ -30,10 +29,6 @@ public class PromisesTests
     [InlineData("1024")]
     public void MoreThreadsThanAFewPerCoreAreNotStarted(string asked) => Assert.Equal(
         Math.Min(int.Parse(asked), 4 * Environment.ProcessorCount), CommandLine.Parse("draw", [Option.Threads], ["-t", asked]).Get(Option.Threads));
-
-    [Fact]
-    public void ThreadsPerCoreAreThoseOfTheCode() =>
-        Assert.Contains($"at most {(Option.MaxThreadsPerCore == 4 ? "four" : Option.MaxThreadsPerCore)} per core", Read("docs/limits.md"));
 
     [Fact]
     public void FilesAreWrittenInOnePlace() =>
