@@ -9,6 +9,12 @@ internal static class SceneFolder
         Directory.GetFiles(ProjectFolder.PathOf(folder), "*.json")
             .Where(file => !file.EndsWith(".schema.json", StringComparison.Ordinal)).Order(StringComparer.Ordinal);
 
+    /// <summary>All scenes of the project by name, those in folders too, but not a user's own.</summary>
+    public static IEnumerable<string> Names =>
+        Directory.GetFiles(ProjectFolder.PathOf("scenes"), "*.json", SearchOption.AllDirectories)
+            .Where(file => !file.EndsWith(".schema.json", StringComparison.Ordinal) && !ProjectFolder.IsOwnScene(file))
+            .Select(NameOf).Order(StringComparer.Ordinal);
+
     /// <summary>What a scene is called: its path in the folder of scenes, without the extension.</summary>
     public static string NameOf(string file) =>
         Path.ChangeExtension(Path.GetRelativePath(ProjectFolder.PathOf("scenes"), file), null).Replace('\\', '/');

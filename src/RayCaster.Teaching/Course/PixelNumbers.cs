@@ -8,7 +8,7 @@ namespace RayCaster.Teaching.Course;
 public sealed class PixelNumbers
 {
     /// <summary>Much longer than any body takes for one ray.</summary>
-    private static readonly TimeSpan limit = TimeSpan.FromSeconds(5);
+    private static readonly TimeSpan longest = TimeSpan.FromSeconds(5);
 
     /// <summary>If there are more models, only those that the ray hits are listed.</summary>
     private const int ManyModels = 12;
@@ -23,12 +23,13 @@ public sealed class PixelNumbers
     private readonly HashSet<string> unwritten;
     private readonly Ray right; // with its nearest hit of what is written
 
-    private PixelNumbers(Scene scene, int column, int row, IEnumerable<(string Name, Func<object> Compute)> bodies, Func<IEnumerable<string>> notes)
+    private PixelNumbers(Scene scene, int column, int row, IEnumerable<(string Name, Func<object> Compute)> bodies, Func<IEnumerable<string>> notes,
+        TimeSpan limit)
     {
         (this.scene, this.column, this.row) = (scene, column, row);
         foreach (var (name, compute) in bodies)
         {
-            yours[name] = Result(compute);
+            yours[name] = Result(compute, limit);
             if (yours[name] is TimeoutException) break; // the others may wait for it
         }
         unwritten = [.. notes()];
@@ -56,7 +57,7 @@ public sealed class PixelNumbers
 
     internal static int Print(
         TextWriter output, Scene scene, string[] pixel, Func<int, int, IEnumerable<(string Name, Func<object> Compute)>> bodies,
-        Func<IEnumerable<string>> notes)
+        Func<IEnumerable<string>> notes, TimeSpan? limit = null)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         var level = pixel is [_, _, "--hint", var hint] ? hint : pixel.Length == 2 ? "answer" : "";
@@ -72,7 +73,8 @@ public sealed class PixelNumbers
         output.WriteLine($"Column {column}, line {line} from the top: c = {column}, r = {row}");
         var foundWrong = false;
         var last = "";
-        foreach (var (name, slide, mine, rightly) in new PixelNumbers(scene, column, row, bodies(column, row), notes).Lines())
+        foreach (var (name, slide, mine, rightly) in new PixelNumbers(scene, column, row, bodies(column, row), notes,
+            limit ?? longest).Lines())
         {
             if (mine == null && slide == last) continue;
             last = slide;
@@ -89,7 +91,7 @@ public sealed class PixelNumbers
         return foundWrong ? 1 : 0;
     }
 
-    private static object Result(Func<object> compute)
+    private static object Result(Func<object> compute, TimeSpan limit)
     {
         var task = Task.Run(compute);
         try

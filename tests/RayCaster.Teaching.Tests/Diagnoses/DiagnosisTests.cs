@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using RayCaster.Teaching.Tests.Mistakes;
 
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
@@ -15,22 +14,15 @@ public class DiagnosisTests
 
     internal static Picture Planted(string id)
     {
-        var lab = new PictureDifference(EditedLab.Render(scene, Mistakes.Mistake.None), ScalarRenderer.Render(scene));
+        var lab = new PictureDifference(EditedLab.Render(scene), ScalarRenderer.Render(scene));
         Assert.True(lab.Wrong <= 3, $"the lab (src/RayCaster.Lab) and the library (src/RayCaster) draw {lab.Wrong} pixels differently");
-        return EditedLab.Render(scene, Mistakes.Mistake.Named(id));
-    }
-
-    [Fact]
-    public void ARightPictureMatches()
-    {
-        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.None));
-        Assert.Equal((Finding.Matches, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        return EditedLab.Render(scene, PlantedMistake.Named(id));
     }
 
     [Fact]
     public void AWarningIsInTheJsonOnlyIfThereIsOne()
     {
-        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.None));
+        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene));
         var warned = DiagnosisReport.Json(diagnosis, default, default, [], "src/RayCaster has been changed.");
         Assert.Contains("\"warning\": \"src/RayCaster has been changed.\"", warned);
         Assert.DoesNotContain("warning", DiagnosisReport.Json(diagnosis, default, default, [], null));
@@ -80,9 +72,8 @@ public class DiagnosisTests
     [Fact]
     public void APictureThatIsAPixelAsideDoesNotMatch()
     {
-        var (right, moved) = (ScalarRenderer.Render(scene), new Picture(scene.Camera.Width, scene.Camera.Height));
-        for (var y = 0; y < right.Height; y++)
-            for (var x = 0; x < right.Width; x++) moved[x, y] = right[(x + 1) % right.Width, y];
+        var right = ScalarRenderer.Render(scene);
+        var moved = Picture.Of(right.Width, right.Height, (x, y) => right[(x + 1) % right.Width, y]);
         Assert.NotEqual(Finding.Matches, Diagnosis.Of(scene, moved).Finding);
     }
 
@@ -101,14 +92,15 @@ public class DiagnosisTests
         Assert.Equal(["last-hit"], Diagnosis.Of(open, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id));
     }
 
-    [Fact]
-    public void AMissingModelIsNamed() => AModelThatIsMissingIsNamed(SceneFolder.Small("mistakes/generic", 8), 4);
-
-    internal static void AModelThatIsMissingIsNamed(Scene scene, int i)
+    [Theory]
+    [InlineData("floor")]
+    [InlineData("small ball")]
+    [InlineData("high box")]
+    [InlineData("sail")]
+    public void AModelThatIsMissingIsNamed(string name)
     {
-        var without = scene with { Models = [.. scene.Models.Where((_, place) => place != i)] };
-        var diagnosis = Diagnosis.Of(scene, ScalarRenderer.Render(without));
-        if (diagnosis.Finding != Finding.Matches) Assert.Equal($"`{scene.Models[i].Name}`", diagnosis.MissingModel);
+        var without = scene with { Models = [.. scene.Models.Where(model => model.Name != name)] };
+        Assert.Equal($"`{name}`", Diagnosis.Of(scene, ScalarRenderer.Render(without), new(TimeSpan.Zero)).MissingModel); // told without a search
     }
 
     [Fact]
@@ -118,36 +110,13 @@ public class DiagnosisTests
         Assert.Contains("it proves nothing", DiagnosisReport.Text(Diagnosis.Of(empty, new Picture(6, 4)), "mine.png", "scene.json"));
     }
 
-    [Theory]
-    [InlineData("rows")]
-    [InlineData("aspect-inv")]
-    [InlineData("whswap")]
-    [InlineData("clip-after")]
-    [InlineData("tri-area")]
-    public void NamesThePlantedMistakeFirst(string id)
-    {
-        var diagnosis = OfPlanted(id);
-        Assert.Equal(Finding.Mistake, diagnosis.Finding);
-        Assert.Contains(id, Named(diagnosis.Suspects[0]));
-    }
-
     [Fact]
     public void TheLastBitsOfASquarePictureAreNoMistake()
     {
         var room = SceneFolder.Read(SceneFolder.FileOf("room")); // the walls meet on its diagonals
         room = room.WithSize(166, 166);
-        var picture = EditedLab.Render(room, new Manner(Truncates: true, Float: true), Mistakes.Mistake.None, Mistakes.Mistake.None);
+        var picture = EditedLab.Render(room, new Manner(Truncates: true, Float: true));
         Assert.Equal(Finding.Matches, Diagnosis.Of(room, picture).Finding);
-    }
-
-    [Fact]
-    public void ATwinIsNamedWithIt()
-    {
-        // zFar cuts nothing away in this scene.
-        var near = SceneFolder.Small("near-plane", 4);
-        var suspect = Diagnosis.Of(near, MistakeCatalog.Draw(near, [MistakeCatalog.Named("znear-t")!])).Suspects[0];
-        Assert.Contains("znear-t", Named(suspect));
-        Assert.Contains("zboth-t", Named(suspect));
     }
 
     [Theory]
@@ -170,7 +139,7 @@ public class DiagnosisTests
     [Fact]
     public void OneColourIsNamedIfItsLightIsThatOfAMistake()
     {
-        var floor = new Scene(new Camera(new(0, -5, 2), new(0, 0, -2), width: 60, height: 40),
+        var floor = new Scene(new Camera(new(0, -5, 2), new(0, 0, -2), width: 30, height: 20),
             [new Model<Plane>(new(new(0, 0, -2), new(0, 0, 1))) { Color = new(0.9, 0.5, 0.2) }]);
         var corner = MistakeCatalog.Draw(floor, [MistakeCatalog.Named("pix-int")!]);
         Assert.True(corner.IsOneColor);
@@ -185,7 +154,7 @@ public class DiagnosisTests
     [Fact]
     public void NoEditOfAFormulaIsNamedForOneColour()
     {
-        var first = SceneFolder.Small("first", 10);
+        var first = SceneFolder.Small("first", 20);
         var picture = new Picture(first.Camera.Width, first.Camera.Height);
         for (var i = 0; i < picture.Rgb.Length; i++) picture.Rgb[i] = (byte)(1 + i % 3);
         var diagnosis = Diagnosis.Of(first, picture);
@@ -205,31 +174,6 @@ public class DiagnosisTests
         Assert.StartsWith("All that is drawn is white", Assert.Single(diagnosis.Likely));
     }
 
-    private static readonly Edit squareLength = new("Vector3", "Math.Sqrt(this * this)", "this * this"),
-        lightByLength = new("Camera", "ray.HitParameter / (2 * (Target - Position)).Length",
-            "(ray.At(ray.HitParameter) - Position).Length / (2 * (Target - Position).Length)"),
-        sphereByLength = new("Sphere", "if (D * D > R * R)", "D = new(D.Length, 0, 0); if (D * D > R * R)");
-
-    private static readonly Scene room = SceneFolder.Small("room", 4), inside = SceneFolder.Small("mistakes/inside", 2);
-
-    /// <summary>A length without its root, in a program that uses it elsewhere than the slides do.</summary>
-    private static readonly Mistakes.Mistake lengthInAll = new("length in all", "", squareLength, lightByLength, sphereByLength),
-        normalisedBySquare = new("normalised by a square", "", new Edit("Vector3", "=> this / Length", "=> this / (this * this)"));
-
-    [Fact]
-    public void ALengthWithoutItsRootIsNamedWhereverItIsUsed() => Assert.All([lengthInAll, normalisedBySquare], mistake =>
-        Assert.Equal(["len-nosqrt"], NamedFirst(room, EditedLab.Render(room, mistake))));
-
-    [Theory]
-    [InlineData("far-hit")]
-    [InlineData("last-hit")]
-    public void ALengthWithoutItsRootIsNamedBesideAnotherMistake(string other) => Assert.Equal(
-        new[] { other, "len-nosqrt" }.Order(),
-        NamedFirst(inside, EditedLab.Render(inside, Manner.OfTheSlides, lengthInAll, Mistakes.Mistake.Named(other))).Order());
-
-    private static IEnumerable<string> NamedFirst(Scene scene, Picture picture) =>
-        Diagnosis.Of(scene, picture).Suspects.Take(1).SelectMany(suspect => suspect.Mistakes).Select(mistake => mistake.Id);
-
     [Fact]
     public void ASymptomIsToldOnlyOfTheVariantThatItIsOf()
     {
@@ -244,7 +188,7 @@ public class DiagnosisTests
     [Fact]
     public void OfSwappedSidesThatNothingExplainsNoOutlineIsSought()
     {
-        var small = SceneFolder.Small("mistakes/generic", 5);
+        var small = SceneFolder.Small("mistakes/generic", 8);
         var picture = Renderer.Render(small.WithSize(small.Camera.Height, small.Camera.Width)); // the scene's colours
         Assert.Equal(Finding.NoneOfThese, Diagnosis.Of(small, picture).Finding);
     }
@@ -265,6 +209,46 @@ public class DiagnosisTests
         Assert.Equal((true, true, true), Holds(Told(HintLevel.Answer)));
 
         (bool, bool, bool) Holds(string text) => (text.Contains(hint.Symptom[..20]), text.Contains(hint.Question[..20]), text.Contains("Answer:"));
+    }
+
+    [Fact(Explicit = true)]
+    public void AFewPixelsThatNobodyWouldSeeThereDoNotMatch()
+    {
+        var picture = ScalarRenderer.Render(scene);
+        for (var i = 0; i < 16; i++) picture[50 + i % 4, 30 + i / 4] = (255, 0, 255);
+        Assert.Equal(Finding.NoneOfThese, Diagnosis.Of(scene, picture).Finding);
+    }
+
+    [Fact(Explicit = true)]
+    public void ARightPictureOfAnotherProgramMayHaveSingleOutlinePixelsOff()
+    {
+        var picture = ScalarRenderer.Render(scene);
+        var y = picture.Height / 2;
+        var x = Enumerable.Range(1, picture.Width - 1).First(x => PictureDifference.Levels(picture[x, y], picture[x - 1, y]) > 20);
+        picture[x, y] = picture[x - 1, y];
+        Assert.Equal(Finding.Matches, Diagnosis.Of(scene, picture).Finding);
+    }
+
+    [Fact(Explicit = true)]
+    public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
+    {
+        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);
+        var suspects = Diagnosis.Of(scene, picture).Suspects;
+        var sets = suspects.Select(suspect => string.Join(' ', suspect.Mistakes.Select(mistake => mistake.Id).Order())).ToArray();
+        Assert.Equal(sets.Distinct(), sets);
+        Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "att-depth"));
+        Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "dir-unnorm"));
+    }
+
+    [Fact(Explicit = true)]
+    public void AForeignPictureHasNoneOfThem()
+    {
+        var camera = scene.Camera;
+        var foreign = new Picture(camera.Width, camera.Height);
+        new Random(1).NextBytes(foreign.Rgb);
+        var diagnosis = Diagnosis.Of(scene, foreign);
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith("This is another picture", Assert.Single(diagnosis.Likely));
     }
 
     internal static IEnumerable<string> Named(Suspect suspect) => suspect.Mistakes.Concat(suspect.Twins).Select(mistake => mistake.Id);

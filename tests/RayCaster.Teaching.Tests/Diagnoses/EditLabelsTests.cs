@@ -15,22 +15,11 @@ public class EditLabelsTests
         label => Assert.Contains(edits, edit => edit.Section.Kind == label.Step!.Kind && EditLabels.Fits(edit, label)));
 
     [Theory]
-    [InlineData("camera", "V = up × U", "v-up")] // written out
-    [InlineData("camera", "h = tan(angle / 2)", "no2")]
-    [InlineData("sphere geometric", "t_hc = √(R − D2)", "r-nosq")] // by a pattern
-    [InlineData("sphere abc", "D = b² − 2·a·c", "disc-2")]
-    [InlineData("triangle determinants", "hit if u ≥ 0 and v ≥ 0", "tri-uv")]
-    [InlineData("light", "att = max(0, 1 − t / (4·|T − P|))", "att-no2")]
-    [InlineData("sphere geometric", "t_hc = √(2·R² − D2)", null)]
-    public void AnEditHasThisLabel(string section, string formula, string? id) =>
-        Assert.Equal(id, edits.First(edit => edit.Section.Name == section && edit.Section.Formulas.Any(own => own.ToString() == formula)).Label);
-
-    [Theory]
-    [InlineData("v-up")]
-    [InlineData("att-zfar")]
-    public void ALabelledEditIsDrawnAndNamedAsItsMistake(string id) => LabelledEditsAreDrawnAndNamedAsTheirMistake(id, 1);
-
-    internal static void LabelledEditsAreDrawnAndNamedAsTheirMistake(string id, int count)
+    [InlineData("att-zfar", 1)]
+    [InlineData("v-up", 3, Explicit = true)]
+    [InlineData("no-center", 3, Explicit = true)]
+    [InlineData("att-zfar", 3, Explicit = true)]
+    public void LabelledEditsAreDrawnAndNamedAsTheirMistake(string id, int count)
     {
         var scene = DiagnosisTests.scene;
         foreach (var edit in edits.Where(edit => edit.Label == id && edit.Operator == EditOperator.OtherLaw && edit.Place is not null).Take(count))

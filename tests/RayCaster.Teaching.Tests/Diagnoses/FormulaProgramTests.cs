@@ -3,14 +3,14 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>What a program draws: the definition's picture, and with mistakes what they say, one on top of the other.</summary>
 public class FormulaProgramTests
 {
-    private static readonly Scene generic = SceneFolder.Small("mistakes/generic");
+    private static readonly Scene generic = SceneFolder.Small("mistakes/generic", 4);
 
     /// <summary>A name that no step computes would be no value at all.</summary>
-    [Fact]
-    public void AnEditReadsOnlyWhatAProgramComputes() => EditsReadOnlyWhatAProgramComputes(8);
-
     /// <param name="step">1 for all edits, 8 for each eighth.</param>
-    internal static void EditsReadOnlyWhatAProgramComputes(int step)
+    [Theory]
+    [InlineData(8)]
+    [InlineData(1, Explicit = true)]
+    public void AnEditReadsOnlyWhatAProgramComputes(int step)
     {
         var slides = FormulaProgram.For(generic.Camera);
         var evaluator = new FormulaEvaluator(generic, [(1, 2), (30, 20), (70, 40)], slides);
@@ -46,14 +46,7 @@ public class FormulaProgramTests
     {
         var both = Draw(generic, "rows", "bgr");
         var right = Draw(generic);
-        for (var y = 0; y < both.Height; y++)
-        {
-            for (var x = 0; x < both.Width; x++)
-            {
-                var (r, g, b) = right[x, both.Height - 1 - y];
-                Assert.Equal((b, g, r), both[x, y]);
-            }
-        }
+        Assert.Equal(Picture.Of(both.Width, both.Height, (x, y) => right[x, both.Height - 1 - y] is var (r, g, b) ? (b, g, r) : default).Rgb, both.Rgb);
     }
 
     [Theory]
@@ -62,7 +55,7 @@ public class FormulaProgramTests
     [InlineData("t_hc = √(R - D2)", "t_hc = √(2·R - D2)", null)] // the same part
     public void TwoEditsOfAFormulaAreOneProgramIfTheyAreInDifferentParts(string one, string other, string? formula)
     {
-        var program = FormulaProgram.For(generic.Camera).With([Written.As($"sphere {one}"), Written.As($"sphere {other}")]);
+        var program = FormulaProgram.For(generic.Camera).With([ProgramInWords.Written($"sphere {one}"), ProgramInWords.Written($"sphere {other}")]);
         Assert.Equal(formula, program?[SectionKind.Sphere].Formulas[3].ToString());
     }
 
@@ -73,7 +66,7 @@ public class FormulaProgramTests
     [Fact]
     public void AMeshIsHitAsItsTrianglesAre()
     {
-        var scene = SceneFolder.Small("mesh", 8);
+        var scene = SceneFolder.Small("mesh", 16);
         foreach (var id in new[] { "tri-cull", "tri-uv", "no-t0", "dir-unnorm" })
         {
             var triangles = scene.Models.SelectMany<Model, Model>(model => model is not Mesh mesh

@@ -1,30 +1,62 @@
-using RayCaster.Teaching.Tests.Mistakes;
 
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
-/// <summary>Pictures of scenes with a wrong number in them: no mistake of the program makes these, and none may be accused.</summary>
+/// <summary>Pictures that no mistake of the program makes: none may be accused.</summary>
 public class LikelyCauseTests
 {
-    internal static readonly Scene room = SceneFolder.Small("room", 5), generic = SceneFolder.Small("mistakes/generic", 4);
+    private static readonly Scene room = SceneFolder.Small("room", 5), generic = SceneFolder.Small("mistakes/generic", 4);
 
-    [Fact]
-    public void ALightThatClampsChannelsIsALight()
+    [Fact(Explicit = true)]
+    public void AFartherTargetIsNoMistakeOfThePrograms() => Assert.DoesNotContain(
+        Diagnosis.Of(room, ProgramInWords.Draw(room, "target -30 0 0")).Suspects, suspect => suspect.Mistakes.Count > 1);
+
+    [Fact(Explicit = true)]
+    public void AModelsOtherColorIsNamed()
     {
-        var bubble = SceneFolder.Small("mistakes/bubble", 2);
-        var (right, bright) = (ScalarRenderer.Render(bubble), ScalarRenderer.Render(bubble));
-        for (var i = 0; i < bright.Rgb.Length; i++) bright.Rgb[i] = (byte)Math.Min(255, 1.5 * bright.Rgb[i]);
-        var models = new Renderer(bubble).CastHits().Model;
-        Assert.Contains("sphere", LikelyCause.InAnotherLight(new(bubble, right, bright, 3000, true), models).Keys);
+        var ball = Model.Of(((Model<Sphere>)room.Models[5]).Primitive);
+        (ball.Name, ball.Color) = ("ball", new(0.2, 0.9, 1));
+        var diagnosis = Diagnosis.Of(room, EditedLab.Render(room with { Models = [.. room.Models.Select((model, i) => i == 5 ? ball : model)] }));
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith("`ball` has another colour", Assert.Single(diagnosis.Likely));
     }
 
-    internal static Diagnosis Of(Scene scene, Scene drawn) => Diagnosis.Of(scene, EditedLab.Render(drawn, Mistakes.Mistake.None));
-
-    internal static Scene Seen(Scene scene, Vector3? target = null, double? zFar = null, double? fovY = null)
+    [Fact(Explicit = true)]
+    public void BlackLinesAtABorderAreNoOtherLight()
     {
-        var c = scene.Camera;
-        return scene with
+        var picture = ScalarRenderer.Render(generic);
+        var half = picture.Height / 2;
+        picture.Rgb.AsSpan(3 * picture.Width * half).Clear();
+        var diagnosis = Diagnosis.Of(generic, picture);
+        Assert.Equal(Finding.NoneOfThese, diagnosis.Finding);
+        Assert.StartsWith($"Its {picture.Height - half} lower lines are black", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact(Explicit = true)]
+    public void ASmoothedPictureIsWrongOnlyOnItsOutlines()
+    {
+        var (right, smooth) = (ScalarRenderer.Render(generic), ScalarRenderer.Render(generic));
+        for (var y = 1; y < right.Height - 1; y++)
+            for (var x = 1; x < right.Width - 1; x++) smooth[x, y] = Mean(right[x - 1, y], right[x + 1, y], right[x, y - 1], right[x, y + 1]);
+        var diagnosis = Diagnosis.Of(generic, smooth);
+        Assert.Equal(Finding.NoneOfThese, diagnosis.Finding);
+        Assert.StartsWith("Only outlines are wrong", Assert.Single(diagnosis.Likely));
+
+        static (byte, byte, byte) Mean(params ReadOnlySpan<(byte R, byte G, byte B)> colors)
         {
-            Camera = c.With(target: target ?? c.Target, fovY: fovY ?? c.FovY, zFar: zFar ?? c.ZFar),
-        };
+            var (r, g, b) = (0, 0, 0);
+            foreach (var color in colors) (r, g, b) = (r + color.R, g + color.G, b + color.B);
+            return ((byte)(r / 4), (byte)(g / 4), (byte)(b / 4));
+        }
+    }
+
+    [Fact(Explicit = true)]
+    public void TheOthersAreOrderedByWhatTheyLeave()
+    {
+        foreach (var id in new[] { "tri-uv", "u-unnorm" })
+        {
+            var rest = Diagnosis.Of(generic, EditedLab.Render(generic, PlantedMistake.Named(id))).Suspects.Skip(1)
+                .Select(suspect => suspect.Unexplained).ToArray();
+            Assert.Equal(rest.Order(), rest);
+        }
     }
 }

@@ -3,10 +3,10 @@ namespace RayCaster.Teaching.Tests.Explanations;
 /// <summary>The primitives' own formulas over a number that writes down what it computes.</summary>
 public class DerivationTests
 {
-    [Fact]
-    public void EveryFormulaGivesTheSameBitsAsPlainDoubles() => FormulasGiveTheSameBitsAsPlainDoubles(50);
-
-    internal static void FormulasGiveTheSameBitsAsPlainDoubles(int scenes)
+    [Theory]
+    [InlineData(50)]
+    [InlineData(300, Explicit = true)]
+    public void EveryFormulaGivesTheSameBitsAsPlainDoubles(int scenes)
     {
         var random = new Random(20);
         for (var i = 0; i < scenes; i++)

@@ -4,18 +4,12 @@ namespace RayCaster.Teaching.Tests.Explanations;
 /// <summary>The explanation of a pixel is the pixel's: the same hit, the same bytes, and each number follows from those before it.</summary>
 public class PixelExplanationTests
 {
-    public static TheoryData<string> Scenes => [.. Directory.GetFiles(ProjectFolder.PathOf("scenes"), "*.json", SearchOption.AllDirectories)
-        .Where(file => !file.EndsWith("schema.json") && !ProjectFolder.IsOwnScene(file)).Order()
-        .Select(file => Path.GetRelativePath(ProjectFolder.Root, file).Replace('\\', '/'))];
+    public static TheoryData<string> Scenes => [.. SceneFolder.Names];
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void TheNumbersReadBackGiveThePicturesBytes(string file)
-    {
-        var scene = SceneReader.Read(ProjectFolder.PathOf(file)).Scene!;
-        scene = scene.WithSize(60, 40);
-        CheckAgainstPicture(scene, new Random(3), 12);
-    }
+    public void TheNumbersReadBackGiveThePicturesBytes(string name) =>
+        CheckAgainstPicture(SceneFolder.Read(SceneFolder.FileOf(name)).WithSize(60, 40), new Random(3), 12);
 
     [Fact]
     public void TheNumbersReadBackGiveTheBytesOfRandomScenes()

@@ -3,8 +3,9 @@ namespace RayCaster.Teaching.Tests.Formulas;
 /// <summary>The texts of the slides' formulas: each right style draws the definition's picture, and errors say where they are.</summary>
 public class FormulaBookTests
 {
-    public static TheoryData<string> Scenes =>
-        [.. SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Select(SceneFolder.NameOf)];
+    /// <summary>A mesh is many triangles, and takes long.</summary>
+    public static IEnumerable<TheoryDataRow<string>> Scenes => SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes"))
+        .Select(SceneFolder.NameOf).Select(name => new TheoryDataRow<string>(name) { Explicit = name.StartsWith("mesh", StringComparison.Ordinal) });
 
     [Theory]
     [MemberData(nameof(Scenes))]
@@ -26,20 +27,6 @@ public class FormulaBookTests
                     $"and those of src/RayCaster draw {evidence.WrongCount} pixels differently");
             }
         }
-    }
-
-    [Theory]
-    [InlineData("L: displacement = C - P", "L = C − P")]
-    [InlineData("t_hc: length = √(R² - |C - P|²)", "t_hc = √(R² − |C − P|²)")]
-    [InlineData("t: length = n·(Q - P) / (n·d)", "t = n·(Q − P) / (n·d)")]
-    [InlineData("t: length² = -(n × d)·n / 2", "t = −(n × d)·n / 2")]
-    [InlineData("in: truth = R ≥ 0 and (C.x - P.x ≤ R or not (R > 1))", "in = R ≥ 0 and (C.x − P.x ≤ R or not (R > 1))")]
-    [InlineData("a: length = R - (R - R) - R", "a = R − (R − R) − R")]
-    public void AFormulaIsWrittenAsItWasRead(string line, string written)
-    {
-        var book = Book(
-            $"[camera]\nd: direction = up\n[file]\n[sample]\n[pixel]\n[sphere]\ngiven C: point, Q: point, n: displacement, R: length\n{line}");
-        Assert.Equal(written, book.StylesOf(SectionKind.Sphere)[0].Formulas[0].ToString());
     }
 
     [Theory]

@@ -57,18 +57,19 @@ internal static partial class EditedLab
     /// <summary>Of texts: most files are the same in most programs.</summary>
     private static readonly ConcurrentDictionary<string, SyntaxTree> trees = [];
 
-    private static readonly ConcurrentDictionary<(Manner, string, string), Lazy<Func<Scene, Picture>>> programs = [];
+    private static readonly ConcurrentDictionary<(Manner, string), Lazy<Func<Scene, Picture>>> programs = [];
 
-    /// <summary>The picture that a program with that mistake writes; two of them turn its size.</summary>
-    public static Picture Render(Scene scene, Mistake mistake) => Render(scene, Manner.OfTheSlides, mistake, Mistake.None);
+    /// <summary>The picture that a program with these mistakes writes; two of them turn its size.</summary>
+    public static Picture Render(Scene scene, params PlantedMistake[] mistakes) => Render(scene, Manner.OfTheSlides, mistakes);
 
-    /// <summary>The picture that a program with both mistakes writes, in its own manner; where both change one line, the first has it.</summary>
-    public static Picture Render(Scene scene, Manner manner, Mistake mistake, Mistake second) =>
-        programs.GetOrAdd((manner, mistake.Id, second.Id), _ => new(() => Compile(Edited(manner, mistake, second), Entry)
+    /// <summary>The same in the program's own manner; where two change one line, the first has it.</summary>
+    public static Picture Render(Scene scene, Manner manner, params PlantedMistake[] mistakes) =>
+        programs.GetOrAdd((manner, string.Join(' ', mistakes.Select(mistake => mistake.Id))), _ => new(() => Compile(Edited(manner, mistakes), Entry)
             .GetMethod("Draw")!.CreateDelegate<Func<Scene, Picture>>())).Value(scene);
 
     /// <summary>What "--pixel" prints of the lab in which the first place of a text in a file is replaced.</summary>
-    public static string PixelOf(Scene scene, int column, int line, string hint, string file, string old, string @new)
+    /// <param name="limit">How many seconds a body may take; as students have it, if null.</param>
+    public static string PixelOf(Scene scene, int column, int line, string hint, string file, string old, string @new, double? limit)
     {
         var text = new Dictionary<string, string>(source);
         foreach (var more in (string[])["Pixel", "Todo", "BodyCalls"])
@@ -80,19 +81,20 @@ internal static partial class EditedLab
         var calls = entry.GetMethod("Calls")!.CreateDelegate<Func<Scene, int, int, IEnumerable<(string, Func<object>)>>>();
         var notes = entry.GetMethod("Notes")!.CreateDelegate<Func<IEnumerable<string>>>();
         using var output = new StringWriter { NewLine = "\n" };
-        PixelNumbers.Print(output, scene, [$"{column}", $"{line}", "--hint", hint], (c, r) => calls(scene, c, r), notes);
+        PixelNumbers.Print(output, scene, [$"{column}", $"{line}", "--hint", hint], (c, r) => calls(scene, c, r), notes,
+            limit is { } seconds ? TimeSpan.FromSeconds(seconds) : null);
         return output.ToString();
     }
 
     /// <summary>The files with the mistakes' edits and the manner's.</summary>
     /// <exception cref="InvalidOperationException">The lab does not have an edit's text once.</exception>
-    private static IEnumerable<string> Edited(Manner manner, Mistake mistake, Mistake second)
+    private static IEnumerable<string> Edited(Manner manner, PlantedMistake[] mistakes)
     {
         var text = new Dictionary<string, string>(source);
-        foreach (var (file, old, @new) in mistake.Edits.Concat(second.Edits).Concat(manner.Edits))
+        foreach (var (file, old, @new) in mistakes.SelectMany(mistake => mistake.Edits).Concat(manner.Edits))
         {
             if (source[file].Split(old).Length != 2)
-                throw new InvalidOperationException($"the lab's {file}.cs must have \"{old}\" once: Mistake.cs edits it");
+                throw new InvalidOperationException($"the lab's {file}.cs must have \"{old}\" once: PlantedMistake.cs edits it");
             text[file] = text[file].Replace(old, @new, StringComparison.Ordinal);
         }
         return manner.Float ? text.Select(file => InFloats(file.Key, file.Value)) : text.Values;

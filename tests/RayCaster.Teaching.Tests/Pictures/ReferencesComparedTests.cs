@@ -3,11 +3,13 @@ namespace RayCaster.Teaching.Tests.Pictures;
 /// <summary>What another program draws is the same, and what half a pixel changes is not, with the scene and without it.</summary>
 public class ReferencesComparedTests
 {
+    private static readonly string[] some = ["room", "mesh", "sample-center", "clip-depth"];
+
+    public static IEnumerable<TheoryDataRow<string>> Names =>
+        Reference.Names.Select(name => new TheoryDataRow<string>(name) { Explicit = !some.Contains(name) });
+
     [Theory]
-    [InlineData("room")]
-    [InlineData("mesh")]
-    [InlineData("sample-center")]
-    [InlineData("clip-depth")]
+    [MemberData(nameof(Names))]
     public void ThePictureThatPovRayDrawsIsTheSame(string name)
     {
         var (scene, reference) = Read(name);
@@ -17,8 +19,8 @@ public class ReferencesComparedTests
     }
 
     [Theory]
-    [InlineData("room")]
-    [InlineData("mesh")]
+    [InlineData("room", Explicit = true)]
+    [InlineData("mesh", Explicit = true)]
     [InlineData("sample-center")]
     public void HalfAPixelIsDifferent(string name)
     {

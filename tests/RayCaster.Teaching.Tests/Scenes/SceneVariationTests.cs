@@ -5,12 +5,12 @@ namespace RayCaster.Teaching.Tests.Scenes;
 
 public class SceneVariationTests
 {
-    internal static readonly byte[] scene = Encoding.UTF8.GetBytes(File.ReadAllText(ProjectFolder.PathOf("scenes/weeks/3-boxes.json"))
-        .Replace("\"width\": 300, \"height\": 200", "\"width\": 48, \"height\": 32"));
+    private static readonly byte[] scene = Encoding.UTF8.GetBytes(File.ReadAllText(ProjectFolder.PathOf("scenes/weeks/3-boxes.json"))
+        .Replace("\"width\": 300, \"height\": 200", "\"width\": 30, \"height\": 20"));
 
-    internal static readonly string annas = Vary("anna");
+    private static readonly string annas = Vary("anna");
 
-    internal static string Vary(string seed) => Encoding.UTF8.GetString(SceneVariation.Of(scene, "", seed, "")!);
+    private static string Vary(string seed) => Encoding.UTF8.GetString(SceneVariation.Of(scene, "", seed, "")!);
 
     private static Scene Parsed(byte[] utf8) => SceneReader.Parse(utf8, "", "").Scene!;
 
@@ -34,5 +34,24 @@ public class SceneVariationTests
     {
         static HashSet<string> Hidden(byte[] utf8) => [.. SceneFitness.HiddenIn(Parsed(utf8), null).Select(mistake => mistake.Id)];
         Assert.Subset(Hidden(scene), Hidden(Encoding.UTF8.GetBytes(annas)));
+    }
+
+    [Fact(Explicit = true)] // its square picture shows "size-mixed" in one variant only, by the last bits of numbers that are equal by symmetry
+    public void TheCoursesRoomCanBeVaried() =>
+        Assert.NotNull(SceneVariation.Of(File.ReadAllBytes(ProjectFolder.PathOf("scenes/room.json")), "", "anna", ""));
+
+    [Fact(Explicit = true)]
+    public void TheSameSeedGivesTheSameSceneAndAnotherAnother()
+    {
+        Assert.Equal(annas, Vary("anna"));
+        Assert.NotEqual(annas, Vary("boris"));
+    }
+
+    [Fact(Explicit = true)]
+    public void InAnotherFolderTheSchemaIsFound()
+    {
+        var weeks = ProjectFolder.PathOf("scenes/weeks");
+        var moved = Encoding.UTF8.GetString(SceneVariation.Of(scene, weeks, "anna", Path.Combine(weeks, "..", "my", "anna"))!);
+        Assert.Contains("\"$schema\": \"../../scene.schema.json\"", moved);
     }
 }

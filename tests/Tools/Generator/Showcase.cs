@@ -1,5 +1,4 @@
 using RayCaster.Teaching.Tests.Mistakes;
-using Mistake = RayCaster.Teaching.Mistake;
 
 namespace RayCaster.Generator;
 

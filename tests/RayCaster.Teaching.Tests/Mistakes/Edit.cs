@@ -1,7 +1,0 @@
-namespace RayCaster.Teaching.Tests.Mistakes;
-
-/// <summary>A change of one file of the lab.</summary>
-/// <param name="File">The file's name, without ".cs".</param>
-/// <param name="Old">What is written there, once.</param>
-/// <param name="New">What a student writes in its place.</param>
-internal sealed record Edit(string File, string Old, string New);

@@ -1,0 +1,59 @@
+using System.Globalization;
+
+namespace RayCaster.Teaching.Tests.Mistakes;
+
+/// <summary>What a wrong program draws. The tables of tests write programs as parts with "; " between them.</summary>
+internal static class ProgramInWords
+{
+    /// <summary>A length without its root, in a program that uses it where the slides do not.</summary>
+    private static readonly PlantedMistake lengthInAll = new("length in all", "",
+        new("Vector3", "Math.Sqrt(this * this)", "this * this"),
+        new("Camera", "ray.HitParameter / (2 * (Target - Position)).Length",
+            "(ray.At(ray.HitParameter) - Position).Length / (2 * (Target - Position).Length)"),
+        new("Sphere", "if (D * D > R * R)", "D = new(D.Length, 0, 0); if (D * D > R * R)"));
+
+    /// <param name="scene">The scene that the program reads.</param>
+    /// <param name="words">
+    /// Each part is a planted mistake's id; an edit of the lab's source ("Circle: X - C → C - X"); shapes that are not drawn ("without plane aabb");
+    /// another number of the camera ("fovY 52"); a manner ("truncates"); or of formulas: another right style ("style sphere abc"), a mistake of the
+    /// catalogue ("formulas rows"), or one that is written out ("formula plane t = Q·n / den"). Then the formulas draw, otherwise the lab.
+    /// </param>
+    public static Picture Draw(Scene scene, string words)
+    {
+        var (manner, mistakes, formulas) = (Manner.OfTheSlides, new List<PlantedMistake>(), new List<Mistake>());
+        string[] style = [];
+        foreach (var part in words.Split("; "))
+        {
+            var (kind, rest) = part.Split(' ', 2) is [var first, var other] ? (first, other) : (part, "");
+            if (part.Split(" → ") is [var old, var @new] && kind is [.. var file, ':'])
+                mistakes.Add(PlantedMistake.Of(new SourceEdit(file, old[(kind.Length + 1)..], @new)));
+            else if (kind == "without") scene = scene with { Models = [.. scene.Models.Where(model => !rest.Split(' ').Contains(model.Kind))] };
+            else if (kind is "target" or "fovY" or "zFar") scene = scene with { Camera = Changed(scene.Camera, kind, rest) };
+            else if (kind == "formulas") formulas.Add(MistakeCatalog.Named(rest)!);
+            else if (kind == "formula") formulas.Add(Written(rest));
+            else if (kind == "style") style = rest.Split(' ');
+            else if (part == "truncates") manner = manner with { Truncates = true };
+            else if (part == "float") manner = manner with { Float = true };
+            else if (part == "other formulas") manner = manner with { OtherFormulas = true };
+            else mistakes.Add(part == lengthInAll.Id ? lengthInAll : PlantedMistake.Named(part));
+        }
+        if (style is [var step, var way])
+            return FormulaProgram.For(scene.Camera).With(FormulaBook.Slides[Enum.Parse<SectionKind>(step, ignoreCase: true), way]).Draw(scene);
+        return formulas.Count > 0 ? MistakeCatalog.Draw(scene, formulas) : EditedLab.Render(scene, manner, [.. mistakes]);
+    }
+
+    /// <summary>A mistake that the catalogue does not have, as Mistakes.txt has its own.</summary>
+    public static Mistake Written(string formulas) =>
+        new("written", "", formulas, new("", "", ""), [.. WrittenChange.Read(formulas)], isWithinRounding: false);
+
+    private static Camera Changed(Camera camera, string name, string value)
+    {
+        double[] numbers = [.. value.Split(' ').Select(number => double.Parse(number, CultureInfo.InvariantCulture))];
+        return name switch
+        {
+            "target" => camera.With(target: new(numbers[0], numbers[1], numbers[2])),
+            "fovY" => camera.With(fovY: numbers[0]),
+            _ => camera.With(zFar: numbers[0]),
+        };
+    }
+}
