@@ -1,4 +1,5 @@
 using RayCaster.Teaching;
+using RayCaster.Teaching.Course;
 
 namespace Lab;
 

@@ -177,7 +177,7 @@ public abstract class PageTests
     {
         var room = File.ReadAllText(ProjectFolder.PathOf("scenes/room.json")).Replace(": 500", ": 125");
         await using var host = await OpenAsync(room);
-        await host.Page.DropAsync(MistakeCatalog.Draw(PageExtensions.Read(room), [MistakeCatalog.Named("nohalf")!]));
+        await host.Page.DropAsync(MistakeCatalog.Draw(PageExtensions.Read(room), [MistakeCatalog.Named("nohalf")!.Usual]));
         await host.Page.SaysAsync("mine.png is wrong");
         await host.Page.SelectAsync("#hint", "answer");
         await host.Page.ClickOnAsync("#diagnose");

@@ -37,7 +37,8 @@ internal static class ChangeSource
         where mutant.Label is null || known.Any(mistake => mistake.Id == mutant.Label)
         select Of(mutant);
 
-    private static Change Of(Mutant mutant) => new([[.. mutant.Beside.Append(mutant.Section).Select(section => new StepChange.Mutated(section))]],
+    /// <summary>A slip.</summary>
+    public static Change Of(Mutant mutant) => new([[.. mutant.Beside.Append(mutant.Section).Select(section => new StepChange.Mutated(section))]],
         mutant.Label is null ? Priors.Unknown + Priors.PerCost * (mutant.Cost - 0.8) : Priors.Known + Priors.Wording * mutant.Cost)
     {
         Mutant = mutant,

@@ -14,7 +14,7 @@ public class StepHintTests
         foreach (var formula in (string[])["1 - t / 2·|T - P|", "min(0, 1 - t / (2·|T - P|))"])
         {
             var (hint, finding) = Hint(file, 5, ProgramInWords.Written($"light att = max(0, {formula})"));
-            Assert.Equal(Finding.TellsNothing, finding);
+            Assert.Equal(DiagnosisKind.TellsNothing, finding);
             Assert.Contains("light is lost", hint);
             Assert.Contains("1 − t / (2 |T − P|)", hint);
             Assert.DoesNotContain(MistakeCatalog.Named("w-sign")!.Hint.Question, hint);
@@ -26,8 +26,8 @@ public class StepHintTests
     [InlineData("bias", Explicit = true)]
     public void AShapeThatIsGoneIsNamedAndNoMistake(string file)
     {
-        var (hint, finding) = Hint(file, 7, MistakeCatalog.Named("slab-noswap")!);
-        Assert.Equal(Finding.TellsNothing, finding);
+        var (hint, finding) = Hint(file, 7, MistakeCatalog.Named("slab-noswap")!.Usual);
+        Assert.Equal(DiagnosisKind.TellsNothing, finding);
         Assert.StartsWith("  Not to be seen where it should be: aabb.", hint);
         Assert.Contains("What if d is negative?", hint);
     }
@@ -37,8 +37,8 @@ public class StepHintTests
     [InlineData("mistakes/generic")]
     public void WhatALaterStepWritesIsNoMistake(string file)
     {
-        var plus = MistakeCatalog.Named("dir-plus-w")!;
-        var (hint, _) = Hint(file, 4, plus, MistakeCatalog.Named("no-znear")!, MistakeCatalog.Named("no-zfar")!);
+        var plus = MistakeCatalog.Named("dir-plus-w")!.Usual;
+        var (hint, _) = Hint(file, 4, plus, MistakeCatalog.Named("no-znear")!.Usual, MistakeCatalog.Named("no-zfar")!.Usual);
         Assert.Contains(plus.Hint.Question, hint);
         Assert.DoesNotContain("zNear", hint);
         Assert.DoesNotContain("zFar", hint);
@@ -48,7 +48,7 @@ public class StepHintTests
     public void WhereOnlyAFewPixelsDifferNoMistakeIsRuledOut()
     {
         var scene = LabSteps.SceneAt(SceneFolder.Read(SceneFolder.FileOf("plane")), 4);
-        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("u-unnorm")!, MistakeCatalog.Named("att-none")!]);
+        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("u-unnorm")!.Usual, MistakeCatalog.Named("att-none")!.Usual]);
         Assert.StartsWith("  Only a few pixels are wrong: too few to name a mistake.\n  Ask yourself: Take the ray of one pixel",
             StepHint.Of(scene, picture, 4, HintLevel.Question));
     }
@@ -95,7 +95,7 @@ public class StepHintTests
     [InlineData(8, "inside-sphere", "oc-sign")]
     public void TheMistakeOfTheStepIsNamedBeforeOthersThatDrawTheSame(int step, string file, string id)
     {
-        var mistake = MistakeCatalog.Named(id)!;
+        var mistake = MistakeCatalog.Named(id)!.Usual;
         var (hint, _) = Hint(file, step, mistake);
         Assert.StartsWith($"  {mistake.Hint.Symptom}\n  Ask yourself: {mistake.Hint.Question}", hint);
     }
@@ -118,11 +118,11 @@ public class StepHintTests
     }
 
     /// <summary>What is told of a lab's picture at a step, without light at the first picture's.</summary>
-    private static (string Hint, Finding Finding) Hint(string file, int step, params Mistake[] planted)
+    private static (string Hint, DiagnosisKind Finding) Hint(string file, int step, params Change[] planted)
     {
         var scene = LabSteps.SceneAt(SceneFolder.Small(file, 5), step);
-        var picture = MistakeCatalog.Draw(scene, step < 5 ? [.. planted, MistakeCatalog.Named("att-none")!] : planted);
+        var picture = MistakeCatalog.Draw(scene, step < 5 ? [.. planted, MistakeCatalog.Named("att-none")!.Usual] : planted);
         var diagnosis = StepHint.Judge(scene, picture, step);
-        return (StepHint.Of(scene, diagnosis, step, HintLevel.Question), diagnosis.Finding);
+        return (StepHint.Of(scene, diagnosis, step, HintLevel.Question), diagnosis.Kind);
     }
 }

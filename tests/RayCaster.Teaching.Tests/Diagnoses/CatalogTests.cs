@@ -40,7 +40,7 @@ public class CatalogTests
         var scene = SceneFolder.Small("sphere", 10);
         var right = MistakeCatalog.Draw(scene, []).Rgb;
         var untouched = MistakeCatalog.All.Where(mistake => !mistake.Touches(scene));
-        Assert.All(untouched, mistake => Assert.Equal(right, MistakeCatalog.Draw(scene, [mistake]).Rgb));
+        Assert.All(untouched, mistake => Assert.Equal(right, MistakeCatalog.Draw(scene, [mistake.Usual]).Rgb));
         Assert.True(MistakeCatalog.Named("r-nosq")!.Touches(scene));
         Assert.False(MistakeCatalog.Named("tri-uv")!.Touches(scene));
     }
@@ -51,7 +51,7 @@ public class CatalogTests
     public void WhatTheLabWithThatMistakeDrawsIsKnown(string id)
     {
         var drawn = scenes.Values.Select(scene => (Scene: scene, Picture: EditedLab.Render(scene, PlantedMistake.Named(id)))).ToArray();
-        if (MistakeCatalog.Named(id)!.Variants.Any(variant =>
+        if (MistakeCatalog.Named(id)!.Changes.Any(variant =>
             drawn.All(one => IsDrawnBy(one.Picture, MistakeCatalog.Draw(one.Scene, [variant]))))) return;
         Assert.Contains(drawn, one => Diagnosis.Of(one.Scene, one.Picture).Suspects is [var first, ..] && DiagnosisTests.Named(first).Contains(id));
     }
@@ -59,10 +59,10 @@ public class CatalogTests
     [Fact(Explicit = true)]
     public void EveryVariantKeepsTheIdAndShowsSomewhere()
     {
-        Assert.All(MistakeCatalog.All, mistake => Assert.Same(mistake, mistake.Variants[0]));
-        Assert.All(MistakeCatalog.All, mistake => Assert.All(mistake.Variants, variant => Assert.Equal(mistake.Id, variant.Id)));
-        var worded = MistakeCatalog.All.Where(mistake => mistake.Variants.Count > 1); // SceneFitnessTests show it for the others
-        Mistake[] hidden = [.. worded.SelectMany(mistake => mistake.Variants)
+        Assert.All(MistakeCatalog.All, mistake => Assert.Same(mistake.Usual, mistake.Changes[0]));
+        Assert.All(MistakeCatalog.All, mistake => Assert.All(mistake.Changes, variant => Assert.Equal(mistake.Id, variant.Id)));
+        var worded = MistakeCatalog.All.Where(mistake => mistake.Changes.Count > 1); // SceneFitnessTests show it for the others
+        Change[] hidden = [.. worded.SelectMany(mistake => mistake.Changes)
             .Where(variant => rights.All(scene => ChangedPixels.Count(scene.Right, MistakeCatalog.Draw(scene.Scene, [variant]), levels: 0) == 0))];
         Assert.True(hidden.Length == 0, string.Join(Environment.NewLine, hidden.Select(variant => $"{variant}: {variant.Cause}")));
     }

@@ -2,7 +2,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 
 /// <summary>
 /// How well the diagnosis names what <see cref="EditedLab"/> drew, so that it does not get worse. A mistake is named if it or its twin is in the first
-/// suspect; a single one only if it is alone there. What changes fewer than <see cref="SceneFitness.LeastPixels"/> pixels beyond rounding is not
+/// suspect; a single one only if it is alone there. What changes fewer than <see cref="MutationCoverage.LeastPixels"/> pixels beyond rounding is not
 /// visible, and not counted.
 /// </summary>
 public class ConfusionTests(ITestOutputHelper output)
@@ -77,9 +77,9 @@ public class ConfusionTests(ITestOutputHelper output)
         {
             case []:
                 rights++;
-                if (diagnosis.Finding != Finding.Matches) falseNames++;
+                if (diagnosis.Kind != DiagnosisKind.Matches) falseNames++;
                 break;
-            case [_] when diagnosis.Finding == Finding.TellsNothing:
+            case [_] when diagnosis.Kind == DiagnosisKind.TellsNothing:
                 plain++;
                 break;
             case [var one]:
@@ -91,7 +91,7 @@ public class ConfusionTests(ITestOutputHelper output)
                 break;
         }
         var named = suspects is [var suspect, ..] ? string.Join(" + ", suspect.Mistakes.Select(mistake => mistake.Id)) : "";
-        output.WriteLine($"{string.Join(" + ", planted.Select(one => one.Id))} ({manner}): {diagnosis.Finding} {named}");
+        output.WriteLine($"{string.Join(" + ", planted.Select(one => one.Id))} ({manner}): {diagnosis.Kind} {named}");
     }
 
     private void AssertNamed(int singles, int first, int firstThree, int pairs, int oneOfPair)
@@ -103,7 +103,7 @@ public class ConfusionTests(ITestOutputHelper output)
     }
 
     private static bool AreAlike(Picture a, Picture b) =>
-        (a.Width, a.Height) == (b.Width, b.Height) && ChangedPixels.Count(a, b, levels: 2) < SceneFitness.LeastPixels;
+        (a.Width, a.Height) == (b.Width, b.Height) && ChangedPixels.Count(a, b, levels: 2) < MutationCoverage.LeastPixels;
 
-    private static bool Has(Suspect suspect, PlantedMistake mistake) => suspect.Mistakes.Concat(suspect.Twins).Any(named => named.Id == mistake.Id);
+    private static bool Has(Suspect suspect, PlantedMistake mistake) => DiagnosisTests.Named(suspect).Contains(mistake.Id);
 }

@@ -15,7 +15,7 @@ public class DiagnosisTableTests
     {
         var judge = prepared.GetOrAdd(scene, _ => new(SceneFolder.Small(Path.GetDirectoryName(scene)!, int.Parse(Path.GetFileName(scene)))));
         var diagnosis = judge.Judge(ProgramInWords.Draw(judge.Scene, program));
-        Assert.Equal(finding, $"{diagnosis.Finding}");
+        Assert.Equal(finding, $"{diagnosis.Kind}");
         Assert.Equal(mistakes, Named(diagnosis, mistakes));
         Assert.Equal(notYet, string.Join(' ', diagnosis.NotYet.Order()));
         Assert.Contains(says, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings(" "));

@@ -32,7 +32,7 @@ public class DiagnosisTests
     public void ATruncatedPictureMatchesAndIsSaidToBeDarker()
     {
         var diagnosis = OfPlanted("round");
-        Assert.Equal(Finding.Matches, diagnosis.Finding);
+        Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);
         Assert.InRange(diagnosis.DarkerShare, 0.2, 1);
         Assert.Contains("a level darker", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
     }
@@ -55,7 +55,7 @@ public class DiagnosisTests
         var (whole, (width, height)) = (ScalarRenderer.Render(scene), (scene.Camera.Width, scene.Camera.Height));
         var mine = Picture.Of(width - left - right, height - top - bottom, (x, y) => whole[x + left, y + top]);
         var diagnosis = new SceneDiagnosis(scene.WithSize(mine.Width, mine.Height), size: (width, height)).Judge(mine);
-        Assert.Equal((Finding.Cropped, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.Equal((DiagnosisKind.Cropped, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.Equal($"mine.png is the picture of scene.json without {missing}. Was it cropped on its way, for example by a screenshot?",
             DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings(" ").TrimEnd());
     }
@@ -66,7 +66,7 @@ public class DiagnosisTests
     {
         var smaller = scene.WithSize(scene.Camera.Width, scene.Camera.Height - 1);
         var size = (scene.Camera.Width, scene.Camera.Height);
-        Assert.Equal(Finding.Matches, new SceneDiagnosis(smaller, size: size).Judge(ScalarRenderer.Render(smaller)).Finding);
+        Assert.Equal(DiagnosisKind.Matches, new SceneDiagnosis(smaller, size: size).Judge(ScalarRenderer.Render(smaller)).Kind);
     }
 
     [Fact]
@@ -74,7 +74,7 @@ public class DiagnosisTests
     {
         var right = ScalarRenderer.Render(scene);
         var moved = Picture.Of(right.Width, right.Height, (x, y) => right[(x + 1) % right.Width, y]);
-        Assert.NotEqual(Finding.Matches, Diagnosis.Of(scene, moved).Finding);
+        Assert.NotEqual(DiagnosisKind.Matches, Diagnosis.Of(scene, moved).Kind);
     }
 
     [Fact]
@@ -84,7 +84,7 @@ public class DiagnosisTests
         var picture = ScalarRenderer.Render(open with { Models = [] });
         foreach (var model in open.Models) // each covers the ones before it, with its far side
         {
-            var alone = MistakeCatalog.Draw(open with { Models = [model] }, [MistakeCatalog.Named("far-root")!, MistakeCatalog.Named("slab-tmax")!]);
+            var alone = MistakeCatalog.Draw(open with { Models = [model] }, [MistakeCatalog.Named("far-root")!.Usual, MistakeCatalog.Named("slab-tmax")!.Usual]);
             for (var y = 0; y < alone.Height; y++)
                 for (var x = 0; x < alone.Width; x++)
                     if (alone[x, y] != open.Background.ToBytes()) picture[x, y] = alone[x, y];
@@ -100,7 +100,7 @@ public class DiagnosisTests
     public void AModelThatIsMissingIsNamed(string name)
     {
         var without = scene with { Models = [.. scene.Models.Where(model => model.Name != name)] };
-        Assert.Equal($"`{name}`", Diagnosis.Of(scene, ScalarRenderer.Render(without), new(TimeSpan.Zero)).MissingModel); // told without a search
+        Assert.Equal($"`{name}`", Diagnosis.Of(scene, ScalarRenderer.Render(without), new(0)).MissingModel); // told without a search
     }
 
     [Fact]
@@ -116,7 +116,7 @@ public class DiagnosisTests
         var room = SceneFolder.Read(SceneFolder.FileOf("room")); // the walls meet on its diagonals
         room = room.WithSize(166, 166);
         var picture = EditedLab.Render(room, new Manner(Truncates: true, Float: true));
-        Assert.Equal(Finding.Matches, Diagnosis.Of(room, picture).Finding);
+        Assert.Equal(DiagnosisKind.Matches, Diagnosis.Of(room, picture).Kind);
     }
 
     [Theory]
@@ -130,8 +130,8 @@ public class DiagnosisTests
         {
             Background = new(0.2, 0.4, 0.6),
         };
-        var diagnosis = Diagnosis.Of(wall, MistakeCatalog.Draw(wall, [MistakeCatalog.Named(id)!]));
-        Assert.Equal((Finding.TellsNothing, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        var diagnosis = Diagnosis.Of(wall, MistakeCatalog.Draw(wall, [MistakeCatalog.Named(id)!.Usual]));
+        Assert.Equal((DiagnosisKind.TellsNothing, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith(says, Assert.Single(diagnosis.Likely));
         Assert.Contains("so none is named", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
     }
@@ -141,13 +141,13 @@ public class DiagnosisTests
     {
         var floor = new Scene(new Camera(new(0, -5, 2), new(0, 0, -2), width: 30, height: 20),
             [new Model<Plane>(new(new(0, 0, -2), new(0, 0, 1))) { Color = new(0.9, 0.5, 0.2) }]);
-        var corner = MistakeCatalog.Draw(floor, [MistakeCatalog.Named("pix-int")!]);
+        var corner = MistakeCatalog.Draw(floor, [MistakeCatalog.Named("pix-int")!.Usual]);
         Assert.True(corner.IsOneColor);
         Assert.Equal("pix-int", Diagnosis.Of(floor, corner).Suspects[0].Mistakes.Single().Id);
 
         Array.Fill(corner.Rgb, (byte)77);
         var grey = Diagnosis.Of(floor, corner);
-        Assert.Equal((Finding.TellsNothing, 0), (grey.Finding, grey.Suspects.Count));
+        Assert.Equal((DiagnosisKind.TellsNothing, 0), (grey.Kind, grey.Suspects.Count));
         Assert.StartsWith("Every pixel has the same colour, (77, 77, 77)", Assert.Single(grey.Likely));
     }
 
@@ -158,7 +158,7 @@ public class DiagnosisTests
         var picture = new Picture(first.Camera.Width, first.Camera.Height);
         for (var i = 0; i < picture.Rgb.Length; i++) picture.Rgb[i] = (byte)(1 + i % 3);
         var diagnosis = Diagnosis.Of(first, picture);
-        Assert.Equal((Finding.TellsNothing, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.Equal((DiagnosisKind.TellsNothing, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
     }
 
     [Fact]
@@ -170,7 +170,7 @@ public class DiagnosisTests
             for (var x = 0; x < white.Width; x++)
                 if (white[x, y] != background) white[x, y] = (255, 255, 255);
         var diagnosis = Diagnosis.Of(scene, white);
-        Assert.Equal((Finding.TellsNothing, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.Equal((DiagnosisKind.TellsNothing, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith("All that is drawn is white", Assert.Single(diagnosis.Likely));
     }
 
@@ -179,8 +179,8 @@ public class DiagnosisTests
     {
         var mistake = MistakeCatalog.Named("zboth-t")!;
         var clipped = SceneFolder.Small("clip-depth", 5);
-        Assert.True(Diagnosis.Of(clipped, MistakeCatalog.Draw(clipped, [mistake])).Suspects[0].HasSymptoms);
-        var other = mistake.Variants.First(variant => variant.Cause.EndsWith("planes, circles and triangles", StringComparison.Ordinal));
+        Assert.True(Diagnosis.Of(clipped, MistakeCatalog.Draw(clipped, [mistake.Usual])).Suspects[0].HasSymptoms);
+        var other = mistake.Changes.First(variant => variant.Cause.EndsWith("planes, circles and triangles", StringComparison.Ordinal));
         var suspect = Diagnosis.Of(clipped, MistakeCatalog.Draw(clipped, [other])).Suspects[0];
         Assert.Equal((other.Id, false), (suspect.Mistakes[0].Id, suspect.HasSymptoms));
     }
@@ -190,7 +190,7 @@ public class DiagnosisTests
     {
         var small = SceneFolder.Small("mistakes/generic", 8);
         var picture = Renderer.Render(small.WithSize(small.Camera.Height, small.Camera.Width)); // the scene's colours
-        Assert.Equal(Finding.NoneOfThese, Diagnosis.Of(small, picture).Finding);
+        Assert.Equal(DiagnosisKind.NoneOfThese, Diagnosis.Of(small, picture).Kind);
     }
 
     [Fact]
@@ -216,7 +216,7 @@ public class DiagnosisTests
     {
         var picture = ScalarRenderer.Render(scene);
         for (var i = 0; i < 16; i++) picture[50 + i % 4, 30 + i / 4] = (255, 0, 255);
-        Assert.Equal(Finding.NoneOfThese, Diagnosis.Of(scene, picture).Finding);
+        Assert.Equal(DiagnosisKind.NoneOfThese, Diagnosis.Of(scene, picture).Kind);
     }
 
     [Fact(Explicit = true)]
@@ -226,13 +226,13 @@ public class DiagnosisTests
         var y = picture.Height / 2;
         var x = Enumerable.Range(1, picture.Width - 1).First(x => PictureDifference.Levels(picture[x, y], picture[x - 1, y]) > 20);
         picture[x, y] = picture[x - 1, y];
-        Assert.Equal(Finding.Matches, Diagnosis.Of(scene, picture).Finding);
+        Assert.Equal(DiagnosisKind.Matches, Diagnosis.Of(scene, picture).Kind);
     }
 
     [Fact(Explicit = true)]
     public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
     {
-        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);
+        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!.Usual, MistakeCatalog.Named("att-no2")!.Usual]);
         var suspects = Diagnosis.Of(scene, picture).Suspects;
         var sets = suspects.Select(suspect => string.Join(' ', suspect.Mistakes.Select(mistake => mistake.Id).Order())).ToArray();
         Assert.Equal(sets.Distinct(), sets);
@@ -247,9 +247,9 @@ public class DiagnosisTests
         var foreign = new Picture(camera.Width, camera.Height);
         new Random(1).NextBytes(foreign.Rgb);
         var diagnosis = Diagnosis.Of(scene, foreign);
-        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.Equal((DiagnosisKind.NoneOfThese, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith("This is another picture", Assert.Single(diagnosis.Likely));
     }
 
-    internal static IEnumerable<string> Named(Suspect suspect) => suspect.Mistakes.Concat(suspect.Twins).Select(mistake => mistake.Id);
+    internal static IEnumerable<string> Named(Suspect suspect) => suspect.Mistakes.Select(mistake => mistake.Id).Concat(suspect.Twins.Select(twin => twin.Id));
 }

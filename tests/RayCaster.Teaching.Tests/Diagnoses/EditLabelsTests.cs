@@ -3,8 +3,8 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>The further wordings of Mistakes.txt: each names a mistake of the catalogue, and edits have it.</summary>
 public class EditLabelsTests
 {
-    private static readonly FormulaEdit[] edits =
-        [.. Enum.GetValues<SectionKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(EditFactory.EditsOf)];
+    private static readonly Mutant[] edits =
+        [.. Enum.GetValues<StepKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(MutantFactory.MutantsOf)];
 
     [Fact]
     public void EachLabelIsAnIdOfTheCatalogue() =>
@@ -12,7 +12,7 @@ public class EditLabelsTests
 
     [Fact]
     public void EachPatternFitsAnEdit() => Assert.All(MistakeBook.Labels.Where(label => label.Step is not null),
-        label => Assert.Contains(edits, edit => edit.Section.Kind == label.Step!.Kind && EditLabels.Fits(edit, label)));
+        label => Assert.Contains(edits, edit => edit.Section.Kind == label.Step!.Kind && MutantLabels.Fits(edit, label)));
 
     [Theory]
     [InlineData("att-zfar", 1)]
@@ -22,12 +22,12 @@ public class EditLabelsTests
     public void LabelledEditsAreDrawnAndNamedAsTheirMistake(string id, int count)
     {
         var scene = DiagnosisTests.scene;
-        foreach (var edit in edits.Where(edit => edit.Label == id && edit.Operator == EditOperator.OtherLaw && edit.Place is not null).Take(count))
+        foreach (var edit in edits.Where(edit => edit.Label == id && edit.Operator == MutationOperator.OtherLaw && edit.Place is not null).Take(count))
         {
-            var mistake = EditNaming.Of([edit]);
+            var mistake = MutantNaming.Named([ChangeSource.Of(edit)]);
             Assert.Equal(id, mistake.Id);
             var suspect = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [mistake])).Suspects[0];
-            Assert.Contains(id, suspect.Mistakes.Concat(suspect.Twins).Select(named => named.Id));
+            Assert.Contains(id, DiagnosisTests.Named(suspect));
         }
     }
 }

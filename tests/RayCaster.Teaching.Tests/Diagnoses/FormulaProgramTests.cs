@@ -14,8 +14,8 @@ public class FormulaProgramTests
     {
         var slides = FormulaProgram.For(generic.Camera);
         var evaluator = new FormulaEvaluator(generic, [(1, 2), (30, 20), (70, 40)], slides);
-        foreach (var edit in Enum.GetValues<SectionKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(EditFactory.EditsOf)
-            .Where((_, i) => i % step == 0)) Assert.Null(Record.Exception(() => evaluator.Draw(edit.On(slides)!)));
+        foreach (var edit in Enum.GetValues<StepKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(MutantFactory.MutantsOf)
+            .Where((_, i) => i % step == 0)) Assert.Null(Record.Exception(() => evaluator.Draw(ChangeSource.Of(edit).In(slides)!)));
     }
 
     [Theory]
@@ -29,7 +29,7 @@ public class FormulaProgramTests
     [InlineData("crlf")]
     public void WhatDiffersFromTheSlidesIsDrawnAsTheWholeIs(string id)
     {
-        foreach (var variant in MistakeCatalog.Named(id)!.Variants)
+        foreach (var variant in MistakeCatalog.Named(id)!.Changes)
         {
             var slides = FormulaProgram.For(generic.Camera);
             var program = variant.In(slides)!;
@@ -55,8 +55,8 @@ public class FormulaProgramTests
     [InlineData("t_hc = √(R - D2)", "t_hc = √(2·R - D2)", null)] // the same part
     public void TwoEditsOfAFormulaAreOneProgramIfTheyAreInDifferentParts(string one, string other, string? formula)
     {
-        var program = FormulaProgram.For(generic.Camera).With([ProgramInWords.Written($"sphere {one}"), ProgramInWords.Written($"sphere {other}")]);
-        Assert.Equal(formula, program?[SectionKind.Sphere].Formulas[3].ToString());
+        var program = Hypothesis.Of([generic], ProgramInWords.Written($"sphere {one}"), ProgramInWords.Written($"sphere {other}"))?.Programs[0];
+        Assert.Equal(formula, program?[StepKind.Sphere].Formulas[3].ToString());
     }
 
     [Fact]
@@ -84,7 +84,7 @@ public class FormulaProgramTests
         Assert.Equal(((byte)0, (byte)128, (byte)255), Draw(scene, "bgr", "att-none")[4, 4]);
     }
 
-    private static Picture Draw(Scene scene, params string[] ids) => MistakeCatalog.Draw(scene, [.. ids.Select(id => MistakeCatalog.Named(id)!)]);
+    private static Picture Draw(Scene scene, params string[] ids) => MistakeCatalog.Draw(scene, [.. ids.Select(id => MistakeCatalog.Named(id)!.Usual)]);
 
     /// <summary>y = 0, in plain doubles and ifs.</summary>
     private sealed class Wall : Model

@@ -16,7 +16,7 @@ public class LikelyCauseTests
         var ball = Model.Of(((Model<Sphere>)room.Models[5]).Primitive);
         (ball.Name, ball.Color) = ("ball", new(0.2, 0.9, 1));
         var diagnosis = Diagnosis.Of(room, EditedLab.Render(room with { Models = [.. room.Models.Select((model, i) => i == 5 ? ball : model)] }));
-        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.Equal((DiagnosisKind.NoneOfThese, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith("`ball` has another colour", Assert.Single(diagnosis.Likely));
     }
 
@@ -27,7 +27,7 @@ public class LikelyCauseTests
         var half = picture.Height / 2;
         picture.Rgb.AsSpan(3 * picture.Width * half).Clear();
         var diagnosis = Diagnosis.Of(generic, picture);
-        Assert.Equal(Finding.NoneOfThese, diagnosis.Finding);
+        Assert.Equal(DiagnosisKind.NoneOfThese, diagnosis.Kind);
         Assert.StartsWith($"Its {picture.Height - half} lower lines are black", Assert.Single(diagnosis.Likely));
     }
 
@@ -38,7 +38,7 @@ public class LikelyCauseTests
         for (var y = 1; y < right.Height - 1; y++)
             for (var x = 1; x < right.Width - 1; x++) smooth[x, y] = Mean(right[x - 1, y], right[x + 1, y], right[x, y - 1], right[x, y + 1]);
         var diagnosis = Diagnosis.Of(generic, smooth);
-        Assert.Equal(Finding.NoneOfThese, diagnosis.Finding);
+        Assert.Equal(DiagnosisKind.NoneOfThese, diagnosis.Kind);
         Assert.StartsWith("Only outlines are wrong", Assert.Single(diagnosis.Likely));
 
         static (byte, byte, byte) Mean(params ReadOnlySpan<(byte R, byte G, byte B)> colors)

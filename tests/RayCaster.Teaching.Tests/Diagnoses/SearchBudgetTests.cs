@@ -8,7 +8,7 @@ public class SearchBudgetTests
 
     private static readonly Scene room = SceneFolder.Read(SceneFolder.FileOf("room")).WithSize(60, 60);
     private static readonly Picture wrong = MistakeCatalog.Draw(
-        room, [MistakeCatalog.Named("rows")!, MistakeCatalog.Named("bgr")!, MistakeCatalog.Named("fov-horiz")!]);
+        room, [MistakeCatalog.Named("rows")!.Usual, MistakeCatalog.Named("bgr")!.Usual, MistakeCatalog.Named("fov-horiz")!.Usual]);
 
     [Theory]
     [InlineData(0)]
@@ -20,7 +20,7 @@ public class SearchBudgetTests
         var budget = new SearchBudget(work);
         Diagnosis.Of(room, wrong, all);
         var diagnosis = Diagnosis.Of(room, wrong, budget);
-        Assert.NotEqual(Finding.Matches, diagnosis.Finding);
+        Assert.NotEqual(DiagnosisKind.Matches, diagnosis.Kind);
         Assert.Equal("the usual amount of work", budget.UsedUp);
         Assert.InRange(budget.Done, work, work + all.Done / 4);
     }
@@ -57,17 +57,17 @@ public class SearchBudgetTests
     [Fact]
     public void WhatWasNotTriedIsNamed()
     {
-        var fitness = SceneFitness.Of([room], budget: new(0));
+        var fitness = MutationCoverage.Of([room], budget: new(0));
         Assert.True(fitness.IsCut);
         Assert.NotEmpty(fitness.NotTried);
-        Assert.Contains("Not tried, since the time is over (--all tries them): ", FitnessReport.Text(fitness));
+        Assert.Contains("Not tried, since the time is over (--all tries them): ", CoverageReport.Text(fitness));
     }
 
     [Fact]
     public void WithWorkEnoughNothingIsLeftOut()
     {
         var budget = new SearchBudget(long.MaxValue, TimeSpan.FromHours(1));
-        Assert.Equal("bgr", Diagnosis.Of(room, MistakeCatalog.Draw(room, [MistakeCatalog.Named("bgr")!]), budget).Suspects[0].Mistakes.Single().Id);
+        Assert.Equal("bgr", Diagnosis.Of(room, MistakeCatalog.Draw(room, [MistakeCatalog.Named("bgr")!.Usual]), budget).Suspects[0].Mistakes.Single().Id);
         Assert.Null(budget.UsedUp);
     }
 }

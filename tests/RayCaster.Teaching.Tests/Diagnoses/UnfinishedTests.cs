@@ -12,8 +12,8 @@ public class UnfinishedTests
     {
         var first = SceneFolder.Small("first", 8);
         var diagnosis = Diagnosis.Of(first, EditedLab.Render(first, PlantedMistake.Named("att-none")));
-        Assert.Equal((Finding.Mistake, "att-none"), (diagnosis.Finding, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
-        Assert.Equal([Diagnosis.Attenuation], diagnosis.NotYet);
+        Assert.Equal((DiagnosisKind.Mistake, "att-none"), (diagnosis.Kind, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
+        Assert.Equal([MissingParts.Attenuation], diagnosis.NotYet);
         var text = DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings("\n");
         Assert.Contains("Not drawn yet: attenuation. The rest is right.\nIf that is written already, most likely: att-none\n", text);
         Assert.DoesNotContain("--done", text);
@@ -54,7 +54,7 @@ public class UnfinishedTests
     public void AMistakeThatLosesAShapeIsListedBesideAnother()
     {
         var diagnosis = Diagnosis.Of(scene, ProgramInWords.Draw(scene, "formulas aspect-none; formulas box-size"));
-        Assert.Equal((Finding.Mistake, "aspect-none"), (diagnosis.Finding, diagnosis.Suspects[0].Mistakes[0].Id));
+        Assert.Equal((DiagnosisKind.Mistake, "aspect-none"), (diagnosis.Kind, diagnosis.Suspects[0].Mistakes[0].Id));
         Assert.Contains(diagnosis.Suspects, suspect => suspect.SamePicture
             && suspect.Mistakes.Select(mistake => mistake.Id).Order().SequenceEqual(["aspect-none", "box-size"]));
     }

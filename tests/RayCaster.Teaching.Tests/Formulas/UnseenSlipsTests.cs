@@ -22,16 +22,17 @@ public class UnseenSlipsTests
         var slip = UnseenSlips.All[place];
         var (scene, picture) = Shown(slip, place);
         var diagnosis = Diagnosis.Of(scene, picture);
-        var named = diagnosis.Finding == Finding.Mistake ? diagnosis.Suspects[0].Mistakes : [];
-        var step = Mistake.AffectedBy(Enum.Parse<SectionKind>(slip.Section, ignoreCase: true));
-        Assert.All(named, mistake => Assert.NotEqual(default, mistake.Affects & step));
+        var named = diagnosis.Kind == DiagnosisKind.Mistake ? diagnosis.Suspects[0].Mistakes : [];
+        var step = Enum.Parse<StepKind>(slip.Section, ignoreCase: true);
+        Assert.All(named, mistake => Assert.Contains(mistake.Steps, own => own == step || (own.IsOfRays() && step.IsOfRays())
+            || (own.IsOfHits() && step.IsOfHits()) || (own.IsOfColors() && step.IsOfColors())));
         Assert.Equal(unnamed.Contains(what) ? 0 : 1, named.Count);
     }
 
     [Fact]
     public void ThePageSaysHowManyAreNamed()
     {
-        var page = File.ReadAllText(ProjectFolder.PathOf("src/RayCaster.Teaching/Diagnoses/README.md")).ReplaceLineEndings(" ");
+        var page = File.ReadAllText(ProjectFolder.PathOf("src/RayCaster.Teaching/Hypotheses/README.md")).ReplaceLineEndings(" ");
         var (all, not) = (UnseenSlips.All.Length, unnamed.Length);
         Assert.Equal(60, all);
         Assert.Matches(@$"sixty slips [^:]*: {all - not} are named by their formula or their mistake, none by another, {not} not at all", page);
@@ -46,7 +47,7 @@ public class UnseenSlipsTests
         var scene = SceneFolder.Small(name, 16);
         var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, PlantedMistake.Of(new SourceEdit(file, old, @new))));
         var mistake = Assert.Single(Assert.Single(diagnosis.Suspects).Mistakes);
-        Assert.Equal(("edit", new EditPlace(section, step, formula)), (mistake.Id, mistake.Place));
+        Assert.Equal(("edit", section, step, formula), (mistake.Id, mistake.Place?.Section, mistake.Place?.Step, mistake.Place?.Formula));
         Assert.DoesNotContain(formula, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"), StringComparison.Ordinal);
         Assert.Contains(formula, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json", HintLevel.Answer), StringComparison.Ordinal);
     }
@@ -58,7 +59,7 @@ public class UnseenSlipsTests
         {
             var scene = SceneFolder.Small(scenes[(turn + k) % scenes.Length]);
             var picture = EditedLab.Render(scene, PlantedMistake.Of(slip.Edits));
-            if (k == scenes.Length || ChangedPixels.Count(picture, EditedLab.Render(scene), levels: 2) >= SceneFitness.LeastPixels)
+            if (k == scenes.Length || ChangedPixels.Count(picture, EditedLab.Render(scene), levels: 2) >= MutationCoverage.LeastPixels)
                 return (scene, picture);
         }
     }

@@ -41,7 +41,7 @@ public sealed class ClassMarksTests : IDisposable
     {
         var scene = ball with { Models = [.. ball.Models.Where(model => model.Kind != kindsLeftOut)] };
         PictureFile.Write(Place(file), mistake is null ? ScalarRenderer.Render(scene)
-            : new WrongProgram(Unfinished.Nothing, [MistakeCatalog.Named(mistake)!], false).Draw(scene));
+            : MistakeCatalog.Draw(scene, [MistakeCatalog.Named(mistake)!.Usual]));
         return this;
     }
 

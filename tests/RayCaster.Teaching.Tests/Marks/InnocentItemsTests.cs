@@ -61,5 +61,5 @@ public class InnocentItemsTests
     }
 
     private static bool ShowsIn(MarkedScene scene, PlantedMistake mistake) =>
-        ChangedPixels.Count(EditedLab.Render(scene.Scene, mistake), scene.Right, levels: 2) >= SceneFitness.LeastPixels;
+        ChangedPixels.Count(EditedLab.Render(scene.Scene, mistake), scene.Right, levels: 2) >= MutationCoverage.LeastPixels;
 }

@@ -20,7 +20,7 @@ internal static class ProgramInWords
     /// </param>
     public static Picture Draw(Scene scene, string words)
     {
-        var (manner, mistakes, formulas) = (Manner.OfTheSlides, new List<PlantedMistake>(), new List<Mistake>());
+        var (manner, mistakes, formulas) = (Manner.OfTheSlides, new List<PlantedMistake>(), new List<Change>());
         string[] style = [];
         foreach (var part in words.Split("; "))
         {
@@ -29,7 +29,7 @@ internal static class ProgramInWords
                 mistakes.Add(PlantedMistake.Of(new SourceEdit(file, old[(kind.Length + 1)..], @new)));
             else if (kind == "without") scene = scene with { Models = [.. scene.Models.Where(model => !rest.Split(' ').Contains(model.Kind))] };
             else if (kind is "target" or "fovY" or "zFar") scene = scene with { Camera = Changed(scene.Camera, kind, rest) };
-            else if (kind == "formulas") formulas.Add(MistakeCatalog.Named(rest)!);
+            else if (kind == "formulas") formulas.Add(MistakeCatalog.Named(rest)!.Usual);
             else if (kind == "formula") formulas.Add(Written(rest));
             else if (kind == "style") style = rest.Split(' ');
             else if (part == "truncates") manner = manner with { Truncates = true };
@@ -38,13 +38,12 @@ internal static class ProgramInWords
             else mistakes.Add(part == lengthInAll.Id ? lengthInAll : PlantedMistake.Named(part));
         }
         if (style is [var step, var way])
-            return FormulaProgram.For(scene.Camera).With(FormulaBook.Slides[Enum.Parse<SectionKind>(step, ignoreCase: true), way]).Draw(scene);
+            return FormulaProgram.For(scene.Camera).With(FormulaBook.Slides[Enum.Parse<StepKind>(step, ignoreCase: true), way]).Draw(scene);
         return formulas.Count > 0 ? MistakeCatalog.Draw(scene, formulas) : EditedLab.Render(scene, manner, [.. mistakes]);
     }
 
     /// <summary>A mistake that the catalogue does not have, as Mistakes.txt has its own.</summary>
-    public static Mistake Written(string formulas) =>
-        new("written", "", formulas, new("", "", ""), [.. WrittenChange.Read(formulas)], isWithinRounding: false);
+    public static Change Written(string formulas) => new([.. ChangeReader.Read(formulas)], Priors.Known) { Cause = formulas };
 
     private static Camera Changed(Camera camera, string name, string value)
     {

@@ -9,10 +9,10 @@ public class RecognitionTests
     private static Recognition? Recognise(Picture mine, Picture reference) => new PictureComparison(mine, reference).Recognition;
 
     /// <summary>What must be done to the picture is the opposite of what was done.</summary>
-    private static void Recognises(Change change, Picture mine, Picture reference)
+    private static void Recognises(PictureTransform transform, Picture mine, Picture reference)
     {
         var recognition = Recognise(mine, reference);
-        Assert.Equal(change, recognition?.Change);
+        Assert.Equal(transform, recognition?.Transform);
         Assert.Equal(Likeness.Identical, recognition!.Likeness);
     }
 
@@ -96,7 +96,7 @@ public class RecognitionTests
     {
         var mine = Picture.Of(96, 64, (x, y) => still[x, 63 - y]).Map(p => ((byte)Math.Max(0, p.R - 1), p.G, p.B));
         var recognition = Recognise(mine, still)!;
-        Assert.Equal((new Change(Turn.TopBottom), Likeness.RoundedOtherwise), (recognition.Change, recognition.Likeness));
+        Assert.Equal((new PictureTransform(Turn.TopBottom), Likeness.RoundedOtherwise), (recognition.Transform, recognition.Likeness));
     }
 
     [Fact]
@@ -104,7 +104,7 @@ public class RecognitionTests
     {
         var mine = Picture.Of(96, 64, (x, y) => still[x, 63 - y]).With(p => p[3, 3] = p[4, 4] = (9, 9, 9));
         var recognition = Recognise(mine, still)!;
-        Assert.Equal((new Change(Turn.TopBottom), Likeness.Wrong, 2), (recognition.Change, recognition.Likeness, recognition.Difference.Wrong));
+        Assert.Equal((new PictureTransform(Turn.TopBottom), Likeness.Wrong, 2), (recognition.Transform, recognition.Likeness, recognition.Difference.Wrong));
     }
 
     [Fact]

@@ -7,17 +7,17 @@ internal static class Gallery
 {
     private const int SheetColumns = 10, ThumbWidth = 64, ThumbHeight = 40, SheetGap = 2;
 
-    private static readonly (Affects Affects, string Title)[] stages =
+    private static readonly (Predicate<StepKind> Has, string Title)[] stages =
     [
-        (Affects.Camera, "From a pixel to its ray"),
-        (Affects.Hit, "Which hit shows"),
-        (Affects.Spheres, "Spheres"),
-        (Affects.Planes, "Planes"),
-        (Affects.Boxes, "Boxes"),
-        (Affects.Circles, "Circles"),
-        (Affects.Triangles, "Triangles, also those of meshes"),
-        (Affects.Color, "From a hit to a colour"),
-        (Affects.File, "From the pixels to the file"),
+        (StepKinds.IsOfRays, "From a pixel to its ray"),
+        (StepKinds.IsOfHits, "Which hit shows"),
+        (step => step == StepKind.Sphere, "Spheres"),
+        (step => step == StepKind.Plane, "Planes"),
+        (step => step == StepKind.Aabb, "Boxes"),
+        (step => step == StepKind.Circle, "Circles"),
+        (step => step == StepKind.Triangle, "Triangles, also those of meshes"),
+        (StepKinds.IsOfColors, "From a hit to a colour"),
+        (step => step == StepKind.File, "From the pixels to the file"),
     ];
 
     /// <summary>The page.</summary>
@@ -30,7 +30,7 @@ internal static class Gallery
     public static string PictureOf(Mistake mistake) => ProjectFolder.PathOf($"docs/mistakes/{mistake.Id}.png");
 
     /// <summary>The mistakes in the order of the page.</summary>
-    public static IEnumerable<Mistake> InOrder => stages.SelectMany(stage => Of(stage.Affects));
+    public static IEnumerable<Mistake> InOrder => stages.SelectMany(stage => Of(stage.Has));
 
     /// <summary>The text of the page.</summary>
     public static string Page()
@@ -55,7 +55,7 @@ internal static class Gallery
             ![All mistakes, one small picture each, in the order of this page; the first picture is right](mistakes/all.png)
 
             `dotnet run --project tests/Tools/Generator` makes this page from the
-            [catalogue](../src/RayCaster.Teaching/Diagnoses/MistakeCatalog.cs).
+            [catalogue](../src/RayCaster.Teaching/Changes/MistakeCatalog.cs).
 
             """);
         foreach (var (concerns, title) in stages)
@@ -83,8 +83,8 @@ internal static class Gallery
         return sheet;
     }
 
-    private static IEnumerable<Mistake> Of(Affects concerns) => MistakeCatalog.All.Where(mistake => mistake.Affects.HasFlag(concerns)
-        && stages.First(stage => mistake.Affects.HasFlag(stage.Affects)).Affects == concerns);
+    private static IEnumerable<Mistake> Of(Predicate<StepKind> stage) => MistakeCatalog.All.Where(mistake =>
+        stages.First(other => mistake.Steps.Any(step => other.Has(step))).Has == stage);
 
     /// <summary>The initials of the scenes that show a mistake.</summary>
     private static string Initials(Mistake mistake)

@@ -65,7 +65,7 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
 
     /// <summary>The scenes, each in its own size, that show a mistake.</summary>
     public static IEnumerable<string> ShownIn(Mistake mistake) => Whole.Select(showcase => showcase.Name).Where(name =>
-        ChangedPixels.Count(right[name], MistakeCatalog.Draw(scenes[name], [mistake]), VisibleLevels) >= VisiblePixels);
+        ChangedPixels.Count(right[name], MistakeCatalog.Draw(scenes[name], [mistake.Usual]), VisibleLevels) >= VisiblePixels);
 
     /// <summary>The scene at the size that it is drawn with.</summary>
     public Scene Scene
@@ -92,7 +92,7 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
     /// <summary>The tile, drawn with mistakes or without.</summary>
     public Picture Tile(params Mistake[] mistakes)
     {
-        var whole = MistakeCatalog.Draw(Scene, mistakes);
+        var whole = MistakeCatalog.Draw(Scene, [.. mistakes.Select(mistake => mistake.Usual)]);
         var (width, height) = (Math.Min(TileWidth, Zoom * (whole.Width - X)), Math.Min(TileHeight, Zoom * (whole.Height - Y)));
         if (X == 0 && Y == 0 && Zoom == 1) return whole; // which may be upright
         var tile = new Picture(width, height);

@@ -2,6 +2,9 @@ using System.Diagnostics;
 using RayCaster;
 using RayCaster.Files;
 using RayCaster.Teaching;
+using RayCaster.Teaching.Comparison;
+using RayCaster.Teaching.Course;
+using RayCaster.Teaching.Hypotheses;
 
 namespace Lab.Tests;
 

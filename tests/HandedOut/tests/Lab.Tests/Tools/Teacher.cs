@@ -1,4 +1,7 @@
 using RayCaster.Teaching;
+using RayCaster.Teaching.Comparison;
+using RayCaster.Teaching.Course;
+using RayCaster.Teaching.Hypotheses;
 
 namespace Lab.Tests;
 
