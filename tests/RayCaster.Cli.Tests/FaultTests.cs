@@ -7,7 +7,6 @@ namespace RayCaster.Cli.Tests;
 /// What may go wrong around the real process: it ends by itself with a message and the right exit code, and what it leaves is the old picture or the
 /// new one, whole. Where a fault cannot be made (no shell, no right to mount), its test is skipped.
 /// </summary>
-[Trait("waits", "yes")]
 public sealed class FaultTests : CommandTests
 {
     private const string Old = "the old picture";
@@ -159,6 +158,7 @@ public sealed class FaultTests : CommandTests
         Assert.Empty(raycaster.Files);
     }
 
+    [Trait("waits", "yes")]
     [Fact(Explicit = true, Skip = "no process can shorten a file that another reads", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void AMeshThatShrinksOrVanishesWhileItIsReadIsNamed()
     {

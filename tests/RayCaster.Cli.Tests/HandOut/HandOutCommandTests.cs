@@ -1,6 +1,5 @@
 namespace RayCaster.Cli.Tests.HandOut;
 
-[Trait("waits", "yes")]
 public sealed class HandOutCommandTests : CommandTests
 {
     [Fact]
@@ -40,6 +39,7 @@ public sealed class HandOutCommandTests : CommandTests
         Assert.Empty(raycaster.Files);
     }
 
+    [Trait("waits", "yes")]
     [Fact(Explicit = true)]
     public void AKilledRunLeavesNoHandOut()
     {
