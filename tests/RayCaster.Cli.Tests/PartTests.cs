@@ -27,10 +27,10 @@ public sealed class PartTests : CommandTests
         Assert.Equal((0, "", ""), (raycaster.ExitCode, raycaster.OutputText, raycaster.Error));
     }
 
-    [Fact]
-    public void StitchedPartsAreThePictureThatIsDrawnInOneGo() => AssertStitched("room.json");
-
-    internal void AssertStitched(string scene)
+    [Theory]
+    [InlineData("room.json")]
+    [InlineData("mesh.json", Explicit = true)]
+    public void StitchedPartsAreThePictureThatIsDrawnInOneGo(string scene)
     {
         var path = Path.Combine(RayCasterProcess.Scenes, scene);
         raycaster.Run(path, "-s", "200x150", "-o", "whole.png");
@@ -92,5 +92,27 @@ public sealed class PartTests : CommandTests
         raycaster.Run("part", Room, "0..9", "-s", "40x40", "-o", "a.png").Run("part", Room, "0..9", "-s", "41x40", "-o", "a.png", "--resume");
         Assert.Contains("lines 0..9 of 41 x 40 pixels", raycaster.Error);
         Assert.Equal(41, PictureFile.Read(raycaster.PathOf("a.png")).Width);
+    }
+
+    [Trait("waits", "yes")]
+    [Fact(Explicit = true, Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
+    public void WhatAKilledPartLeavesIsFinishedByRunningAgain()
+    {
+        raycaster.Run(Part("0..9"));
+        using (var process = raycaster.Start(Part("10..2989")))
+        {
+            WaitForTemporaryFile(process);
+            Assert.Equal(137, RayCasterProcess.Kill(process, "KILL"));
+        }
+        raycaster.Run(Part("2990..2999")).Run("stitch", ".", "--missing");
+        Assert.Equal((1, "10..2989\n"), (raycaster.ExitCode, raycaster.OutputText));
+
+        var said = "";
+        foreach (var lines in (string[])["0..9", "10..2989", "2990..2999"]) said += raycaster.Run([.. Part(lines), "--resume"]).Error;
+        Assert.Matches(
+            @"^room\.part-0000-0009\.png: exists already\nroom\.part-0010-2989\.png: lines .*\nroom\.part-2990-2999\.png: exists already\n$", said);
+        Assert.Equal(0, raycaster.Run("stitch", ".", "--missing").ExitCode);
+
+        string[] Part(string lines) => ["part", Room, lines, "-t", "1", "-s", "10000x3000"];
     }
 }
