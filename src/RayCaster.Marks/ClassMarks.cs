@@ -32,7 +32,8 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
             Interlocked.Increment(ref done);
         });
         if (rubric.Tests is not null && withoutTests > 0)
-            notice?.Invoke($"{withoutTests} of {marks.Length} submissions have no test results {rubric.Tests}: only their pictures count");
+            notice?.Invoke($"{withoutTests} of {marks.Length} submissions have no test results {rubric.Tests}: only their pictures count" +
+                (rubric.Items.Any(item => item.Evidence == ItemEvidence.Tests) ? ", and what tests alone decide is undecided" : ""));
 
         Write(Table, MarksTable.Of(rubric, marks));
         Write(ClassFile, ClassPage.Of(rubric, marks));
@@ -62,10 +63,9 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
         try
         {
             var pictures = submission.Pictures(rubric);
-            string? problem = null;
-            var tests = rubric.Tests is null ? null : TestResults.In(submission, rubric.Tests, out problem);
-            if (tests is null) Interlocked.Increment(ref withoutTests);
-            var marks = Decided(marker.Mark(submission.Student, pictures, tests, problem is null ? [] : [problem]));
+            var tests = rubric.Tests is null ? null : TestResults.In(submission, rubric);
+            if (tests?.Steps.Count is null or 0) Interlocked.Increment(ref withoutTests);
+            var marks = Decided(marker.Mark(submission.Student, pictures, tests?.Steps, tests?.Notes ?? []));
             Write(Path.Combine(submission.Student, StudentFile), FeedbackPage.Of(rubric, marks, pictures));
             return marks;
         }

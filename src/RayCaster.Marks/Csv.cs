@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using System.Text.Unicode;
 
 namespace RayCaster.Marks;
 
@@ -14,19 +13,12 @@ internal static class Csv
     {
         try
         {
-            return Rows(Text([.. InputFile.Read(path, "table", MaxBytes)]));
+            return Rows(ForeignText.Of([.. InputFile.Read(path, "table", MaxBytes)]));
         }
         catch (ProblemException e)
         {
             throw new ProblemException($"cannot read {path}: {e.Message}", e);
         }
-    }
-
-    private static string Text(byte[] bytes)
-    {
-        var encoding = Utf8.IsValid(bytes) ? Encoding.UTF8 : CodePagesEncodingProvider.Instance.GetEncoding(1252)!;
-        using var reader = new StreamReader(new MemoryStream(bytes), encoding); // a byte order mark says UTF-16
-        return reader.ReadToEnd();
     }
 
     /// <summary>The first separator in the text is the one of the table.</summary>

@@ -12,11 +12,12 @@ internal static class FeedbackPage
             + (marks.Undecided > 0 ? $"; {MarksTable.Number(marks.Undecided)} more are not decided: your teacher will look." : "."));
         if (marks.Comment != "") page.Element("p", marks.Comment);
         page.Table("Points", ["Part", "Points", "Why"], [.. marks.Items.Zip(rubric.Items, (item, of) => Row(rubric, item, of.Remark, marks))]);
+        foreach (var note in marks.OnTests) page.Element("p", Sentence(note));
         page.Table("Other mistakes, which cost no points", ["What is to be seen"],
             [.. marks.Mistakes.Concat(marks.NotDrawn).Except(marks.Items.SelectMany(item => item.Because))
                 .Select(because => Hint(rubric, because, marks)).Where(hint => hint != "").Select(hint => $"<tr><td>{hint}</td></tr>")]);
         var common = pictures.All(picture => picture.Picture is null && picture.Problem == pictures[0].Problem) ? pictures[0].Problem : null;
-        if (common is not null) page.Element("h2", "No pictures").Element("p", Sentence(common));
+        if (common is not null) page.Element("h2", "No pictures").Element("p", Sentence(pictures[0].ProblemOf(several: pictures.Count > 1)!));
         for (var i = 0; i < pictures.Count; i++) AddScene(page, marks.Scenes[i], pictures[i], common);
         return page.ToString();
     }
@@ -56,7 +57,7 @@ internal static class FeedbackPage
     {
         page.Element("h2",
             $"{scene.Name}: {(submitted.CanBeJudged || submitted.Picture is null ? scene.Verdict.InWords() : "another size")}");
-        if (submitted.Problem is { } problem && problem != common) page.Element("p", Sentence(problem));
+        if (submitted.Problem is not null && submitted.Problem != common) page.Element("p", Sentence(submitted.ProblemOf()!));
         var mine = submitted.Picture is { } picture ? Page.Image(picture, $"your picture of {scene.Name}") : "";
         if (!submitted.CanBeJudged) page.Html($"<p>{mine}</p><p class=\"small\">The right picture:</p><p>{Right()}</p>");
         else if (scene.Verdict == SceneVerdict.Right) page.Html($"<p>{mine}</p>");

@@ -11,30 +11,30 @@ internal sealed class Marker(Rubric rubric)
     /// <summary>Judges the pictures of a student together.</summary>
     /// <param name="submitted">A picture of each scene of the rubric.</param>
     /// <param name="tests">The results of the tests by step; null if there are none.</param>
-    /// <param name="notes">What else the teacher must look at.</param>
+    /// <param name="onTests">What else must be known of the tests.</param>
     public StudentMarks Mark(string student, IReadOnlyList<SubmittedPicture> submitted,
-        IReadOnlyDictionary<int, StepResult>? tests = null, params IReadOnlyList<string> notes)
+        IReadOnlyDictionary<int, StepResult>? tests = null, params IReadOnlyList<string> onTests)
     {
         var isUntouched = submitted.All(picture => picture.IsUntouched);
         var marks = isUntouched ? Untouched(student, submitted) : ByPictures(student, submitted);
         var more = new List<string>();
         tests ??= new Dictionary<int, StepResult>();
         var areContradictory = tests.Values.All(step => step.IsPassed) && marks.Scenes.Any(scene => scene.Verdict == SceneVerdict.Unexplained);
-        return marks with
-        {
-            Items =
-            [
-                .. rubric.Items.Zip(marks.Items, (item, pictures) =>
-                    item.Evidence == ItemEvidence.Pictures || areContradictory && item.Evidence == ItemEvidence.Both ? pictures
-                        : WithTests(item, pictures, isUntouched, tests, more)),
-            ],
-            LookYourself = [.. notes, .. marks.LookYourself, .. more],
-        };
+        ItemMarks[] items =
+        [
+            .. rubric.Items.Zip(marks.Items, (item, pictures) =>
+                item.Evidence == ItemEvidence.Pictures || areContradictory && item.Evidence == ItemEvidence.Both ? pictures
+                    : WithTests(item, pictures, isUntouched, tests, more)),
+        ];
+        string[] look = [.. onTests, .. marks.LookYourself, .. more];
+        var open = items.Where(item => item.Undecided > 0).Select(item => item.Name).ToArray();
+        if (look.Length == 0 && open.Length > 0) look = [$"{string.Join(", ", open)}: neither pictures nor tests decide this"];
+        return marks with { Items = items, OnTests = onTests, LookYourself = look };
     }
 
     private StudentMarks Untouched(string student, IReadOnlyList<SubmittedPicture> submitted) => new(
         student, [.. rubric.Items.Select(item => new ItemMarks(item.Name, item.Points, 0, 0, item.Undone))],
-        [.. submitted.Select(picture => new SceneMarks(picture.Scene.Name, SceneVerdict.Explained, null))], [], [], [], [],
+        [.. submitted.Select(picture => new SceneMarks(picture.Scene.Name, SceneVerdict.Explained))], [], [], [], [],
         ["all pictures are those of the hand-out before anything is written"]);
 
     private StudentMarks ByPictures(string student, IReadOnlyList<SubmittedPicture> submitted)
@@ -158,14 +158,17 @@ internal sealed class Marker(Rubric rubric)
             : diagnosis.Unexplained.Contains(picture.Scene) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
         var isDistinctive = verdict is SceneVerdict.Explained or SceneVerdict.Unexplained && !picture.Picture!.IsOneColor && !picture.IsUntouched;
-        return new(picture.Scene.Name, verdict, picture.Problem) { Digest = isDistinctive ? picture.Digest : null };
+        return new(picture.Scene.Name, verdict) { Digest = isDistinctive ? picture.Digest : null };
     }
 
     private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
     {
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
-            yield return group.Count() == submitted.Count && submitted.Count > 1 ? $"all scenes: {group.Key}"
-                : $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
+        {
+            var isAll = group.Count() == submitted.Count && submitted.Count > 1;
+            yield return $"{(isAll ? "all scenes" : string.Join(", ", group.Select(picture => picture.Scene.Name)))}: " +
+                group.First().ProblemOf(several: group.Count() > 1);
+        }
         string[][] repeated = [.. Repeated(submitted)];
         foreach (var scenes in repeated)
             yield return $"{string.Join(", ", scenes)}: the same picture of different scenes, so the program does not draw the scene yet";

@@ -35,10 +35,11 @@ internal static class MarksTable
 
     /// <summary>
     /// A cell, in quotes if necessary. A text that begins like a formula gets an apostrophe, because a spreadsheet would run it, and
-    /// a student may name a folder so.
+    /// a student may name a folder so. No other control characters are in it.
     /// </summary>
     private static string Cell(string text)
     {
+        text = string.Concat(text.Select(c => char.IsControl(c) && c is not ('\t' or '\r' or '\n') ? '\uFFFD' : c));
         if (text is [var first, ..] && Formula.Contains(first)) text = "'" + text;
         return text.AsSpan().ContainsAny(",;\t\"\r\n") ? $"\"{text.Replace("\"", "\"\"")}\"" : text;
     }

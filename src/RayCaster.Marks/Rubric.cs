@@ -22,7 +22,7 @@ public sealed class Rubric
     /// <summary>The path of a picture in a student's folder; <c>{name}</c> stands for the scene's name.</summary>
     internal string Pictures { get; init; } = "{name}.png";
 
-    /// <summary>The JUnit files in a student's folder, with <c>*</c> and <c>?</c> for any characters; null if tests do not count.</summary>
+    /// <summary>The JUnit or TRX files in a student's folder, with <c>*</c> and <c>?</c> for any characters; null if tests do not count.</summary>
     internal string? Tests { get; init; }
 
     internal double Points => Items.Sum(item => item.Points);

@@ -29,7 +29,7 @@ public static class RubricReader
         if (pictures is not null && files.Count > 1 && !pictures.Contains("{name}"))
             o.Refuse("pictures", $" must contain {"{name}"}, the scene's name, since there are {files.Count} scenes");
         var tests = o.FileName("tests",
-            "The file of test results (JUnit XML) in a student's folder, such as results.xml; * and ? stand for any characters.");
+            "The file of test results (JUnit or TRX) in a student's folder, such as results.xml; * and ? stand for any characters.");
         var hint = o.OptionalChoice("hint", "How much of a hint the students' pages tell: what is to be seen, what to ask oneself, or nothing.",
             "question", "symptom", "none");
         var items = new List<RubricItem>();

@@ -8,6 +8,9 @@ internal sealed record StudentMarks(string Student, IReadOnlyList<ItemMarks> Ite
     IReadOnlyList<string> NotDrawn, IReadOnlyList<string> Mistakes, IReadOnlyList<string> Typical, IReadOnlyList<string> HidingMistakes,
     IReadOnlyList<string> LookYourself)
 {
+    /// <summary>What the student must know of the tests, too.</summary>
+    public IReadOnlyList<string> OnTests { get; init; } = [];
+
     /// <summary>The points that the teacher has given, which win over the computed ones; null if the teacher has given none.</summary>
     public double? TeacherPoints { get; init; }
 
@@ -33,8 +36,7 @@ internal sealed record ItemMarks(string Name, double Of, double Points, double U
 }
 
 /// <summary>The judgement of one picture.</summary>
-/// <param name="Problem">What is unusual about the picture, in words; null if nothing is.</param>
-internal sealed record SceneMarks(string Name, SceneVerdict Verdict, string? Problem)
+internal sealed record SceneMarks(string Name, SceneVerdict Verdict)
 {
     /// <summary>A hash of a wrong picture, the same for two students only if every byte is; null where equal pictures prove nothing.</summary>
     public string? Digest { get; init; }

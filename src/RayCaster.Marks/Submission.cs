@@ -9,7 +9,8 @@ internal sealed record Submission(string Folder)
     /// <summary>How many other files a message names if a picture is missing, and how many files are searched.</summary>
     private const int MaxNamed = 3, MaxSearched = 10_000;
 
-    private const string Name = "{name}";
+    /// <summary>Stands for a scene's name in the path of its picture.</summary>
+    public const string Name = "{name}";
 
     /// <summary>What may be a picture of another name or kind, or hold pictures.</summary>
     private static readonly string[] likeAPicture =
@@ -65,14 +66,13 @@ internal sealed record Submission(string Folder)
     public static IReadOnlyList<SubmittedPicture> None(Rubric rubric, string problem) =>
         [.. rubric.Scenes.Select(scene => new SubmittedPicture(scene, null, problem))];
 
-    /// <summary>The files whose paths fit a pattern, as paths from the folder; no link, nothing behind one, no pipe, which has no length.</summary>
+    /// <summary>The files whose paths fit a pattern, as paths from the folder; the pattern itself if its folder is a link. They may be links.</summary>
     public IReadOnlyList<string> FilesLike(string pattern)
     {
         var folder = Path.GetDirectoryName(pattern) ?? "";
-        if (LinkIn(folder) is not null || !Directory.Exists(Path.Combine(Folder, folder))) return [];
-        return [.. Directory.EnumerateFiles(Path.Combine(Folder, folder), Path.GetFileName(pattern))
-            .Where(path => new FileInfo(path).Length > 0).Select(path => Path.GetRelativePath(Folder, path))
-            .Where(file => LinkIn(file) is null).Order(StringComparer.Ordinal)];
+        if (LinkIn(folder) is not null) return [pattern];
+        return !Directory.Exists(Path.Combine(Folder, folder)) ? [] : [.. Directory.EnumerateFiles(Path.Combine(Folder, folder),
+            Path.GetFileName(pattern)).Select(path => Path.GetRelativePath(Folder, path)).Order(StringComparer.Ordinal)];
     }
 
     private IEnumerable<Submission> Below() => Directory.EnumerateDirectories(Folder)
@@ -109,14 +109,14 @@ internal sealed record Submission(string Folder)
     }
 
     /// <summary>The first part of a path below the folder, or the folder itself, that is a link, perhaps into somebody else's folder.</summary>
-    private string? LinkIn(string path)
+    public string? LinkIn(string path)
     {
         var parts = Path.GetRelativePath(Folder, Path.Combine(Folder, path)).Split(Path.DirectorySeparatorChar);
         return Enumerable.Range(1, parts.Length).Select(count => Path.Combine(parts[..count]))
             .FirstOrDefault(part => new FileInfo(Path.TrimEndingDirectorySeparator(Path.GetFullPath(part, Folder))).LinkTarget is not null);
     }
 
-    /// <summary>The message that a picture is missing, with the files that may be meant for it.</summary>
+    /// <summary>The message that a picture of <see cref="Name"/> is missing, with the files that may be meant for it.</summary>
     private string MissingPicture(Rubric rubric)
     {
         string[] files =
@@ -125,7 +125,7 @@ internal sealed record Submission(string Folder)
         string[] others = [.. files.Except(rubric.Scenes.Select(scene => PathOf(scene, rubric)))
             .Where(file => likeAPicture.Contains(Path.GetExtension(file).ToLowerInvariant())).Order(StringComparer.Ordinal)];
         var more = others.Length > MaxNamed ? $" and {others.Length - MaxNamed} more" : "";
-        return $"no picture {rubric.Pictures.Replace(Name, "SCENE")}" + (others.Length == 0 ? ""
+        return $"no picture {rubric.Pictures}" + (others.Length == 0 ? ""
             : $"; there {(others.Length == 1 ? "is" : "are")} {string.Join(", ", others.Take(MaxNamed))}{more}");
     }
 }

@@ -4,7 +4,7 @@ namespace RayCaster.Marks;
 
 /// <summary>A student's picture of a scene, or why there is none.</summary>
 /// <param name="Picture">The picture; null if there is none that can be judged.</param>
-/// <param name="Problem">What is odd about it, in words; null if nothing is.</param>
+/// <param name="Problem">What is odd about it, in words, in which <see cref="Submission.Name"/> stands for the scene; null if nothing is.</param>
 internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, string? Problem)
 {
     /// <summary>A picture file may have so many bytes for each pixel of the scene's picture: a PPM of numbers takes twelve.</summary>
@@ -27,6 +27,9 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
 
     /// <summary>A hash of its size and bytes, if there is a picture.</summary>
     public string Digest => field ??= $"{Picture!.Width} {Convert.ToHexStringLower(SHA256.HashData(Picture.Rgb))}";
+
+    /// <summary>The problem in words, of this scene's picture or of those of several scenes.</summary>
+    public string? ProblemOf(bool several = false) => Problem?.Replace(Submission.Name, several ? "SCENE" : Scene.Name);
 
     /// <summary>Reads an untrusted picture file.</summary>
     public static SubmittedPicture Read(MarkedScene scene, string path)

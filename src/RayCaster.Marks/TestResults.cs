@@ -1,10 +1,6 @@
-using System.Text.RegularExpressions;
-using System.Xml;
-using System.Xml.Linq;
-
 namespace RayCaster.Marks;
 
-/// <summary>How many tests of a step pass, and of how many.</summary>
+/// <summary>How many tests of a step pass, and of how many that ran.</summary>
 internal sealed record StepResult(int Step, int Passed, int Count)
 {
     public bool IsPassed => Passed == Count;
@@ -16,66 +12,65 @@ internal sealed record StepResult(int Step, int Passed, int Count)
     public override string ToString() => $"{Passed} of {Count} tests of step {Step} pass";
 }
 
-/// <summary>Counts the test results of JUnit files by step. A step's tests are those in whose class or name stands <c>step</c> and its number,
-/// such as <c>Lab.Tests.Step08Sphere</c> and <c>test_step_8</c>.</summary>
-internal static partial class TestResults
+/// <summary>The results of a student's tests.</summary>
+/// <param name="Steps">By step; without those of which no test ran.</param>
+/// <param name="Notes">What the results do not say, and why, for the teacher and the student.</param>
+internal sealed record TestResults(IReadOnlyDictionary<int, StepResult> Steps, IReadOnlyList<string> Notes)
 {
-    private const int MaxBytes = 1 << 24;
+    private const int MaxNamed = 3;
 
     /// <summary>The hand-out's tests of whole pictures are called so. They show the mistakes of all steps before, and do not count.</summary>
     private const string OfPictures = "ThePictures";
 
-    /// <summary>Begins the hand-out's message of a test that did not end. The tests after it did not run.</summary>
-    private const string Stopped = "The run was stopped";
-
-    /// <summary>The results by step; null if there are none.</summary>
-    /// <param name="problem">Why a file was not counted; null if all were.</param>
-    public static IReadOnlyDictionary<int, StepResult>? In(Submission submission, string pattern, out string? problem)
+    public static TestResults In(Submission submission, Rubric rubric)
     {
-        problem = null;
-        var tests = new List<XElement>();
-        foreach (var file in submission.FilesLike(pattern))
+        var (tests, notes) = (new List<ReportedTest>(), new List<string>());
+        var files = submission.FilesLike(rubric.Tests!);
+        foreach (var file in files)
         {
             try
             {
-                tests.AddRange(TestsIn([.. InputFile.Read(Path.Combine(submission.Folder, file), "file", MaxBytes)]));
+                if (submission.LinkIn(file) is not null) throw new ProblemException("a link leads to it, perhaps into another student's folder");
+                var read = TestReport.Read(Path.Combine(submission.Folder, file));
+                tests.AddRange(read);
+                if (read.All(test => test.Step == 0))
+                    notes.Add($"the test results {PrintableText.Of(file)} count for no step: JUnit must name the step in a test's class or name, as in " +
+                        $"Step08Sphere and test_step_8, but none of {read.Count} has one");
             }
-            catch (Exception e) when (e is ProblemException or XmlException)
+            catch (ProblemException e)
             {
-                problem = $"the test results {file} cannot be read: {e.Message}";
+                notes.Add($"the test results {PrintableText.Of(file)} cannot be read: {e.Message}");
             }
         }
-        return tests.Count == 0 ? null : ByStep(tests);
-    }
-
-    /// <exception cref="XmlException">It is no XML, or has a DTD, which could name other files.</exception>
-    internal static IEnumerable<XElement> TestsIn(byte[] report)
-    {
-        var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null, CheckCharacters = false };
-        using var reader = XmlReader.Create(new MemoryStream(report), settings);
-        return XDocument.Load(reader).Descendants().Where(element => element.Name.LocalName == "testcase");
+        if (files.Count == 0 && rubric.Items.Any(item => item.Evidence == ItemEvidence.Tests)) notes.Add($"there are no test results {rubric.Tests}");
+        var steps = rubric.Items.Where(item => item.Evidence != ItemEvidence.Pictures).Select(item => item.Step).Distinct().Order().ToArray();
+        return new(ByStep(tests), [.. notes, .. NotesOn(tests, steps)]);
     }
 
     /// <returns>Of a run that was stopped, only the steps that fail: tests of the others may be missing.</returns>
-    internal static IReadOnlyDictionary<int, StepResult> ByStep(IReadOnlyList<XElement> tests)
+    internal static IReadOnlyDictionary<int, StepResult> ByStep(IReadOnlyList<ReportedTest> tests) =>
+        tests.Where(test => test.Outcome != TestOutcome.NotRun && test.Step > 0 && !test.Name.StartsWith(OfPictures, StringComparison.Ordinal))
+            .GroupBy(test => test.Step)
+            .Select(step => new StepResult(step.Key, step.Count(test => test.Outcome == TestOutcome.Passed), step.Count()))
+            .Where(step => !step.IsPassed || !tests.Any(test => test.IsStopped)).ToDictionary(step => step.Step);
+
+    /// <summary>What else must be known of the tests of some steps.</summary>
+    internal static IEnumerable<string> NotesOn(IReadOnlyList<ReportedTest> tests, int[] steps)
     {
-        var isStopped = tests.Any(test => Find(test, "error")?.Attribute("message")?.Value.StartsWith(Stopped, StringComparison.Ordinal) == true);
-        return tests.Where(test => Find(test, "skipped") is null && !Text(test, "name").StartsWith(OfPictures, StringComparison.Ordinal))
-            .GroupBy(StepOf).Where(step => step.Key > 0)
-            .Select(step => new StepResult(step.Key, step.Count(IsPassed), step.Count()))
-            .Where(step => !isStopped || !step.IsPassed).ToDictionary(step => step.Step);
+        if (tests.Any(test => test.IsStopped)) yield return "the test run was stopped, so only steps count whose tests fail";
+        else if (steps.Except(tests.Select(test => test.Step)).ToArray() is { Length: > 0 } missing && tests.Any(test => test.Step > 0))
+            yield return $"the test results have no test of step {string.Join(", ", missing)}";
+        if (tests.Any(test => test.Name == "" && test.Outcome == TestOutcome.NotRun))
+            yield return "the test results count tests that did not run, but do not list them";
+        foreach (var step in tests.GroupBy(test => test.Step).Where(step => steps.Contains(step.Key)).OrderBy(step => step.Key))
+        {
+            if (step.Where(test => test.Outcome == TestOutcome.NotRun).ToArray() is { Length: > 0 } idle)
+                yield return $"{idle.Length} of {step.Count()} tests of step {step.Key} did not run ({Listed(idle.Select(test => test.Word))})";
+            if (step.Where(test => test.IsFlaky).ToArray() is { Length: > 0 } flaky)
+                yield return $"flaky tests of step {step.Key}, whose last attempt counts: {Listed(flaky.Select(test => test.Name))}";
+        }
     }
 
-    private static bool IsPassed(XElement test) => Find(test, "failure") is null && Find(test, "error") is null;
-
-    private static XElement? Find(XElement test, string name) => test.Elements().FirstOrDefault(element => element.Name.LocalName == name);
-
-    private static string Text(XElement test, string attribute) => test.Attribute(attribute)?.Value ?? "";
-
-    private static int StepOf(XElement test) =>
-        new[] { "classname", "name" }.Select(attribute => StepNumber().Match(Text(test, attribute))).FirstOrDefault(match => match.Success)
-            is { } match ? int.Parse(match.Groups[1].Value, CultureInfo.InvariantCulture) : 0;
-
-    [GeneratedRegex(@"step[ _-]?0*(\d{1,2})", RegexOptions.IgnoreCase | RegexOptions.RightToLeft | RegexOptions.CultureInvariant)]
-    private static partial Regex StepNumber();
+    private static string Listed(IEnumerable<string> all) => all.Select(text => PrintableText.Of(text)).Distinct().ToArray() is var texts
+        && texts.Length > MaxNamed ? $"{string.Join(", ", texts.Take(MaxNamed))} and {texts.Length - MaxNamed} more" : string.Join(", ", texts);
 }

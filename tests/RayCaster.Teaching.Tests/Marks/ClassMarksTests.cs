@@ -79,11 +79,11 @@ public sealed class ClassMarksTests : IDisposable
         Assert.Contains("it is a JPEG", rows["jpeg"]);
         Assert.Contains("the picture file has 10,000,000 bytes, too many for the scene's 2,400 pixels", rows["large"]);
         Assert.Contains("the picture is 7 x 5, not 60 x 40 pixels", rows["small"]);
-        Assert.Contains("ball: no picture SCENE.png; there is ball.rar", rows["packed"]);
-        Assert.Contains($"ball: no picture SCENE.png; there is {Path.Combine("out", "ball.png")}", rows["deep"]);
-        Assert.Contains("ball: no picture SCENE.png,", rows["empty"]);
+        Assert.Contains("ball: no picture ball.png; there is ball.rar", rows["packed"]);
+        Assert.Contains($"ball: no picture ball.png; there is {Path.Combine("out", "ball.png")}", rows["deep"]);
+        Assert.Contains("ball: no picture ball.png,", rows["empty"]);
         Assert.Contains("ball: the student's folder is empty", rows["nothing"]);
-        if (OperatingSystem.IsLinux()) Assert.Contains("ball: no picture SCENE.png; there is BALL.PNG", rows["upper"]);
+        if (OperatingSystem.IsLinux()) Assert.Contains("ball: no picture ball.png; there is BALL.PNG", rows["upper"]);
         Assert.All(rows.Keys, student => Assert.True(File.Exists(folder[$"marks/{student}/feedback.html"])));
     }
 

@@ -74,7 +74,8 @@ public class MarkerTests
         var marks = new Marker(both).Mark("somebody", [new(scene, picture, null)], tests);
         Assert.Equal(expected, $"{marks.Points}{(marks.Undecided > 0 ? $" +{marks.Undecided}" : "")}");
         Assert.Equal(evidence == "Both" && expected == "0 +2" ? [$"8 Sphere: {passed} of 12 tests of step 8 pass, "
-            + $"but its pictures {(mistake == "ok" ? "cost no points" : "cost points")}"] : Array.Empty<string>(), marks.LookYourself);
+            + $"but its pictures {(mistake == "ok" ? "cost no points" : "cost points")}"]
+            : passed == 0 ? ["8 Sphere: neither pictures nor tests decide this"] : Array.Empty<string>(), marks.LookYourself);
     }
 
     [Theory]

@@ -18,13 +18,13 @@ internal static class JUnitReport
         xml.WriteAttributeString("tests", Number(results.Count + stopped.Count));
         xml.WriteAttributeString("failures", Number(results.Count(result => result.Outcome == TestOutcome.Failed)));
         xml.WriteAttributeString("errors", Number(stopped.Count));
-        foreach (var result in results) Write(xml, result, result.Outcome == TestOutcome.Failed ? "failure" : null);
+        foreach (var result in results) Write(xml, result, result.Outcome == TestOutcome.Failed ? "failure" : result.Outcome == TestOutcome.Passed ? null : "skipped");
         foreach (var test in stopped) Write(xml, test, "error");
         xml.WriteEndElement();
         xml.WriteEndElement();
     }
 
-    /// <param name="problem">"failure" or "error", or null for a test that has passed.</param>
+    /// <param name="problem">"failure", "error" or "skipped", or null for a test that has passed.</param>
     private static void Write(XmlWriter xml, TestResult result, string problem)
     {
         var name = result.TestCase.FullyQualifiedName;

@@ -1,0 +1,212 @@
+using System.IO.Compression;
+using System.Text;
+
+namespace RayCaster.Teaching.Tests.Marks;
+
+/// <summary>Files of test results as runners write them: the folder Reports has what each wrote for tests of steps 3 and 8, shortened.</summary>
+public class TestReportTests
+{
+    private static readonly string folder = ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Marks/Reports");
+
+    private const string Two = "<testsuites><testsuite name='lab'><testcase classname='Step03Plane' name='hit'/>" +
+        "<testcase classname='Step08Sphere' name='near'><failure message='expected 1'/></testcase></testsuite></testsuites>";
+
+    private static string Counts(byte[] report) => Counts(TestReport.Of(report));
+
+    private static string Counts(IReadOnlyList<ReportedTest> tests) =>
+        string.Join("; ", TestResults.ByStep(tests).Values.OrderBy(step => step.Step).Select(step => $"{step.Step}: {step.Passed} of {step.Count}"));
+
+    private static string Notes(IReadOnlyList<ReportedTest> tests) => string.Join("; ", TestResults.NotesOn(tests, [3, 8]));
+
+    private static IReadOnlyList<ReportedTest> Tests(string cases) => TestReport.Of(Encoding.UTF8.GetBytes($"<testsuite>{cases}</testsuite>"));
+
+    [Theory]
+    [InlineData("pytest.xml", "3: 1 of 1; 8: 3 of 6", "2 of 8 tests of step 8 did not run (skipped)")]
+    [InlineData("pytest-rerunfailures.xml", "3: 1 of 1; 8: 1 of 2", "flaky tests of step 8, whose last attempt counts: test_near")]
+    [InlineData("surefire.xml", "3: 1 of 1; 8: 2 of 3", "1 of 4 tests of step 8 did not run (skipped); " +
+        "flaky tests of step 8, whose last attempt counts: nearSide, behind")]
+    [InlineData("googletest.xml", "3: 1 of 1; 8: 1 of 2", "2 of 4 tests of step 8 did not run (suppressed, skipped)")]
+    [InlineData("xunit-v3.xml", "3: 0 of 1; 8: 3 of 6",
+        "the test results count tests that did not run, but do not list them; 2 of 8 tests of step 8 did not run (skipped)")]
+    [InlineData("jest.xml", "3: 1 of 1; 8: 2 of 3", "2 of 5 tests of step 8 did not run (skipped, todo)")]
+    [InlineData("nextest.xml", "3: 1 of 1; 8: 1 of 2",
+        "1 of 3 tests of step 8 did not run (skipped); flaky tests of step 8, whose last attempt counts: near")]
+    [InlineData("xcode.xml", "3: 1 of 1; 8: 1 of 2", "flaky tests of step 8, whose last attempt counts: near side")]
+    [InlineData("ctest.xml", "3: 1 of 1; 8: 1 of 3", "3 of 6 tests of step 8 did not run (disabled, skipped)")]
+    [InlineData("node.xml", "3: 1 of 1; 8: 1 of 3", "2 of 5 tests of step 8 did not run (skipped)")]
+    [InlineData("dotnet.trx", "3: 0 of 1; 8: 3 of 6", "3 of 9 tests of step 8 did not run (NotRunnable, NotExecuted)")]
+    public void EachDialectIsReadAsItsRunnerMeansIt(string file, string counts, string notes)
+    {
+        var tests = TestReport.Read(Path.Combine(folder, file));
+        Assert.Equal((counts, notes), (Counts(tests), Notes(tests)));
+    }
+
+    [Theory]
+    [InlineData("<testcase name='step8' status='notrun'/>", "notrun")]
+    [InlineData("<testcase name='step8' status='run' result='suppressed'/>", "suppressed")]
+    [InlineData("<testcase name='step8' result='skipped'/>", "skipped")]
+    [InlineData("<testcase name='step8' status='disabled'/>", "disabled")]
+    [InlineData("<testcase name='step8' status='Inconclusive'/>", "Inconclusive")] // nunit3-junit.xslt
+    [InlineData("<testcase name='step8' status='untested'/>", "untested")] // behave
+    [InlineData("<testcase name='step8' status='NOT RUN'/>", "NOT RUN")]
+    [InlineData("<testcase name='step8' status='?'/>", "?")]
+    [InlineData("<testcase name='step8'><disabled/></testcase>", "disabled")]
+    [InlineData("<testcase name='step8'><ignored/></testcase>", "ignored")]
+    [InlineData("<testcase name='step8'><not-run/></testcase>", "not-run")]
+    [InlineData("<testcase name='step8'><skipped type='todo' message='true'/></testcase>", "skipped")] // node
+    [InlineData("<t:testcase xmlns:t='x' name='step8'><t:skipped/></t:testcase>", "skipped")]
+    public void ATestThatDidNotRunIsNoResult(string test, string word)
+    {
+        Assert.Equal("", Counts(Tests(test)));
+        Assert.Equal($"the test results have no test of step 3; 1 of 1 tests of step 8 did not run ({word})", Notes(Tests(test)));
+    }
+
+    [Theory]
+    [InlineData("<testcase name='step8' status='fail'/>", 0)]
+    [InlineData("<testcase name='step8' status='Failed'/>", 0)]
+    [InlineData("<testcase name='step8' status='run' result='error'/>", 0)]
+    [InlineData("<testcase name='step8' status='run'><error/></testcase>", 0)]
+    [InlineData("<testcase name='step8'><skipped/><error message='failed on teardown'/></testcase>", 0)] // pytest
+    [InlineData("<testcase name='step8' status='passed'><failure/></testcase>", 0)]
+    [InlineData("<testcase name='step8' status='run' result='completed'/>", 1)]
+    [InlineData("<testcase name='step8' status='Passed'/>", 1)]
+    [InlineData("<testcase name='step8'><system-out>error</system-out><properties/></testcase>", 1)]
+    [InlineData("<testcase name='step8'><flakyError/></testcase>", 1)]
+    public void ATestThatRanPassesUnlessSomethingSaysThatItFailed(string test, int passed) =>
+        Assert.Equal($"8: {passed} of 1", Counts(Tests(test)));
+
+    [Theory]
+    [InlineData("fail pass", "8: 1 of 1")]
+    [InlineData("pass fail", "8: 0 of 1")]
+    [InlineData("fail fail pass", "8: 1 of 1")]
+    [InlineData("pass notrun fail notrun", "8: 0 of 1")]
+    public void OfAttemptsTheLastThatRanCountsAndFlakyIsTold(string attempts, string counts)
+    {
+        var tests = Tests(string.Concat(attempts.Split(' ').Select(end => $"<testcase classname='step8' name='near' status='{end}'/>")));
+        Assert.Equal(counts, Counts(tests));
+        Assert.Contains("flaky tests of step 8, whose last attempt counts: near", Notes(tests));
+    }
+
+    [Theory]
+    [InlineData("<testcase classname='step8' name='near'/>")] // the same end
+    [InlineData("<testcase classname='step8' name='near' status='notrun'/>")]
+    public void AttemptsThatEndAlikeAreOneTestThatIsNotFlaky(string second)
+    {
+        var tests = Tests("<testcase classname='step8' name='near'/>" + second);
+        Assert.Equal("8: 1 of 1", Counts(tests));
+        Assert.DoesNotContain("flaky", Notes(tests));
+    }
+
+    [Theory]
+    [InlineData("<testsuite name='debug'>{0}</testsuite><testsuite name='release'>{1}</testsuite>")]
+    [InlineData("<testsuite name='pytest'>{0}</testsuite><testsuite name='pytest'>{1}</testsuite>")]
+    [InlineData("<testsuite name='all'>{0}<testsuite name='inner'>{1}</testsuite></testsuite>")]
+    public void TwoSuitesThatHoldTheSameTestsStayTwo(string suites)
+    {
+        var tests = Tests(string.Format(suites, "<testcase name='step8'><failure/></testcase>", "<testcase name='step8'/>"));
+        Assert.Equal("8: 1 of 2", Counts(tests));
+        Assert.DoesNotContain("flaky", Notes(tests));
+    }
+
+    [Theory]
+    [InlineData("<testcase name='step8 At(\"aaa\"···)'><failure/></testcase><testcase name='step8 At(\"aaa\"···)'/>")] // xunit's cut names
+    [InlineData("<testcase name='step8' line='4'><failure/></testcase><testcase name='step8' line='9'/>")]
+    public void TestsOfOneNameThatAreNotAttemptsStayTwo(string tests) => Assert.Equal("8: 1 of 2", Counts(Tests(tests)));
+
+    [Theory]
+    [InlineData("<testsuite name='step 8'><testsuite name='near'><testcase name='a' classname='test'/></testsuite></testsuite>", 8)] // node
+    [InlineData("<testcase name='a'><properties><property name='step' value='8'/></properties></testcase>", 8)]
+    [InlineData("<testcase name='a' classname='Step03'><properties><property name='step' value='8'/></properties></testcase>", 3)]
+    [InlineData("<testsuite name='/home/ann/lab-step8/tests'><testcase name='a'/></testsuite>", 0)]
+    public void AStepIsAlsoNamedByAPropertyOrASuite(string test, int step) => Assert.Equal(step, Assert.Single(Tests(test)).Step);
+
+    [Fact] // xunit's names begin with the class
+    public void TestsOfWholePicturesDoNotCountWhateverWritesTheirNames() => Assert.Equal("8: 1 of 1",
+        Counts(Tests("<testcase classname='Lab.Step08' name='Lab.Step08.ThePictures'><failure/></testcase><testcase classname='Lab.Step08' name='a'/>")));
+
+    [Theory]
+    [InlineData("\n")]
+    [InlineData("  \r\n\r\n")]
+    [InlineData("Restored lab.csproj & 2 < 3 others (in 2 s).\n> test -> results\n")]
+    [InlineData("\u001b[32mok\u001b[0m\n")]
+    public void WhatALogHasWrittenAroundItIsLeftOut(string log)
+    {
+        const string declaration = "<?xml version='1.0' encoding='UTF-8'?>\n";
+        Assert.All([log + declaration + Two, log + Two, declaration + Two + log.Replace(">", ""), declaration + "<!-- a test -->" + Two],
+            text => Assert.Equal("3: 1 of 1; 8: 0 of 1", Counts(Encoding.UTF8.GetBytes(text))));
+    }
+
+    [Fact] // cat debug.xml release.xml
+    public void TwoReportsBehindEachOtherAreRead() =>
+        Assert.Equal("3: 2 of 2; 8: 0 of 2", Counts(Encoding.UTF8.GetBytes(string.Concat(Enumerable.Repeat($"<?xml version='1.0'?>\n{Two}\n", 2)))));
+
+    public static TheoryData<string, string> Encodings => new MatrixTheoryData<string, string>(
+        ["", "utf-8", "utf-16", "UTF-16BE", "iso-8859-1", "us-ascii", "windows-1251", "no-such"],
+        ["utf-8", "utf-8 mark", "utf-16", "utf-16 mark", "utf-16BE", "utf-16BE mark", "latin1"]) is var all
+        ? [.. all.Select(row => row.Data)] : [];
+
+    [Theory]
+    [MemberData(nameof(Encodings))]
+    public void TheBytesSayInWhichEncodingTheyAre(string declared, string used)
+    {
+        var encoding = Encoding.GetEncoding(used.Split(' ')[0]);
+        var text = (declared == "" ? "" : $"<?xml version=\"1.0\" encoding=\"{declared}\"?>\n") + Two.Replace("near", "n\u00E4her");
+        byte[] bytes = [.. used.EndsWith("mark") ? encoding.Preamble : [], .. encoding.GetBytes(text)];
+        Assert.Equal("3: 1 of 1; 8: 0 of 1", Counts(bytes));
+        Assert.Equal("n\u00E4her", TestReport.Of(bytes)[1].Name);
+    }
+
+    [Theory]
+    [InlineData("\u001b[31m")]
+    [InlineData("\0\u0001\u001f")]
+    [InlineData("\uFFFE")]
+    [InlineData("&#x1B;&#1;")]
+    public void ACharacterThatXmlDoesNotAllowIsNoError(string odd) =>
+        Assert.Equal("3: 1 of 1; 8: 0 of 1", Counts(Encoding.UTF8.GetBytes(Two.Replace("near", odd + "near").Replace("expected", odd + "expected"))));
+
+    [Theory]
+    [InlineData("", "it is empty: write JUnit, with dotnet test")]
+    [InlineData("\n \0", "it is empty: write JUnit, with dotnet test")]
+    [InlineData("All tests passed.", "it is no XML: write JUnit, with dotnet test")]
+    [InlineData("{\"results\": {}}", "it is no XML: write JUnit, with dotnet test")]
+    [InlineData("<html><body>1 &amp; 2</body></html>", "it holds no tests: write JUnit, with dotnet test")]
+    [InlineData("<testsuites tests='0'/>", "it is JUnit without a test: did the build fail?")]
+    [InlineData("<test-run id='2' testcasecount='1'><test-suite><test-case name='Step08'/></test-suite></test-run>",
+        "it is NUnit's own format: write JUnit, with nunit3-console")]
+    [InlineData("<assemblies><assembly><collection><test name='Step08.Near' result='Pass'/></collection></assembly></assemblies>",
+        "it is xUnit's own format: write JUnit, with the runner's -junit")]
+    [InlineData("<Site><Testing><Test Status='passed'><Name>step8</Name></Test></Testing></Site>",
+        "it is CTest's own format: write JUnit, with ctest --output-junit")]
+    [InlineData("\n<testsuites>\n<testcase", "it breaks off or is spoilt at line 3: run the tests again")]
+    [InlineData("<testsuites><testcase></testsuites>", "it breaks off or is spoilt at line 1: run the tests again")]
+    [InlineData("<?xml <?xml ", "it holds no tests: write JUnit")]
+    [InlineData("<!-- -->", "it holds no tests: write JUnit")]
+    [InlineData("<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>", "it has a DTD, which could name other files")]
+    [InlineData("\n<?xml version='1.0'?><!-- --> <!DOCTYPE testsuites SYSTEM 'file:///etc/passwd'><testsuites/>", "it has a DTD")]
+    public void AFileThatIsNotReadSaysWhatItIsAndWhatToDo(string text, string problem) =>
+        Assert.StartsWith(problem, Assert.Throws<ProblemException>(() => TestReport.Of(Encoding.UTF8.GetBytes(text))).Message);
+
+    [Fact]
+    public void APackedFileIsToldAsSuch()
+    {
+        using var packed = new MemoryStream();
+        using (var gzip = new GZipStream(packed, CompressionLevel.Fastest)) gzip.Write(Encoding.UTF8.GetBytes(Two));
+        Assert.Equal("it is packed: unpack it", Assert.Throws<ProblemException>(() => TestReport.Of(packed.ToArray())).Message);
+    }
+
+    [Theory(Timeout = 60_000)] // each took time that grows with the square of its length, or more
+    [InlineData("<?xml ", "", "")]
+    [InlineData("<!---->", "", "<a/>")]
+    [InlineData("<testsuite><testcase name='a'/>", "</testsuite>", "")]
+    [InlineData("", "0", "<testcase name='step{0}'/>")]
+    public async Task AForgedFileCostsLittle(string opening, string closing, string around)
+    {
+        var many = string.Concat(Enumerable.Repeat(opening, 50_000)) + string.Concat(Enumerable.Repeat(closing, 50_000));
+        var text = around.Contains("{0}") ? string.Format(around, many) : many + around;
+        await Task.Run(() =>
+        {
+            try { TestReport.Of(Encoding.UTF8.GetBytes(text)); }
+            catch (ProblemException) { } // or is refused
+        }, TestContext.Current.CancellationToken);
+    }
+}
