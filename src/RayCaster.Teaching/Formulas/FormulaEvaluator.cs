@@ -14,7 +14,7 @@ internal sealed class FormulaEvaluator
     private const int MaxTogether = 1024;
 
     /// <summary>What a ray through a mesh's tree, or to a shape of one's own, takes, as so many computed numbers do.</summary>
-    private const int WorkOfRay = 500;
+    private const int WorkOfRay = 200;
 
     private static readonly UInt128 ofRay = Symbol.Of("P").Bit | Symbol.Of("d").Bit;
 

@@ -12,8 +12,8 @@ namespace RayCaster.Teaching.Formulas;
 /// <remarks>For one search after another: of two at the same time, it would depend on the machine which one does how much.</remarks>
 public sealed class SearchBudget(long work = SearchBudget.Usual, TimeSpan? lastResort = null, CancellationToken cancellation = default)
 {
-    /// <summary>The work that is done if the user sets no limit: some five seconds of a core.</summary>
-    public const long Usual = 1_500_000_000;
+    /// <summary>The work that is done if the user sets no limit: some six seconds of a core.</summary>
+    public const long Usual = 4_000_000_000;
 
     /// <summary>The processor time after which a search ends if it has not done its work by then.</summary>
     public static readonly TimeSpan LastResort = TimeSpan.FromSeconds(60);
@@ -37,7 +37,7 @@ public sealed class SearchBudget(long work = SearchBudget.Usual, TimeSpan? lastR
     /// <summary>Whether nothing more may be done; read before each piece of work that is then left out.</summary>
     internal bool IsSpent()
     {
-        if (Done > work) UsedUp ??= "the usual amount of work";
+        if (Done >= work) UsedUp ??= "the usual amount of work";
         else if (IsOver()) UsedUp ??= string.Create(CultureInfo.InvariantCulture, $"{time.TotalSeconds:0} s of processor time");
         return UsedUp is not null;
     }
