@@ -5,7 +5,7 @@ namespace RayCaster.Marks;
 /// <summary>Text as other programs save it.</summary>
 internal static class ForeignText
 {
-    /// <summary>The text of bytes in UTF-8, UTF-16 or Windows-1252, whichever they can be: what an XML file says of its encoding may be wrong.</summary>
+    /// <summary>The text of bytes in UTF-8, UTF-16 or else Windows-1252: what an XML file says of its encoding may be wrong.</summary>
     public static string Of(byte[] bytes)
     {
         var encoding = bytes is [not 0, 0, ..] ? Encoding.Unicode : bytes is [0, not 0, ..] ? Encoding.BigEndianUnicode

@@ -66,7 +66,7 @@ internal sealed record Submission(string Folder)
     public static IReadOnlyList<SubmittedPicture> None(Rubric rubric, string problem) =>
         [.. rubric.Scenes.Select(scene => new SubmittedPicture(scene, null, problem))];
 
-    /// <summary>The files whose paths fit a pattern, as paths from the folder; the pattern itself if its folder is a link. They may be links.</summary>
+    /// <summary>The files, or links, whose paths fit a pattern, as paths from the folder; the pattern itself if its folder is a link.</summary>
     public IReadOnlyList<string> FilesLike(string pattern)
     {
         var folder = Path.GetDirectoryName(pattern) ?? "";

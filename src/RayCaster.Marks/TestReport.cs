@@ -22,12 +22,13 @@ internal sealed record ReportedTest(int Step, string Name, TestOutcome Outcome, 
 /// <summary>Reads a file of test results: JUnit, of which each runner writes a dialect of its own, or TRX.</summary>
 internal static partial class TestReport
 {
-    private const int MaxBytes = 1 << 24, MaxText = 80, MaxSuites = 8;
+    private const int MaxBytes = 1 << 24, MaxText = 80, MaxDepth = 100;
 
     /// <summary>Begins the hand-out's message of a test that did not end.</summary>
     private const string Stopped = "The run was stopped";
 
-    private const string GetJUnit = "write JUnit, with dotnet test --logger \"steps;junit=FILE\" in the hand-out, with pytest --junit-xml=FILE in Python";
+    private const string GetJUnit =
+        "write JUnit, in the hand-out with dotnet test --logger \"steps;junit=FILE\", in Python with pytest --junit-xml=FILE";
 
     /// <param name="Element">What a test is called.</param>
     /// <param name="Name">The attribute of its name. That of its class is <c>classname</c>.</param>
@@ -41,7 +42,7 @@ internal static partial class TestReport
         new("UnitTestResult", "testName", ["outcome"], ["executionId"]), // TRX
     ];
 
-    /// <summary>What elements of a test, such as &lt;skipped/&gt;, and attributes say of its end. Another word of an attribute is no result.</summary>
+    /// <summary>What elements of a test, such as &lt;skipped/&gt;, and its attributes say. Another word of an attribute is no result.</summary>
     private static readonly Dictionary<string, TestOutcome> words = new[]
     {
         (TestOutcome.Passed, "run pass passed success successful succeeded ok completed executed"),
@@ -56,9 +57,8 @@ internal static partial class TestReport
     private static readonly Dictionary<string, string> others = new()
     {
         ["testsuites"] = "is JUnit without a test: did the build fail?",
-        ["testsuite"] = "is JUnit without a test: did the build fail?",
-        ["test-run"] = "is NUnit's own format: write JUnit, with nunit3-console --result=\"FILE;transform=nunit3-junit.xslt\", or with dotnet test " +
-            "--logger junit and the package JunitXml.TestLogger",
+        ["test-run"] = "is NUnit's own format: write JUnit, with nunit3-console --result=\"FILE;transform=nunit3-junit.xslt\", or with dotnet " +
+            "test --logger junit and the package JunitXml.TestLogger",
         ["assemblies"] = "is xUnit's own format: write JUnit, with the runner's -junit FILE, or with dotnet test --logger junit and the package " +
             "JunitXml.TestLogger",
         ["Site"] = "is CTest's own format: write JUnit, with ctest --output-junit FILE",
@@ -84,15 +84,15 @@ internal static partial class TestReport
                from test in TestsOf(suite.Key, suite, dialect)
                select test,
         ];
-        return tests.Length > 0 ? tests : throw new ProblemException("it " + (
-            others.GetValueOrDefault(all.Elements().FirstOrDefault()?.Name.LocalName ?? "") ?? $"holds no tests: {GetJUnit}"));
+        var root = all.Elements().FirstOrDefault()?.Name.LocalName ?? "";
+        return tests.Length > 0 ? tests : throw new ProblemException($"it {others.GetValueOrDefault(root, $"holds no tests: {GetJUnit}")}");
     }
 
     private static IEnumerable<ReportedTest> TestsOf(XElement suite, IEnumerable<XElement> listed, Dialect dialect)
     {
         XElement[][] tests =
         [
-            .. listed.GroupBy(test => (Text(test, "classname"), Text(test, dialect.Name), string.Join('\n', dialect.Others.Select(other => Text(test, other))),
+            .. listed.GroupBy(test => (string.Join('\n', dialect.Others.Prepend("classname").Append(dialect.Name).Select(part => Text(test, part))),
                 Text(test, dialect.Name).Contains("···") ? test : null)) // xunit cuts long names, which may then be the same
                 .Select(attempts => attempts.ToArray()),
         ];
@@ -115,8 +115,9 @@ internal static partial class TestReport
         var (outcome, word) = Said(test, dialect).Append((Outcome: TestOutcome.Passed, Word: "")).MaxBy(said => said.Outcome);
         if (hasTodo && !test.HasElements && Text(test, "time") == "0") (outcome, word) = (TestOutcome.NotRun, "todo");
         var (type, name) = (Text(test, "classname"), Text(test, dialect.Name));
-        return new(StepOf(test, type, name), Cut(type != "" && name.StartsWith(type + ".", StringComparison.Ordinal) ? name[(type.Length + 1)..] : name),
-            outcome, Cut(word), outcome == TestOutcome.Passed && test.Elements().Any(element => attempts.Contains(element.Name.LocalName)),
+        var isQualified = type != "" && name.StartsWith(type + ".", StringComparison.Ordinal);
+        return new(StepOf(test, type, name), Cut(isQualified ? name[(type.Length + 1)..] : name), outcome, Cut(word),
+            outcome == TestOutcome.Passed && test.Elements().Any(element => attempts.Contains(element.Name.LocalName)),
             test.Elements().Any(error => Text(error, "message").StartsWith(Stopped, StringComparison.Ordinal)));
     }
 
@@ -125,43 +126,36 @@ internal static partial class TestReport
             .Concat(dialect.Ends.Select(end => Text(test, end)).Where(end => end != ""))
             .Select(word => (words.GetValueOrDefault(Plain(word), TestOutcome.NotRun), word));
 
-    /// <summary>A test's step is the number after <c>step</c> in its class or name, such as <c>Lab.Tests.Step08Sphere</c> and <c>test_step_8</c>, in a
-    /// property of it, or at the start of a suite's name.</summary>
+    /// <summary>The number after <c>step</c> in its class or name, such as <c>Lab.Tests.Step08Sphere</c> and <c>test_step_8</c>, in a property of
+    /// it, or at the start of a suite's name.</summary>
     private static int StepOf(XElement test, string type, string name) =>
         new[] { type, name }
             .Concat(Named(test, "property").Where(property => Text(property, "name").Equals("step", StringComparison.OrdinalIgnoreCase))
                 .Select(property => "step" + Text(property, "value")))
-            .Concat(test.Ancestors().Take(MaxSuites).Select(suite => Text(suite, "name"))
+            .Concat(test.Ancestors().Select(suite => Text(suite, "name"))
                 .Where(suite => suite.StartsWith("step", StringComparison.OrdinalIgnoreCase)))
             .Select(text => StepNumber().Match(text)).FirstOrDefault(match => match.Success)
             is { } match ? int.Parse(match.Groups[1].Value, CultureInfo.InvariantCulture) : 0;
 
-    /// <summary>The elements of a text without what a log has written around them, and without declarations, which may name another encoding.</summary>
+    /// <summary>The elements of a text without a log's lines around them, and without declarations, which may name another encoding.</summary>
     private static XElement Parsed(string text)
     {
         var start = Markup().Match(text) is { Success: true } markup ? markup.Index : throw new ProblemException($"it is no XML: {GetJUnit}");
-        if (Dtd().IsMatch(text.AsSpan(start))) throw new ProblemException("it has a DTD, which could name other files");
         var lines = text.AsSpan(0, start).Count('\n');
-        var settings = new XmlReaderSettings
-        {
-            ConformanceLevel = ConformanceLevel.Fragment,
-            DtdProcessing = DtdProcessing.Prohibit,
-            XmlResolver = null,
-            CheckCharacters = false,
-        };
-        text = NoContent().Replace(text[start..Math.Max(start, text.LastIndexOf('>') + 1)], " ");
-        using var reader = XmlReader.Create(new StringReader(text), settings);
-        var all = new XElement("all");
+        var xml = $"<all>{NoContent().Replace(text[start..Math.Max(start, text.LastIndexOf('>') + 1)], " ")}</all>";
+        var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null, CheckCharacters = false };
         try
         {
-            while (!reader.EOF)
-                if (reader.NodeType == XmlNodeType.Element) all.Add(XNode.ReadFrom(reader));
-                else reader.Read();
-            return all;
+            using var reader = XmlReader.Create(new StringReader(xml), settings);
+            while (reader.Read()) // a tree takes time that grows with the square of its depth
+                if (reader.Depth > MaxDepth) throw new ProblemException($"its elements are nested more than {MaxDepth} deep");
+            using var again = XmlReader.Create(new StringReader(xml), settings);
+            return XElement.Load(again);
         }
         catch (XmlException e)
         {
-            throw new ProblemException($"it breaks off or is spoilt at line {lines + e.LineNumber}: run the tests again", e);
+            throw new ProblemException(xml.Contains("<!DOCTYPE", StringComparison.OrdinalIgnoreCase) ? "it has a DTD that may name other files"
+                : $"it breaks off or is spoilt at line {lines + e.LineNumber}: run the tests again", e);
         }
     }
 
@@ -182,9 +176,6 @@ internal static partial class TestReport
     /// <summary>Where XML begins behind the lines of a log.</summary>
     [GeneratedRegex(@"<\?xml\s|<!DOCTYPE|<!--|<(\w+:)?(testsuites?|testcase|TestRun|test-run|assemblies|Site)[\s/>]|^\s*<\w")]
     private static partial Regex Markup();
-
-    [GeneratedRegex(@"^(?>(?:\s+|<\?.*?\?>|<!--.*?-->)*)<!DOCTYPE", RegexOptions.Singleline)]
-    private static partial Regex Dtd();
 
     /// <summary>A declaration, or a character that XML does not allow, such as those that colour a terminal.</summary>
     [GeneratedRegex(@"<\?xml\s[^>]{0,200}\?>|[\0-\x08\x0B\x0C\x0E-\x1F\uFFFE\uFFFF]")]

@@ -34,15 +34,16 @@ internal sealed record TestResults(IReadOnlyDictionary<int, StepResult> Steps, I
                 var read = TestReport.Read(Path.Combine(submission.Folder, file));
                 tests.AddRange(read);
                 if (read.All(test => test.Step == 0))
-                    notes.Add($"the test results {PrintableText.Of(file)} count for no step: JUnit must name the step in a test's class or name, as in " +
-                        $"Step08Sphere and test_step_8, but none of {read.Count} has one");
+                    notes.Add($"the test results {PrintableText.Of(file)} count for no step: JUnit must name it in a test's class or name, as in " +
+                        $"Step08Sphere and test_step_8, but none of {read.Count} does");
             }
             catch (ProblemException e)
             {
                 notes.Add($"the test results {PrintableText.Of(file)} cannot be read: {e.Message}");
             }
         }
-        if (files.Count == 0 && rubric.Items.Any(item => item.Evidence == ItemEvidence.Tests)) notes.Add($"there are no test results {rubric.Tests}");
+        if (files.Count == 0 && rubric.Items.Any(item => item.Evidence == ItemEvidence.Tests))
+            notes.Add($"there are no test results {rubric.Tests}");
         var steps = rubric.Items.Where(item => item.Evidence != ItemEvidence.Pictures).Select(item => item.Step).Distinct().Order().ToArray();
         return new(ByStep(tests), [.. notes, .. NotesOn(tests, steps)]);
     }

@@ -122,7 +122,8 @@ public class TestReportTests
 
     [Fact] // xunit's names begin with the class
     public void TestsOfWholePicturesDoNotCountWhateverWritesTheirNames() => Assert.Equal("8: 1 of 1",
-        Counts(Tests("<testcase classname='Lab.Step08' name='Lab.Step08.ThePictures'><failure/></testcase><testcase classname='Lab.Step08' name='a'/>")));
+        Counts(Tests("<testcase classname='Lab.Step08' name='Lab.Step08.ThePictures'><failure/></testcase>" +
+            "<testcase classname='Lab.Step08' name='a'/>")));
 
     [Theory]
     [InlineData("\n")]
@@ -138,7 +139,7 @@ public class TestReportTests
 
     [Fact] // cat debug.xml release.xml
     public void TwoReportsBehindEachOtherAreRead() =>
-        Assert.Equal("3: 2 of 2; 8: 0 of 2", Counts(Encoding.UTF8.GetBytes(string.Concat(Enumerable.Repeat($"<?xml version='1.0'?>\n{Two}\n", 2)))));
+        Assert.Equal("3: 2 of 2; 8: 0 of 2", Counts(Encoding.UTF8.GetBytes($"<?xml version='1.0'?>\n{Two}\n<?xml version='1.0'?>\n{Two}\n")));
 
     public static TheoryData<string, string> Encodings => new MatrixTheoryData<string, string>(
         ["", "utf-8", "utf-16", "UTF-16BE", "iso-8859-1", "us-ascii", "windows-1251", "no-such"],
@@ -162,14 +163,15 @@ public class TestReportTests
     [InlineData("\uFFFE")]
     [InlineData("&#x1B;&#1;")]
     public void ACharacterThatXmlDoesNotAllowIsNoError(string odd) =>
-        Assert.Equal("3: 1 of 1; 8: 0 of 1", Counts(Encoding.UTF8.GetBytes(Two.Replace("near", odd + "near").Replace("expected", odd + "expected"))));
+        Assert.Equal("3: 1 of 1; 8: 0 of 1", Counts(Encoding.UTF8.GetBytes(Two.Replace("near", odd).Replace("expected", odd))));
 
     [Theory]
-    [InlineData("", "it is empty: write JUnit, with dotnet test")]
-    [InlineData("\n \0", "it is empty: write JUnit, with dotnet test")]
-    [InlineData("All tests passed.", "it is no XML: write JUnit, with dotnet test")]
-    [InlineData("{\"results\": {}}", "it is no XML: write JUnit, with dotnet test")]
-    [InlineData("<html><body>1 &amp; 2</body></html>", "it holds no tests: write JUnit, with dotnet test")]
+    [InlineData("", "it is empty: write JUnit, in the hand-out")]
+    [InlineData("\n \0", "it is empty: write JUnit, in the hand-out")]
+    [InlineData("All tests passed.", "it is no XML: write JUnit, in the hand-out")]
+    [InlineData("{\"results\": {}}", "it is no XML: write JUnit, in the hand-out")]
+    [InlineData("<html><body>1 &amp; 2</body></html>", "it holds no tests: write JUnit, in the hand-out")]
+    [InlineData("<testsuite tests='0'/>", "it holds no tests: write JUnit, in the hand-out")]
     [InlineData("<testsuites tests='0'/>", "it is JUnit without a test: did the build fail?")]
     [InlineData("<test-run id='2' testcasecount='1'><test-suite><test-case name='Step08'/></test-suite></test-run>",
         "it is NUnit's own format: write JUnit, with nunit3-console")]
@@ -177,11 +179,12 @@ public class TestReportTests
         "it is xUnit's own format: write JUnit, with the runner's -junit")]
     [InlineData("<Site><Testing><Test Status='passed'><Name>step8</Name></Test></Testing></Site>",
         "it is CTest's own format: write JUnit, with ctest --output-junit")]
-    [InlineData("\n<testsuites>\n<testcase", "it breaks off or is spoilt at line 3: run the tests again")]
+    [InlineData("\n<testsuites>\n<testcase", "it breaks off or is spoilt at line 2: run the tests again")]
     [InlineData("<testsuites><testcase></testsuites>", "it breaks off or is spoilt at line 1: run the tests again")]
     [InlineData("<?xml <?xml ", "it holds no tests: write JUnit")]
+    [InlineData("<!doctype html><html><p></html>", "it is no XML: write JUnit, in the hand-out")]
     [InlineData("<!-- -->", "it holds no tests: write JUnit")]
-    [InlineData("<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>", "it has a DTD, which could name other files")]
+    [InlineData("<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>", "it has a DTD that may name other files")]
     [InlineData("\n<?xml version='1.0'?><!-- --> <!DOCTYPE testsuites SYSTEM 'file:///etc/passwd'><testsuites/>", "it has a DTD")]
     public void AFileThatIsNotReadSaysWhatItIsAndWhatToDo(string text, string problem) =>
         Assert.StartsWith(problem, Assert.Throws<ProblemException>(() => TestReport.Of(Encoding.UTF8.GetBytes(text))).Message);

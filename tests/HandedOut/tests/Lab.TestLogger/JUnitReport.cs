@@ -18,7 +18,8 @@ internal static class JUnitReport
         xml.WriteAttributeString("tests", Number(results.Count + stopped.Count));
         xml.WriteAttributeString("failures", Number(results.Count(result => result.Outcome == TestOutcome.Failed)));
         xml.WriteAttributeString("errors", Number(stopped.Count));
-        foreach (var result in results) Write(xml, result, result.Outcome == TestOutcome.Failed ? "failure" : result.Outcome == TestOutcome.Passed ? null : "skipped");
+        foreach (var result in results)
+            Write(xml, result, result.Outcome switch { TestOutcome.Passed => null, TestOutcome.Failed => "failure", _ => "skipped" });
         foreach (var test in stopped) Write(xml, test, "error");
         xml.WriteEndElement();
         xml.WriteEndElement();
