@@ -1,5 +1,6 @@
 using RayCaster;
 using RayCaster.Files;
+using RayCaster.Teaching;
 using RayCaster.Teaching.Comparison;
 
 namespace Lab.Tests;
