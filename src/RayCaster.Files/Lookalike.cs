@@ -10,10 +10,10 @@ internal static class Lookalike
         ("⁻₋", "-", "a superscript or subscript minus"),
         ("⁺₊", "+", "a superscript or subscript plus"),
         ("“”„‟«»″〝〞‘’‚‛‹›′´", "\"", "a quote of word processors"),
-        ("，、،", ",", "a comma of another script"),
-        ("；؛", ";", "a semicolon of another script"),
-        ("．。٫·", ".", "a point of another script"),
-        ("：﹕∶", ":", "a colon of another script"),
+        ("、،", ",", "a comma of another script"),
+        ("؛", ";", "a semicolon of another script"),
+        ("。٫·", ".", "a point of another script"),
+        ("﹕∶", ":", "a colon of another script"),
         ("【〔〖", "[", "a bracket of another script"),
         ("】〕〗", "]", "a bracket of another script"),
         ("⁄∕", "/", "a slash of word processors"),
@@ -51,7 +51,8 @@ internal static class Lookalike
             if (c.IsBmp && characters.Contains((char)c.Value)) return (ascii, name);
         if (c.Value is >= 0xFF01 and <= 0xFF5E) return ($"{(char)(c.Value - 0xFF01 + '!')}", "a full-width character");
         return Rune.GetNumericValue(c) is >= 0 and var number && Rune.GetUnicodeCategory(c) != UnicodeCategory.LetterNumber
-            ? (number.ToString("0.####", CultureInfo.InvariantCulture), number is >= 1 or 0 ? "a digit that is not ASCII" : "a fraction in one character")
+            ? (number.ToString("0.####", CultureInfo.InvariantCulture),
+                number is >= 1 or 0 ? "a digit that is not ASCII" : "a fraction in one character")
             : null;
     }
 }

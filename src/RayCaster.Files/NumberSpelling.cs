@@ -14,7 +14,7 @@ internal static partial class NumberSpelling
             return (power.Groups["factor"].Value is { Length: > 0 } factor ? factor : "1") + "e" + power.Groups["exponent"].Value.TrimStart('+');
         var number = Form().Match(text);
         if (!number.Success || (!isComma && number.Groups["point"].Value == ",")) return null;
-        var sign = number.Groups["sign"].Value == "-" ? "-" : "";
+        var sign = number.Groups["sign"].Value.EndsWith('-') ? "-" : "";
         var whole = Separators().Replace(number.Groups["whole"].Value, "");
         var fraction = Separators().Replace(number.Groups["fraction"].Value, "");
         if (whole.Length + fraction.Length == 0) return null;
@@ -43,8 +43,8 @@ internal static partial class NumberSpelling
     [GeneratedRegex(@"^((?<factor>-?[0-9]+(\.[0-9]+)?)[*x×.·])?10\^?(?<exponent>[+-]?[0-9]+)$")]
     private static partial Regex Power();
 
-    [GeneratedRegex(@"^(?<sign>[+-]?)(?<whole>[0-9][0-9_']*)?((?<point>[.,])(?<fraction>([0-9][0-9_]*)?))?(?<exponent>e[+-]?[0-9]+)?([fdlmu]|deg|°)?$",
-        RegexOptions.IgnoreCase)]
+    [GeneratedRegex(@"^(?<sign>[+]*-?)(?<whole>[0-9][0-9_']*)?((?<point>[.,])(?<fraction>([0-9][0-9_]*)?))?(?<exponent>e[+-]?[0-9]+)?"
+        + "([fdlmu]|deg|°)?$", RegexOptions.IgnoreCase)] // the suffixes of C# and Java, and degrees
     private static partial Regex Form();
 
     [GeneratedRegex("[_']")]

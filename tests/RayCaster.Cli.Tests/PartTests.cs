@@ -1,3 +1,5 @@
+using System.Text.RegularExpressions;
+
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
@@ -61,6 +63,47 @@ public sealed class PartTests : CommandTests
 
         foreach (var rows in (string[])["0..9", "20..49", "99..99"]) raycaster.Run("part", Room, rows, "-s", "20x100");
         Assert.Equal(0, raycaster.Run("stitch", ".", "-o", "room.png").ExitCode);
+    }
+
+    [Theory]
+    [InlineData("0/8", "1/8 to 8/8 (--array=1-8)")]
+    [InlineData("9/8", "1/8 to 8/8 (--array=1-8)")]
+    [InlineData("2/1", "1/1 to 1/1 (--array=1-1)")]
+    [InlineData("99999999999/2", "1/2 to 2/2 (--array=1-2)")]
+    public void APartThatDoesNotExistIsToldWithThoseThatDo(string part, string parts)
+    {
+        raycaster.Run("part", Room, part);
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.StartsWith($"raycaster: there is no part {part}: parts are {parts}\n", raycaster.Error);
+    }
+
+    /// <summary>Its lines are missing: they are to be drawn again.</summary>
+    [Fact]
+    public void DamagedPartsAreAllNamedAndTheirLinesAreMissing()
+    {
+        foreach (var rows in (string[])["0..9", "10..19", "20..29"]) raycaster.Run("part", Room, rows, "-s", "20x40", "-o", rows + ".png");
+        foreach (var rows in (string[])["0..9", "20..29"]) Damage(rows + ".png");
+        raycaster.Write("cut.png", "no picture");
+
+        raycaster.Run("stitch", ".", "--missing");
+        Assert.Equal((2, "0..9\n20..39\n"), (raycaster.ExitCode, raycaster.OutputText));
+        Assert.Equal(["0..9.png", "20..29.png", "cut.png"], Named());
+
+        raycaster.Run("part", Room, "30..39", "-s", "20x40", "-o", "30..39.png");
+        File.Delete(raycaster.PathOf("cut.png"));
+        raycaster.Run("stitch", ".", "-o", "room.png");
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.Equal(["0..9.png", "20..29.png"], Named());
+
+        IEnumerable<string> Named() => Regex.Matches(raycaster.Error, "^raycaster: cannot read (?:.*[/\\\\])?(.*?): ", RegexOptions.Multiline)
+            .Select(match => match.Groups[1].Value).Order(StringComparer.Ordinal);
+
+        void Damage(string name)
+        {
+            var bytes = File.ReadAllBytes(raycaster.PathOf(name));
+            bytes[^20] ^= 1; // within the pixels
+            File.WriteAllBytes(raycaster.PathOf(name), bytes);
+        }
     }
 
     [Fact]

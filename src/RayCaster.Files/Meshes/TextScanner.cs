@@ -39,7 +39,7 @@ internal sealed class TextScanner
         {
             var word = Line[wordAt..Math.Max(wordAt, Position)]; // Return may have gone back before it
             if (word.IsEmpty) return lineEnd == 0 ? "the end of the file" : "the end of the line";
-            return $"'{PrintableText.Of(Encoding.UTF8.GetString(word[..Math.Min(word.Length, LongestQuote)]))}{(word.Length > LongestQuote ? "…" : "")}'";
+            return $"'{PrintableText.Of(Beginning(word))}{(word.Length > LongestQuote ? "…" : "")}'";
         }
     }
 
@@ -89,7 +89,7 @@ internal sealed class TextScanner
     {
         if (TryParse(word, out var number)) return number;
         throw Error(word.IsEmpty ? $"{what} is missing"
-            : $"{what} must be a finite number, but is {Quoted}{NumberSpelling.Hint(Encoding.UTF8.GetString(word[..Math.Min(word.Length, LongestQuote)]))}");
+            : $"{what} must be a finite number, but is {Quoted}{NumberSpelling.Hint(Beginning(word))}");
     }
 
     /// <summary>Reads a whole word as the double nearest to it; false where the word is no number or beyond the largest double. Numbers are
@@ -99,6 +99,8 @@ internal sealed class TextScanner
         Utf8Parser.TryParse(word, out number, out var length) && length == word.Length && double.IsFinite(number);
 
     public ProblemException Error(string reason) => source.ErrorAtLine(LineNumber, reason);
+
+    private static string Beginning(ReadOnlySpan<byte> word) => Encoding.UTF8.GetString(word[..Math.Min(word.Length, LongestQuote)]);
 
     private ReadOnlySpan<byte> Line => source.Bytes[..length];
 

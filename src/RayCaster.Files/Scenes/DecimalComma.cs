@@ -18,7 +18,8 @@ internal static class DecimalComma
     {
         var suspects = new List<int>();
         for (var i = 1; i < tree.Count; i++)
-            if (tree[i].End - tree[i].Start >= 7 && IsFraction(new(tree, i - 1), new(tree, i)) && new JsonValue(tree, i).Number >= Huge) suspects.Add(i);
+            if (tree[i].End - tree[i].Start >= 7 && IsFraction(new(tree, i - 1), new(tree, i)) && new JsonValue(tree, i).Number >= Huge)
+                suspects.Add(i);
         if (suspects.Count == 0) return;
         var greatest = Enumerable.Range(0, tree.Count).Except(suspects).Select(i => new JsonValue(tree, i))
             .Where(value => value.Kind == JsonTokenType.Number).Max(value => Math.Abs(value.Number));
@@ -26,8 +27,8 @@ internal static class DecimalComma
         {
             var (whole, fraction) = (new JsonValue(tree, i - 1), new JsonValue(tree, i));
             if (fraction.Number >= Huge * greatest)
-                document.Add(false, fraction.Start, fraction.End, $"{fraction.AsWritten} is more than a million times every other number of the file; "
-                    + $"is the comma before it a decimal comma? Write {whole.AsWritten}.{fraction.AsWritten}");
+                document.Add(false, fraction.Start, fraction.End, $"{fraction.AsWritten} is more than a million times every other number of "
+                    + $"the file; is the comma before it a decimal comma? Write {whole.AsWritten}.{fraction.AsWritten}");
         }
     }
 

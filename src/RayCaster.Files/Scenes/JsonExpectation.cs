@@ -12,6 +12,8 @@ internal readonly record struct JsonMistake(int Start, int End, string Message);
 /// <param name="takesText">Whether the value of a key, or its elements, may be texts.</param>
 internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> open, JsonTokenType last, int lastEnd, Predicate<string> takesText)
 {
+    private const int LongestCode = 240; // bytes of a call or an expression; longer ones are not code that was copied
+
     private readonly ReadOnlySpan<byte> utf8 = tree.Text.Utf8;
     private readonly ReadOnlySpan<int> open = open;
 
@@ -34,9 +36,11 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     private JsonMistake AfterValue(int at, int valueEnd, int number = -1)
     {
         if (at == utf8.Length) return CutOff();
+        if (last is JsonTokenType.True or JsonTokenType.False or JsonTokenType.Null && at == valueEnd && char.IsLetter((char)utf8[at]))
+            return Bare(tree.Last.Start); // nullptr
         if ((number >= 0 ? Expression(number) : null) is { } expression) return expression;
-        if (Misplaced(at) is { } mistake) return mistake;
         var c = (char)utf8[at];
+        if ((open.Length == 0 && c is '}' or ']' or '#' ? null : Misplaced(at)) is { } mistake) return mistake;
         if (open.Length == 0) return new(at, LineEnd(at), "the scene has ended before this; a file holds one object");
         if (c == ';') return new(at, at + 1, "a comma, not a semicolon, stands between two values");
         if (c == ':' && last == JsonTokenType.String && KeyInArray(tree.Last.Start, valueEnd) is { } key) return key;
@@ -72,7 +76,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 return new(at, at + 1, $"a second object follows the one of {name}; write several in brackets: {name}: [ {{ ... }}, {{ ... }} ]");
             case >= '0' and <= '9' when last == JsonTokenType.Number:
                 var whole = tree.Text.Quote(tree.Last.Start, tree.Last.End);
-                return new(at, End(at), $"a key is expected here; is this a decimal comma? Write {whole}.{Word(at)}");
+                return new(at, End(at), "a key is expected here" + NumberSpelling.Hint($"{whole},{Word(at)}"));
             default:
                 return new(at, End(at), char.IsLetter(Word(at)[0]) || utf8[at] == '_' ? $"a key is written in double quotes: \"{Word(at)}\""
                     : "a key in double quotes must come first: \"key\": value");
@@ -102,25 +106,26 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     {
         var end = End(at);
         var word = Word(at);
+        var whole = Encoding.UTF8.GetString(utf8[at..Math.Min(end, at + LongestCode)]);
         string[] known = ["true", "false", "null"];
         if (end == utf8.Length && (known.Any(literal => literal.StartsWith(word, StringComparison.Ordinal)) || JsonForeign.IsBegunNumber(word)))
             return CutOff();
         if (NumberSpelling.Correct(word) is { } number)
             return number == word ? AfterValue(SkipBlanks(end), end, at) : new(at, end, $"{word} is not a number in JSON: write {number}");
         if (Expression(at) is { } expression) return expression;
-        if (Lookalike.FindIn(word) is var (index, message))
+        if (Lookalike.FindIn(whole) is var (index, message))
         {
-            var from = at + Encoding.UTF8.GetByteCount(word.AsSpan(0, index));
-            return new(from, from + Rune.GetRuneAt(word, index).Utf8SequenceLength, message);
+            var from = at + Encoding.UTF8.GetByteCount(whole.AsSpan(0, index));
+            return new(from, from + Rune.GetRuneAt(whole, index).Utf8SequenceLength, message);
         }
         if (known.Contains(word)) return AfterValue(SkipBlanks(end), end);
         return new(at, end, JsonForeign.Explain(word) ?? (MayBeText() ? $"{word} is not a value; a text is written in double quotes: \"{word}\""
-            : $"{word} is not a value; numbers are written like 1, -0.5 or 1e-6"));
+            : $"{word} is no value that may stand here; numbers are written like 1, -0.5 or 1e-6"));
     }
 
     /// <summary>Code of a program in place of a number; null for anything else.</summary>
     private JsonMistake? Expression(int at) =>
-        JsonForeign.Expression(Encoding.UTF8.GetString(utf8[at..Math.Min(LineEnd(at), at + 240)])) is var (length, message)
+        JsonForeign.Expression(Encoding.UTF8.GetString(utf8[at..Math.Min(LineEnd(at), at + LongestCode)])) is var (length, message)
             ? new(at, at + length, message) : null;
 
     private JsonMistake CutOff()
@@ -173,7 +178,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     private JsonMistake? Misplaced(int at)
     {
         if (JsonForeign.IsMergeMarker(utf8[at..]))
-            return new(at, LineEnd(at), "this is an unfinished merge of git: keep one version, and remove the lines of <<<<<<<, ======= and >>>>>>>");
+            return new(at, LineEnd(at), $"this is {JsonForeign.Merge}: keep one version, and remove the lines of <<<<<<<, ======= and >>>>>>>");
         Rune.DecodeFromUtf8(utf8[at..], out var c, out var length);
         return c.Value switch
         {
@@ -197,13 +202,14 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 return null;
             }
             if (c is (byte)'\r' or (byte)'\n') return new(at, end, "this text is not closed in its line; a double quote is missing");
-            if (c < 0x20) return new(end, end + 1, c == '\t' ? "a tab in a text is written \\t" : $"a text cannot hold the control character {c:X4}");
+            if (c < 0x20)
+                return new(end, end + 1, c == '\t' ? "a tab in a text is written \\t" : $"a text cannot hold the control character {c:X4}");
             if (c != '\\' || ++end == utf8.Length) continue;
-            var start = end - 1;
+            var digits = utf8[(end + 1)..Math.Min(end + 5, utf8.Length)];
             if (!"\"\\/bfnrtu"u8.Contains(utf8[end]))
-                return new(start, end + 1, "a backslash in a text is written twice: \\\\ (a path may have / instead)");
-            for (var left = utf8[end] == 'u' ? 4 : 0; left > 0 && end + 1 < utf8.Length; left--)
-                if (!char.IsAsciiHexDigit((char)utf8[++end])) return new(start, end, "four hexadecimal digits must follow \\u");
+                return new(end - 1, end + 1, "a backslash in a text is written twice: \\\\ (a path may have / instead)");
+            if (utf8[end] == 'u' && digits.IndexOfAnyExcept("0123456789abcdefABCDEF"u8) is >= 0 and var wrong)
+                return new(end - 1, end + 1 + wrong, "four hexadecimal digits must follow \\u (a backslash is written twice: \\\\)");
         }
         end = utf8.Length;
         return new(end, end, $"the file ends too early: the text that begins in line {tree.Text.LineOf(at)} is never closed");

@@ -5,6 +5,8 @@ namespace RayCaster.Files;
 /// <summary>What people copy into JSON from programs and from git.</summary>
 internal static partial class JsonForeign
 {
+    public const string Merge = "an unfinished merge of git";
+
     /// <summary>Whether a line is one of those that git writes where two versions differ.</summary>
     public static bool IsMergeMarker(ReadOnlySpan<byte> line) =>
         line.StartsWith("<<<<<<<"u8) || line.StartsWith("|||||||"u8) || line.StartsWith("======="u8) || line.StartsWith(">>>>>>>"u8);
@@ -29,27 +31,30 @@ internal static partial class JsonForeign
     /// <summary>A call, a tuple or arithmetic at the beginning of a text: its length, and what to write.</summary>
     public static (int Length, string Message)? Expression(string text)
     {
-        if (Call().Match(text) is { Success: true } call)
+        if (Arithmetic().Match(text) is { Success: true } sum)
         {
-            var code = call.Value;
-            var inner = call.Groups["inner"].Value;
-            if (NotFinite().IsMatch(inner.Trim('\'', '"'))) return (call.Length, $"{code} is not allowed; a number must be finite");
-            var isCast = Cast().IsMatch(call.Groups["name"].Value);
-            var numbers = Array.ConvertAll(Type().Replace(inner, "").Split(','), number => NumberSpelling.Correct(number.Trim(" []()'\"".ToCharArray())));
-            var write = !numbers.Contains(null) && numbers.Length == 1 && isCast ? numbers[0]
-                : !numbers.Contains(null) && numbers.Length == 3 ? $"[{string.Join(", ", numbers)}]" : "its value";
-            return (call.Length, $"{code} is {Language(code)}, not JSON: write {write}");
+            var quotient = Number(sum.Groups["a"]) / Number(sum.Groups["b"]);
+            var result = double.IsFinite(quotient) ? FormattableString.Invariant($"{quotient}") : "the result";
+            return (sum.Length, $"{sum.Value} is not a number, and JSON does not calculate: write {result}");
         }
-        if (Arithmetic().Match(text) is not { Success: true } sum) return null;
-        var (a, b) = (sum.Groups["a"].Value, sum.Groups["b"].Value);
-        var result = b != "" && double.Parse(a, CultureInfo.InvariantCulture) / double.Parse(b, CultureInfo.InvariantCulture) is var quotient
-            && double.IsFinite(quotient) ? FormattableString.Invariant($"write {quotient}") : "write the result";
-        return (sum.Length, $"{sum.Value} is not a number, and JSON does not calculate: {result}");
+        if (Call().Match(text) is not { Success: true } call) return null;
+        var code = call.Value;
+        var inner = call.Groups["inner"].Value;
+        if (NotFinite().IsMatch(inner.Trim('\'', '"'))) return (call.Length, $"{code} is not allowed; a number must be finite");
+        var numbers = Array.ConvertAll(NamedArgument().Replace(inner, "").Split(','), word => NumberSpelling.Correct(word.Trim([.. " []()'\""])));
+        var write = numbers.Contains(null) ? "its value"
+            : numbers.Length == 3 ? $"[{string.Join(", ", numbers)}]"
+            : numbers.Length == 1 && Cast().IsMatch(call.Groups["name"].Value) ? numbers[0] : "its value";
+        return (call.Length, $"{code} is {Language(code)}, not JSON: write {write}");
     }
+
+    private static double Number(Group group) =>
+        double.TryParse(group.ValueSpan, CultureInfo.InvariantCulture, out var number) ? number : double.NaN;
 
     private static string Language(string code) => Python().IsMatch(code) ? "Python" : "code of a program";
 
-    [GeneratedRegex(@"^[+-]?([A-Za-z_][\w.]*\.)?(nan|inf|infinity|(positive|negative)_?infinity|∞|(1\.)?#(inf|ind|qnan|snan)\w*)(\(\w*\))?$", RegexOptions.IgnoreCase)]
+    [GeneratedRegex(@"^[+-]?([A-Za-z_][\w.]*\.)?(nan|inf|infinity|(positive|negative)_?infinity|∞|(1\.)?#(inf|ind|qnan|snan)\w*)(\(\w*\))?$",
+        RegexOptions.IgnoreCase)]
     private static partial Regex NotFinite();
 
     [GeneratedRegex("^(none|nil|null|undefined|nullptr|nothing|n/?a)$", RegexOptions.IgnoreCase)]
@@ -68,9 +73,11 @@ internal static partial class JsonForeign
     [GeneratedRegex(@"^(np|numpy|array|tensor|torch|math|float|int|Decimal|Fraction|tuple|list)\b")]
     private static partial Regex Python();
 
-    [GeneratedRegex(@",\s*\w+\s*=.*$")]
-    private static partial Regex Type();
+    [GeneratedRegex(@",\s*\w+\s*=.*$")] // dtype=float32
+    private static partial Regex NamedArgument();
 
-    [GeneratedRegex(@"^(?<a>-?[0-9.]+)\s*/\s*(?<b>[0-9.]+)(?=\s*([,\]}]|//|/\*|$))|^[^\s,\]}""]*[\w.)]\s*([*^×÷·%]|/(?![/*])|[+-]\s)[^,\]}""]*?(?=\s*([,\]}]|//|/\*|$))")]
+    // A fraction of two numbers, or anything with an operator, up to a comma, a closing bracket or a comment.
+    [GeneratedRegex(@"^((?<a>-?[0-9.]+)\s*/\s*(?<b>[0-9.]+)|[^\s,\]}""]*[\w.)]\s*([*^×÷·]|/(?=\s*[0-9.(])|[+-]\s)[^,\]}""]*?)"
+        + @"(?=\s*([,\]}]|//|/\*|$))")]
     private static partial Regex Arithmetic();
 }

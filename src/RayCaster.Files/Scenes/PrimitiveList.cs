@@ -91,8 +91,8 @@ internal static class PrimitiveList
             if (!o.IsSound) return nothing;
             if (isNew && data.Warning is { } warning) o.Warn(key, $": {warning}");
             var mesh = placement.Place(data, out var dropped);
-            if (dropped > 0)
-                o.Warn(key, $": {dropped} of {Plural.Of(data.Indices.Length / 3, "triangle")} have no area and are dropped{(mesh.TriangleCount > 0 ? "" : "; nothing of the mesh is left")}");
+            if (mesh.TriangleCount == 0) o.Warn(key, $": nothing of the mesh is left: none of its {dropped} triangles has an area");
+            else if (dropped > 0) o.Warn(key, $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
             return mesh;
         }
         catch (Exception e) when (e is ProblemException or OverflowException)

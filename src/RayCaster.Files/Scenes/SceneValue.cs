@@ -48,7 +48,8 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     {
         if (json.Kind == JsonTokenType.StartArray && Elements.Take(4).ToArray() is [var x, var y, var z])
             return new(x.Number(limits), y.Number(limits), z.Number(limits));
-        var found = json.Kind == JsonTokenType.StartArray ? $"has {Plural.Of(json.Content.Count(), "element")}{DecimalComma.Hint([.. json.Content.Take(7)])}"
+        var found = json.Kind == JsonTokenType.StartArray
+            ? $"has {Plural.Of(json.Content.Count(), "element")}{DecimalComma.Hint([.. json.Content.Take(7)])}"
             : $"is {json.InWords}";
         Report(true, $" must be {form}, but {found}");
         return NoVector;

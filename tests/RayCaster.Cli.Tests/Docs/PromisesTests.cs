@@ -9,7 +9,6 @@ public class PromisesTests
 {
     [Theory]
     [InlineData("67,108,864", SceneReader.MaxBytes)]
-    [InlineData("1,048,576", 1 << 20)]
     [InlineData("268,435,456", MeshFile.MaxBytesAtOnce)]
     [InlineData("| threads | 1024,", Option.MaxThreads)]
     [InlineData("at most 4 per core are started", Option.MaxThreadsPerCore)]
