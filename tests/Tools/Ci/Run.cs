@@ -52,7 +52,7 @@ internal sealed class Run(string folder, AllowedSkips allowed, bool all, IReadOn
         print($"-- {job.Name}: {(verdict.Failed == 0 ? "ok" : "FAILED")}, {Figures(end, verdict)}");
         foreach (var test in verdict.FailedTests) print($"   {test.Name}\n{Indented(test.Failure!.Split('\n').Take(30))}");
         foreach (var fault in verdict.Faults) print($"   {fault}");
-        if (verdict.Faults.Count > 0) print($"   what {job.Name} printed last:\n{Indented(end.Output.TakeLast(60))}");
+        if (verdict.Faults.Count > 0 && end.ExitCode != 0) print($"   what {job.Name} printed last:\n{Indented(end.Output.TakeLast(60))}");
     }
 
     private Execution Execute(Job job, string command, string place, TimeSpan limit) => Execution.Run(command, place, limit,
