@@ -6,7 +6,7 @@ namespace RayCaster.Cli;
 /// <param name="value">The value's name in the help page; null for a switch, which has no value.</param>
 internal abstract class Option(string names, string? value, string help)
 {
-    private const int MaxThreads = 1024, MaxThreadsPerCore = 4;
+    internal const int MaxThreads = 1024, MaxThreadsPerCore = 4;
 
     public static readonly Option<PictureFormat?> Format = new("--format", "<format>",
         "png, ppm or ppm-text (PPM in readable numbers). [default: by the file's extension]", "png, ppm or ppm-text",
