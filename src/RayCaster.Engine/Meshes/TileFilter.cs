@@ -29,23 +29,12 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         rasterizer = new(screen, pixels, hits.Decide);
     }
 
-    /// <summary>The view whose pixels are stored; null if none are.</summary>
-    public MeshView<N>? Owner { get; private set; }
-
-    public PixelRect Rect => tile;
-
-    /// <summary>Goes to another mesh.</summary>
-    /// <param name="owner">The view that uses it from now on.</param>
-    public void SetMesh(MeshView<N> owner, Vector3[] vertices, int[] indices)
-    {
-        Owner = owner;
-        pixels.SetMesh(vertices, indices);
-        hits.SetMesh(vertices, indices);
-    }
-
-    public HitRange Enter(in PixelRect tile, ScreenTriangles<N>[] sets)
+    /// <summary>Goes to a tile and a mesh; returns where its hits lie.</summary>
+    public HitRange Enter(in PixelRect tile, Vector3[] vertices, int[] indices, ScreenTriangles<N>[] sets)
     {
         this.tile = tile;
+        pixels.SetMesh(vertices, indices);
+        hits.SetMesh(vertices, indices);
         isEmpty = true;
         foreach (var set in sets)
         {
@@ -61,11 +50,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             if (!isEmpty) Refresh();
             Add(set, middle, areNear: false);
         }
-        if (isEmpty)
-        {
-            Owner = null; // nothing is known that the view could need
-            return HitRange.None;
-        }
+        if (isEmpty) return HitRange.None;
         hits.Decide();
         coarse.Update(pixels.OccluderInverseDepth);
         var least = coarse.Least;
@@ -74,7 +59,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
-    /// <summary>Keeps the mesh's hits for some pixels of a row.</summary>
+    /// <inheritdoc cref="TileHits{N}.Intersect"/>
     public void Intersect(RayStream rays, int index) => hits.Intersect(rays, index);
 
     /// <inheritdoc cref="TileHits{N}.Paint"/>
