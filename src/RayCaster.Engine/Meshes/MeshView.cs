@@ -14,8 +14,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
     private readonly TileFilters<N>? filters;        // of one thread, for all meshes
     private TileFilter<N>? filter;                   // holds this mesh's pixels of the entered tile; null if none shows there
 
-    /// <param name="isKept">Whether what depends only on the mesh stays in memory for the next picture.</param>
-    public MeshView(Mesh mesh, ScreenSpace screen, CancellationToken cancellation, bool isKept = false, int threads = 1)
+    public MeshView(Mesh mesh, ScreenSpace screen, CancellationToken cancellation, int threads = 1)
     {
         (vertices, indices, this.screen) = (mesh.Vertices, mesh.Indices, screen);
         if (!screen.IsFine)
@@ -25,7 +24,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
             return;
         }
 
-        var boxes = TriangleBoxes.Of(mesh, cancellation, isKept, threads);
+        var boxes = TriangleBoxes.Of(mesh, cancellation, threads);
         var whole = new ScreenTriangles<N>(
             screen, new MeshCorners<N>(screen, vertices, indices), null, boxes, () => new Duplicates(vertices, indices), threads);
         cancellation.ThrowIfCancellationRequested();
