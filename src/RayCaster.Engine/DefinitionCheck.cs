@@ -1,83 +1,143 @@
 namespace RayCaster.Engine;
 
-/// <summary>Compares pixels of a drawn picture with the definition (<see cref="ScalarRenderer"/>): first one of each model, then the corners, then
-/// random ones, as many as cost at most 5 % of the drawing.</summary>
+/// <summary>Compares pixels of a drawn picture with the definition (<see cref="ScalarRenderer"/>): of each picture 20 to some 600, in squares that are
+/// spread over its models and their outlines.</summary>
+/// <remarks>A mesh's triangles, and thousands of models, are left out where their boxes are certainly beside the rays; the nearer the rays of a
+/// square are to each other, the fewer boxes must be asked.</remarks>
 internal sealed class DefinitionCheck
 {
-    private const int MaxModels = 32, RandomPixels = 32;
+    private const int MinPixels = 20, MaxPixels = 600, SideOfSquare = 32;
+
+    /// <summary>Fewer models are intersected with each ray, whatever their bounds are.</summary>
+    private const int FewModels = 1000;
 
     private readonly Scene scene;
-    private readonly List<(int Column, int Line)> pixels = []; // lines count from the picture's top
+    private readonly Camera camera;
+    private readonly ScreenSpace screen;
+    private readonly Model[] models; // the scene's, with parts of its meshes
+    private readonly List<(int Column, int Line)> pixels = []; // square by square; lines count from the picture's top
+    private readonly int side, step; // pixels along a square, and from one to the next
     private readonly byte[] drawn;
-    private (byte R, byte G, byte B)[]? right;
+    private Ray[]? right;
     private int nextLine;
 
     /// <summary>Chooses the pixels.</summary>
     /// <param name="first">The first line that is drawn, from the top.</param>
     /// <param name="end">The line after the last one.</param>
-    /// <param name="minPixels">How many pixels are compared even if that takes long, as in a mesh of millions of triangles.</param>
-    public DefinitionCheck(Scene scene, int first, int end, int minPixels)
+    public DefinitionCheck(Scene scene, int first, int end, int threads)
     {
-        this.scene = scene;
-        nextLine = first;
-        var (width, camera) = (scene.Camera.Width, scene.Camera);
-        var screenBounds = new ScreenBounds(camera);
-        foreach (var model in scene.Models.Take(MaxModels))
-            if (model.Bounds is { } bounds && screenBounds.TileOf(bounds) is { Area: > 0 } seen)
-                Add(seen.Column + Math.Min(seen.Width, width) / 2, // bounds around the camera reach beyond the picture
-                    camera.Height - 1 - (seen.Row + Math.Min(seen.Height, camera.Height) / 2));
-        Add(0, first);
-        Add(width - 1, end - 1);
-        Add(width - 1, first);
-        Add(0, end - 1);
+        (this.scene, camera, screen, nextLine) = (scene, scene.Camera, new(scene.Camera), first);
+        var (triangles, others) = (0L, 0L);
+        models = new Model[scene.Models.Count];
+        for (var i = 0; i < models.Length; i++)
+        {
+            if (scene.Models[i] is Mesh mesh) (models[i], triangles) = (new MeshPart(mesh, screen, threads), triangles + mesh.TriangleCount);
+            else (models[i], others) = (scene.Models[i], others + 1);
+        }
+
+        // Each costs some percent of the drawing at most.
+        var most = (long)camera.Width * (end - first) / 500 + triangles / 2000;
+        if (others > 0) most = Math.Min(most, 20_000 / others);
+        var wanted = screen.IsFine ? Math.Clamp(most, MinPixels, MaxPixels) : MinPixels;
+        var squares = 8 + 100_000 / (1 + triangles / TriangleCluster.Length);
+        if (others > FewModels) squares = Math.Min(squares, 1 + 20_000 / others);
+        squares = Math.Min(squares, wanted);
+        side = (int)Math.Ceiling(Math.Sqrt((double)wanted / squares));
+        squares = (wanted + side * side - 1) / (side * side);
+        step = SideOfSquare / side;
         var random = new Random(1); // the same pixels in each run
-        for (var i = 0; i < RandomPixels; i++) Add(random.Next(width), random.Next(first, end));
-
-        // A crossing takes up to ten times as long as drawing a pixel, so this is at most 5 % of the drawing: in a large mesh one pixel or none.
-        var count = Math.Max(minPixels, (long)width * (end - first) / 200 / Math.Max(1, scene.ShapeCount));
-        if (pixels.Count > count) pixels.RemoveRange((int)count, pixels.Count - (int)count);
+        for (var i = 0L; i < squares; i++) AddSquare(random, i, squares, first, end);
         drawn = new byte[3 * pixels.Count];
+    }
 
-        void Add(int column, int line) => pixels.Add((Math.Clamp(column, 0, width - 1), Math.Clamp(line, first, end - 1)));
+    /// <summary>Adds a square where one of the models may show.</summary>
+    private void AddSquare(Random random, long number, long count, int first, int end)
+    {
+        var model = models.Length > 0 ? models[number * models.Length / count] : null;
+        var (column, row) = (model as MeshPart)?.AnyPixel(random) ?? AnyPixel(random, model?.Bounds);
+        var (left, top) = (column - (side - 1) * step / 2, Math.Clamp(camera.Height - 1 - row, first, end - 1) - (side - 1) * step / 2);
+        for (var i = 0; i < side * side; i++)
+            pixels.Add((Math.Clamp(left + i % side * step, 0, camera.Width - 1), Math.Clamp(top + i / side * step, first, end - 1)));
+    }
+
+    /// <summary>A pixel in which something within bounds may show; each fourth lies on the border of such pixels.</summary>
+    private (int Column, int Row) AnyPixel(Random random, Bounds? bounds)
+    {
+        var seen = bounds is { } known ? new ScreenBounds(camera).TileOf(known) : PixelRect.Everywhere;
+        var (x, y) = (random.NextDouble(), random.NextDouble());
+        if (random.Next(4) == 0) (x, y) = random.Next(2) == 0 ? (Math.Round(x), y) : (x, Math.Round(y));
+        var (width, height) = (Math.Min(seen.Width, camera.Width - seen.Column), Math.Min(seen.Height, camera.Height - seen.Row));
+        return (seen.Column + (int)(x * Math.Max(0, width - 1)), seen.Row + (int)(y * Math.Max(0, height - 1)));
     }
 
     /// <summary>Takes the next lines that were drawn.</summary>
     /// <param name="rgb">Whole lines, three bytes a pixel.</param>
     public void Take(ReadOnlySpan<byte> rgb)
     {
-        var (width, lines) = (scene.Camera.Width, rgb.Length / 3 / scene.Camera.Width);
+        var (width, lines) = (camera.Width, rgb.Length / 3 / camera.Width);
         for (var i = 0; i < pixels.Count; i++)
             if (pixels[i] is var (column, line) && line >= nextLine && line < nextLine + lines)
                 rgb.Slice(3 * ((line - nextLine) * width + column), 3).CopyTo(drawn.AsSpan(3 * i));
         nextLine += lines;
     }
 
-    /// <summary>Draws while another thread, if there is one, computes the pixels by the definition.</summary>
+    /// <summary>Draws while another thread, if there is one, casts the pixels by the definition.</summary>
     public void Beside(Action draw, int threads)
     {
-        if (threads > 1) ThreadTeam.Help(1, Compute, draw);
+        if (threads > 1) ThreadTeam.Help(1, () => right = Cast(), draw);
         else draw();
-        if (right is null) Compute();
+        right ??= Cast();
     }
 
-    private void Compute() => right = [.. pixels.Select(pixel => Defined(pixel.Column, pixel.Line))];
-
-    /// <summary>A pixel as the definition draws it, also through the picture's own code.</summary>
-    private (byte R, byte G, byte B) Defined(int column, int line)
+    /// <summary>The rays of all pixels, and what they hit.</summary>
+    private Ray[] Cast()
     {
-        var part = new Picture(1, 1);
-        part[0, 0] = ScalarRenderer.Pixel(scene, column, line);
-        return part[0, 0];
+        var rays = new Ray[pixels.Count];
+        for (var first = 0; first < rays.Length; first += side * side)
+        {
+            var near = ModelsNear(first);
+            for (var i = first; i < first + side * side; i++)
+            {
+                rays[i] = camera.RayThrough(pixels[i].Column, camera.Height - 1 - pixels[i].Line);
+                var pyramid = PyramidOf(i, i);
+                foreach (var model in near)
+                {
+                    (model as MeshPart)?.EnterPixel(pyramid);
+                    rays[i].Intersect(model);
+                }
+            }
+        }
+        return rays;
+    }
+
+    /// <summary>The models that the rays of a square may meet.</summary>
+    private Model[] ModelsNear(int first)
+    {
+        var pyramid = PyramidOf(first, first + side * side - 1);
+        return Array.FindAll(models, model => model is MeshPart part ? part.EnterSquare(pyramid)
+            : models.Length <= FewModels || pyramid is not { } rays || model.Bounds is not { } bounds
+            || !IsOutside(rays, bounds.PaddedFrom(camera.Position)));
+
+        static bool IsOutside(in Pyramid rays, Bounds bounds) => rays.IsOutside<Scalar>(bounds.Min, bounds.Max).Holds;
+    }
+
+    /// <summary>The pyramid of the rays from one pixel to another below it and to its right; null if rounding makes that unsafe.</summary>
+    private Pyramid? PyramidOf(int first, int last)
+    {
+        if (!screen.IsFine) return null;
+        var ((left, top), (right, bottom)) = (pixels[first], pixels[last]);
+        return new(camera, new(left, camera.Height - 1 - bottom, right - left + 1, bottom - top + 1));
     }
 
     /// <summary>The first pixel whose bytes differ from the definition's, once all lines are taken, as a message; null if all are equal.</summary>
     public string? Difference()
     {
+        var part = new Picture(1, 1); // through the picture's own code, too
         for (var i = 0; i < pixels.Count; i++)
         {
-            var (column, line) = pixels[i];
+            part[0, 0] = scene.Shade(right![i].HitParameter, ModelOf(right[i])).ToBytes();
             var fast = (drawn[3 * i], drawn[3 * i + 1], drawn[3 * i + 2]);
-            if (fast != right![i]) return $"column {column}, line {line}: the engine gives {fast}, ScalarRenderer {right[i]}";
+            if (fast != part[0, 0]) return $"{PlaceOf(i)}: the engine gives {fast}, ScalarRenderer {part[0, 0]}";
         }
         return null;
     }
@@ -85,13 +145,17 @@ internal sealed class DefinitionCheck
     /// <summary>The first pixel whose hit differs from the definition's, as a message; null if all are equal.</summary>
     public string? Difference(HitMap hits)
     {
-        foreach (var (column, line) in pixels)
+        var rays = Cast();
+        for (var i = 0; i < rays.Length; i++)
         {
-            var (t, index) = hits[column, line];
-            var ray = ScalarRenderer.Cast(scene, column, hits.Height - 1 - line);
-            if (t != ray.HitParameter || (index < 0 ? null : scene.Models[index]) != ray.HitModel)
-                return FormattableString.Invariant($"column {column}, line {line}: the engine gives t = {t:R}, ScalarRenderer {ray.HitParameter:R}");
+            var (t, index) = hits[pixels[i].Column, pixels[i].Line];
+            if (t != rays[i].HitParameter || (index < 0 ? null : scene.Models[index]) != ModelOf(rays[i]))
+                return FormattableString.Invariant($"{PlaceOf(i)}: the engine gives t = {t:R}, ScalarRenderer {rays[i].HitParameter:R}");
         }
         return null;
     }
+
+    private static Model? ModelOf(Ray ray) => ray.HitModel is MeshPart part ? part.Mesh : ray.HitModel;
+
+    private string PlaceOf(int pixel) => $"column {pixels[pixel].Column}, line {pixels[pixel].Line}";
 }

@@ -23,9 +23,9 @@ public sealed class Renderer
 
     /// <summary>
     /// Whether this process draws many pictures. Then the engine compiles the kernels of the float path, which takes as long as casting some ten
-    /// million rays (without this option only a native program and a picture of as many pixels use them), and keeps what depends only on a mesh or
-    /// on the list of models in memory, as long as the mesh or the list lives: about 2.3 bytes for each triangle, 48 for each sphere. Meshes, and
-    /// the list, must not change between the pictures; colours may. It affects only time and memory.
+    /// million rays (without this option only a native program and a picture of as many pixels use them), and keeps what depends only on the list of
+    /// models in memory, as long as the list lives: 48 bytes for each sphere. The list must not change between the pictures; colours may. It
+    /// affects only time and memory.
     /// </summary>
     public bool ManyFrames { get; init; }
 
@@ -46,10 +46,10 @@ public sealed class Renderer
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
-        var check = new DefinitionCheck(scene, 0, camera.Height, minPixels: 0);
+        using var frame = Frame.Of(scene, Plan, cancellation);
+        var check = new DefinitionCheck(scene, 0, camera.Height, threadCount);
         check.Beside(() =>
         {
-            using var frame = Frame.Of(scene, Plan, cancellation);
             var shader = frame.Shader; // before other threads need it
             Cast(frame, cancellation, () =>
             {
@@ -71,7 +71,7 @@ public sealed class Renderer
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(map));
         using (var frame = Frame.Of(scene, Plan, cancellation)) Cast(frame, cancellation, () => frame.HitsInto(hits));
-        if (!Agrees(new DefinitionCheck(scene, 0, camera.Height, minPixels: 0).Difference(hits))) CastByDefinition(hits);
+        if (!Agrees(new DefinitionCheck(scene, 0, camera.Height, threadCount).Difference(hits))) CastByDefinition(hits);
         return hits;
     }
 
@@ -88,10 +88,10 @@ public sealed class Renderer
         var (first, end) = (lines.Start.GetOffset(camera.Height), lines.End.GetOffset(camera.Height));
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
-        var check = new DefinitionCheck(scene, first, end, minPixels: 1);
+        using var frame = Frame.Of(scene, Plan, cancellation);
+        var check = new DefinitionCheck(scene, first, end, threadCount);
         check.Beside(() =>
         {
-            using var frame = Frame.Of(scene, Plan, cancellation);
             new BandQueue(frame, first, end, threadCount, linesDone, cancellation).WriteAll(lines =>
             {
                 check.Take(lines);

@@ -15,6 +15,8 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     private readonly int[] modelIndices; // of the views' models in the scene
     private readonly BatchCaster<N>? batch;
     private readonly RayStream rays;
+    private RayStream? ofMeshes; // all rays of a tile, and what they hit where several meshes show
+    private bool hasSeveralMeshes;
     private readonly Predicate<Candidate> isShape;
     private IHitConsumer consumer = null!;
     private readonly List<Candidate> candidates = []; // of the strip
@@ -54,25 +56,50 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
 
     private void Cast(in PixelRect tile, List<Candidate> list)
     {
-        var farthestT = double.PositiveInfinity;
+        var (farthestT, last) = (double.PositiveInfinity, -1); // the last mesh that shows
         for (var i = 0; i < list.Count; i++)
         {
-            var range = views[list[i].Index].Enter(tile, list[i].Range);
+            var view = views[list[i].Index];
+            var range = view.Enter(tile, list[i].Range);
             farthestT = Math.Min(farthestT, range.FarthestT);
             list[i] = list[i] with { Range = range };
+            if (!view.HoldsTile || range == HitRange.None) continue;
+            if (last >= 0) IntersectMesh(tile, list, last, farthestT);
+            last = i;
         }
+        if (hasSeveralMeshes) IntersectMesh(tile, list, last, farthestT);
         DropHidden(list, farthestT);
         if (batch?.IsFor(tile) == true) CastBatch(batch, tile, list);
-        else if (list.Count == 1 && !isShape(list[0])) CastAlone(tile, list);
+        else if (hasSeveralMeshes && list.Count == 0) consumer.Take(ofMeshes!);
+        else if (list.Count == 1 && !isShape(list[0]) && !hasSeveralMeshes) CastAlone(tile, list);
         else Cut(tile, list);
+        hasSeveralMeshes = false;
+    }
+
+    /// <summary>Intersects all rays of a tile with one of several meshes, since its view will not hold its pixels; then it is no candidate any
+    /// more.</summary>
+    private void IntersectMesh(in PixelRect tile, List<Candidate> list, int place, double farthestT)
+    {
+        var (index, range) = list[place];
+        list[place] = new(index, HitRange.None);
+        if (range.NearestT > farthestT) return;
+        if (!hasSeveralMeshes)
+        {
+            ofMeshes ??= new(frame.Scene.Camera, Tile.MaxSide * Tile.MaxSide);
+            ofMeshes.Enter<N>(tile.Column, tile.Width, Tile.MaxSide);
+            ofMeshes.Aim<N>(tile.Row, tile.Height);
+            hasSeveralMeshes = true;
+        }
+        views[index].Intersect(ofMeshes!, modelIndices[index]);
     }
 
     private void CastBatch(BatchCaster<N> batch, in PixelRect tile, List<Candidate> list)
     {
-        batch.Cast(tile, list.Count > 0 ? Intersect : null, consumer);
+        batch.Cast(tile, list.Count > 0 || hasSeveralMeshes ? Intersect : null, consumer);
 
         void Intersect(RayStream rays)
         {
+            if (hasSeveralMeshes) rays.CopyHits<N>(ofMeshes!);
             foreach (var candidate in list) views[candidate.Index].Intersect(rays, modelIndices[candidate.Index]);
         }
     }
@@ -104,7 +131,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     /// <summary>Casts a part with the models that may show in it.</summary>
     private void CastPart(in PixelRect part, List<Candidate> list)
     {
-        if (list.Count == 0) consumer.TakeMiss(part);
+        if (list.Count == 0 && !hasSeveralMeshes) consumer.TakeMiss(part);
         else CastRows(part, list);
     }
 
@@ -141,6 +168,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     /// <returns>How many parts are done, from the first on.</returns>
     private int TakeAlike(EightParts parts, List<Candidate>[] lists, int first)
     {
+        if (hasSeveralMeshes) return 0;
         var isMiss = lists[first].Count == 0;
         if (!isMiss && !HasKernel(lists[first])) return 0;
         var only = isMiss ? default : lists[first][0];
@@ -180,6 +208,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         for (var row = part.Row; row < part.EndRow; row += rows)
         {
             rays.Aim<N>(row, rows);
+            if (hasSeveralMeshes) rays.CopyHits<N>(ofMeshes!);
             foreach (var candidate in list) views[candidate.Index].Intersect(rays, modelIndices[candidate.Index]);
             consumer.Take(rays);
         }

@@ -68,7 +68,7 @@ internal sealed class FloatPainter : IShapeVisitor
         if (brightest > 1) return false;
         var steepest = -FloatLevel.SlopeOf(brightest, camera.FadeDistance);
         var error = Error(shape, index, GoodError / steepest);
-        if (!(error * steepest < MaxError)) return false;
+        if (!(error * steepest < MaxError && steepest < 1e30)) return false; // a float holds the slope
         var levels = new FloatLevels(color, camera.FadeDistance, error);
         Paint<P>(shape, levels);
         return true;

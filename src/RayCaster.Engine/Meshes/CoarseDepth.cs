@@ -60,6 +60,8 @@ internal sealed class CoarseDepth
 /// <summary>A rectangle of cells of a tile.</summary>
 internal readonly record struct Cells(byte Left, byte Right, byte Bottom, byte Top)
 {
+    public static Cells All => Of(0, Tile.MaxSide - 1, 0, Tile.MaxSide - 1);
+
     /// <summary>The cells of pixels, by their columns and rows in the picture.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Cells Of(uint left, uint right, uint bottom, uint top) => new(CellOf(left), CellOf(right), CellOf(bottom), CellOf(top));

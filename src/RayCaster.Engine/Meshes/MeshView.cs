@@ -12,12 +12,9 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
     private readonly ScreenTriangles<N>[] sets = []; // the triangles, and the pieces of those that had to be clipped
     private readonly TriangleTree? formulaOnly;      // over the triangles that the filter cannot handle
     private readonly TileFilters<N>? filters;        // of one thread, for all meshes
-    private TileFilter<N>? filter;                   // holds this mesh's pixels until another mesh takes it
-    private PixelRect entered;
-    private bool shows;                              // whether a triangle may show in that tile
+    private TileFilter<N>? filter;                   // holds this mesh's pixels of the entered tile; null if none shows there
 
-    /// <param name="isKept">Whether what depends only on the mesh stays in memory for the next picture.</param>
-    public MeshView(Mesh mesh, ScreenSpace screen, CancellationToken cancellation, bool isKept = false, int threads = 1)
+    public MeshView(Mesh mesh, ScreenSpace screen, CancellationToken cancellation, int threads = 1)
     {
         (vertices, indices, this.screen) = (mesh.Vertices, mesh.Indices, screen);
         if (!screen.IsFine)
@@ -27,7 +24,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
             return;
         }
 
-        var boxes = TriangleBoxes.Of(mesh, cancellation, isKept, threads);
+        var boxes = TriangleBoxes.Of(mesh, cancellation, threads);
         var whole = new ScreenTriangles<N>(
             screen, new MeshCorners<N>(screen, vertices, indices), null, boxes, () => new Duplicates(vertices, indices), threads);
         cancellation.ThrowIfCancellationRequested();
@@ -50,19 +47,23 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
 
     public override PixelRect ShowsIn { get; }
 
-    public override ModelView ForThread(ref object? shared) => new MeshView<N>(this, (TileFilters<N>)(shared ??= new TileFilters<N>()));
+    public override ModelView ForThread(ref object? shared) => new MeshView<N>(this, (TileFilters<N>)(shared ??= new TileFilters<N>(screen)));
+
+    public override bool HoldsTile => true;
 
     public override HitRange Enter(in PixelRect tile, HitRange known)
     {
         if (sets.Length == 0) return known;
-        entered = tile;
-        var range = Enter();
+        filter = filters!.Next;
+        var range = filter.Enter(tile, vertices, indices, sets);
+        if (range == HitRange.None) filter = null;
+        else filters.Keep();
         return formulaOnly is null ? range : range with { NearestT = 0 };
     }
 
     public override void Intersect(RayStream rays, int index)
     {
-        if (shows) OwnFilter().Intersect(rays, index);
+        filter?.Intersect(rays, index);
         if (formulaOnly is null) return;
         for (var i = 0; i < rays.Length; i += N.Count) rays.MergeNearest(i, formulaOnly.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
     }
@@ -75,24 +76,8 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
     public override bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
     {
         if (formulaOnly is not null) return false;
-        var painter = filters!.PainterOf(screen, scene, index);
-        if (painter.IsSupported) OwnFilter().Paint(painter, rgb, first, step);
+        var painter = filters!.PainterOf(scene, index);
+        if (painter.IsSupported) filter!.Paint(painter, rgb, first, step);
         return painter.IsSupported;
-    }
-
-    private HitRange Enter()
-    {
-        filter = filters!.Take(screen, entered);
-        filter.SetMesh(this, vertices, indices);
-        var range = filter.Enter(entered, sets);
-        shows = filter.Owner == this;
-        return range;
-    }
-
-    /// <summary>The filter that holds this mesh's pixels in the entered tile. If another mesh has taken it, the tile is entered anew.</summary>
-    private TileFilter<N> OwnFilter()
-    {
-        if (filter!.Owner != this || filter.Rect != entered) Enter();
-        return filter;
     }
 }

@@ -7,6 +7,8 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
     private readonly int tilesAcross;
     private readonly Bins<TriangleCluster> triangles;
+    private readonly PooledList<TriangleCluster>[] large; // in many tiles
+    private readonly int shift;
 
     /// <param name="owners">The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</param>
     /// <param name="boxes">The boxes of the clusters; null if triangles are sorted one by one.</param>
@@ -15,7 +17,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? duplicates, int threads)
     {
         (Corners, Owners) = (corners, owners);
-        tilesAcross = Tile.TilesOf(screen.Camera.Width);
+        (tilesAcross, shift) = (Tile.TilesOf(screen.Camera.Width), TriangleBinner.ShiftOf(screen.Camera));
         var binners = new TriangleBinner[Math.Clamp(corners.Count / MinForAThread, 1, threads)];
         for (var i = 0; i < binners.Length; i++) binners[i] = new(screen, corners, duplicates?.Invoke());
         var clusterBinners = boxes is null ? [] : Array.ConvertAll(binners, each => new ClusterBinner<N>(screen, boxes, each));
@@ -26,11 +28,8 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         });
 
         triangles = new(Array.ConvertAll(binners, binner => binner.Lists.Items));
-        foreach (var binner in binners)
-        {
-            Large.AddRange(binner.Large);
-            Unfit.AddRange(binner.Unfit);
-        }
+        large = Array.ConvertAll(binners, binner => binner.Large);
+        foreach (var binner in binners) Unfit.AddRange(binner.Unfit);
     }
 
     public Corners Corners { get; }
@@ -41,12 +40,25 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     /// <summary>Triangles with a corner that is not fit for floats; they are not sorted.</summary>
     public List<int> Unfit { get; } = [];
 
-    /// <summary>Triangles that may show in any tile.</summary>
-    public List<TriangleRun> Large { get; } = [];
-
     /// <summary>What may show in a tile.</summary>
     public ReadOnlySpan<TriangleCluster> Of(in PixelRect tile) => triangles[tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide];
 
+    /// <summary>Finds the triangles that may show in a tile and many others.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public void FindLarge(in PixelRect tile, PooledList<TriangleCluster> found)
+    {
+        found.Clear();
+        var (column, row) = (tile.Column >> shift, tile.Row >> shift);
+        foreach (var list in large)
+            foreach (ref readonly var item in list.Items)
+                if (item.Cells.Left <= column && item.Cells.Right >= column && item.Cells.Bottom <= row && item.Cells.Top >= row)
+                    found.Add(item with { Cells = Cells.All });
+    }
+
     /// <summary>Returns rented memory; the object cannot be used any more.</summary>
-    public void Free() => triangles.Free();
+    public void Free()
+    {
+        triangles.Free();
+        foreach (var list in large) list.Free();
+    }
 }

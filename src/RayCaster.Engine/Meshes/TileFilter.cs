@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is
@@ -17,6 +15,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private readonly TileHits<N> hits;
     private readonly TriangleRasterizer rasterizer;
     private readonly CoarseDepth coarse = new();
+    private readonly PooledList<TriangleCluster> large = new();
     private readonly TriangleQueue waiting = new(), waitingLarge = new();
     private EightTriangles eight;
     private PixelRect tile;
@@ -29,43 +28,20 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         rasterizer = new(screen, pixels, hits.Decide);
     }
 
-    /// <summary>The view whose pixels are stored; null if none are.</summary>
-    public MeshView<N>? Owner { get; private set; }
-
-    public PixelRect Rect => tile;
-
-    /// <summary>Goes to another mesh.</summary>
-    /// <param name="owner">The view that uses it from now on.</param>
-    public void SetMesh(MeshView<N> owner, Vector3[] vertices, int[] indices)
-    {
-        Owner = owner;
-        pixels.SetMesh(vertices, indices);
-        hits.SetMesh(vertices, indices);
-    }
-
-    public HitRange Enter(in PixelRect tile, ScreenTriangles<N>[] sets)
+    /// <summary>Goes to a tile and a mesh; returns where its hits lie.</summary>
+    public HitRange Enter(in PixelRect tile, Vector3[] vertices, int[] indices, ScreenTriangles<N>[] sets)
     {
         this.tile = tile;
+        pixels.SetMesh(vertices, indices);
+        hits.SetMesh(vertices, indices);
         isEmpty = true;
         foreach (var set in sets)
         {
-            for (var large = CollectionsMarshal.AsSpan(set.Large); large.Length > 0; large = large[Math.Min(RunsAtOnce, large.Length)..])
-            {
-                if (isEmpty) Begin();
-                AddRuns(set, large[..Math.Min(RunsAtOnce, large.Length)]);
-                Refresh();
-            }
-            // Near triangles first: most of the others are then found to be hidden.
-            var middle = MiddleInverseDepth(set.Of(tile));
-            Add(set, middle, areNear: true);
-            if (!isEmpty) Refresh();
-            Add(set, middle, areNear: false);
+            set.FindLarge(tile, large);
+            Add(set, large.Items);
+            Add(set, set.Of(tile));
         }
-        if (isEmpty)
-        {
-            Owner = null; // nothing is known that the view could need
-            return HitRange.None;
-        }
+        if (isEmpty) return HitRange.None;
         hits.Decide();
         coarse.Update(pixels.OccluderInverseDepth);
         var least = coarse.Least;
@@ -74,7 +50,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
-    /// <summary>Keeps the mesh's hits for some pixels of a row.</summary>
+    /// <inheritdoc cref="TileHits{N}.Intersect"/>
     public void Intersect(RayStream rays, int index) => hits.Intersect(rays, index);
 
     /// <inheritdoc cref="TileHits{N}.Paint"/>
@@ -99,13 +75,21 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         rasterizer.Enter(tile);
     }
 
-    /// <summary>Adds what is not hidden of near triangles, or of the others.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles<N> set, float middle, bool areNear)
+    /// <summary>Adds what is not hidden, near triangles first: most of the others are then found to be hidden.</summary>
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all)
     {
-        var all = set.Of(tile);
         if (all.Length == 0) return;
         if (isEmpty) Begin();
+        var middle = MiddleInverseDepth(all);
+        Add(set, all, middle, areNear: true);
+        Refresh();
+        Add(set, all, middle, areNear: false);
+    }
+
+    /// <summary>Adds what is not hidden of near triangles, or of the others.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all, float middle, bool areNear)
+    {
         var firstRow = tile.Row % Tile.MaxSide;
         Span<TriangleRun> seen = stackalloc TriangleRun[RunsAtOnce];
         for (var next = 0; next < all.Length;)

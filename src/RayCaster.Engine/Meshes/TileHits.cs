@@ -20,23 +20,27 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
         pixels.Queue.Clear();
     }
 
-    /// <summary>Keeps the mesh's hits for some pixels of a row.</summary>
+    /// <summary>Keeps the mesh's hits for some pixels of the tile that are nearer than all before.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Intersect(RayStream rays, int index)
     {
         var (exactT, hasExactT, proposed) = (pixels.ExactT, pixels.HasExactT, pixels.Proposed);
         var first = (rays.Row - pixels.Rect.Row) * TilePixels.Stride + rays.Column - pixels.Rect.Column;
-        for (var i = 0; i < rays.Length; i += N.Count)
+        for (var row = 0; row < rays.Rows; row++)
         {
-            var at = first + i;
-            var hit = Lanes.Broadcast<N>(double.NaN);
-            if (HasAny(at)) hit = rays.First(i, exact.Intersect(rays.RaysAt<N>(i), new(proposed), at));
-            if (hasExactT)
+            for (var column = 0; column < rays.Width; column += N.Count)
             {
-                var other = N.Load(exactT, at);
-                hit = N.Select(hit <= other, hit, other);
+                var (i, at) = (row * rays.Pitch + column, first + row * TilePixels.Stride + column);
+                var hit = Lanes.Broadcast<N>(double.NaN);
+                if (HasAny(at)) hit = rays.First(i, exact.Intersect(rays.RaysAt<N>(i), new(proposed), at));
+                else if (!hasExactT) continue;
+                if (hasExactT)
+                {
+                    var other = N.Load(exactT, at);
+                    hit = N.Select(hit <= other, hit, other);
+                }
+                rays.MergeNearest(i, hit, Lanes.Broadcast<N>(index));
             }
-            rays.MergeNearest(i, hit, Lanes.Broadcast<N>(index));
         }
     }
 

@@ -4,16 +4,27 @@ namespace RayCaster.Engine;
 /// <param name="duplicates">The large triangles so far; null if duplicates do not matter.</param>
 internal sealed class TriangleBinner(ScreenSpace screen, Corners corners, Duplicates? duplicates)
 {
-    /// <summary>A triangle in more tiles than this goes to all tiles, so that a million large ones do not fill each tile's list.</summary>
-    private const int ManyTiles = 64;
+    /// <summary>A triangle in more tiles than this is stored once, and each tile looks for those that reach to it: a list of each tile would take
+    /// more memory than the mesh.</summary>
+    private const int ManyTiles = 4;
+
+    private readonly int shift = ShiftOf(screen.Camera);
 
     public TileLists Lists { get; } = new(screen.Camera.Width);
 
-    /// <summary>Triangles in many tiles.</summary>
-    public List<TriangleRun> Large { get; } = [];
+    /// <summary>Triangles in many tiles; their cells are squares of the picture (<see cref="ShiftOf"/>).</summary>
+    public PooledList<TriangleCluster> Large { get; } = new();
 
     /// <summary>Triangles with a corner that is not fit for floats.</summary>
     public List<int> Unfit { get; } = [];
+
+    /// <summary>A power of two, the side of squares of which a picture has at most 256 along each side; none is smaller than a tile.</summary>
+    public static int ShiftOf(Camera camera)
+    {
+        var shift = 6;
+        while (Math.Max(camera.Width, camera.Height) >> shift > byte.MaxValue) shift++;
+        return shift;
+    }
 
     /// <summary>Sorts triangles; drops those that certainly cover no sample.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -78,6 +89,7 @@ internal sealed class TriangleBinner(ScreenSpace screen, Corners corners, Duplic
         var tiles = TileLists.TilesOf(left, right, bottom, top);
         if (tiles > 1 && duplicates is not null && duplicates.HasEarlier(triangle)) return;
         if (tiles <= ManyTiles) Lists.Add(new(triangle, 1), maxInverseDepth, left, right, bottom, top);
-        else Large.Add(new(triangle, 1));
+        else Large.Add(new(new(triangle, 1), maxInverseDepth,
+            new((byte)(left >> shift), (byte)(right >> shift), (byte)(bottom >> shift), (byte)(top >> shift))));
     }
 }

@@ -53,13 +53,12 @@ internal sealed class TriangleBoxes
 
     public int Count { get; }
 
-    /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
-    /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>
-    public static TriangleBoxes Of(Mesh mesh, CancellationToken cancellation, bool isKept, int threads)
+    /// <summary>The boxes of a mesh, whose vertices and indices never change: they stay in memory as long as it does.</summary>
+    public static TriangleBoxes Of(Mesh mesh, CancellationToken cancellation, int threads)
     {
-        if (isKept && kept.TryGetValue(mesh, out var boxes)) return boxes;
+        if (kept.TryGetValue(mesh, out var boxes)) return boxes;
         boxes = new(mesh.Vertices, mesh.Indices, threads, cancellation);
-        if (isKept) kept.AddOrUpdate(mesh, boxes);
+        kept.AddOrUpdate(mesh, boxes);
         return boxes;
     }
 

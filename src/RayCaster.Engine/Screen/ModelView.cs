@@ -11,6 +11,10 @@ internal abstract class ModelView
     /// computes the range of its hits in each part.</summary>
     public virtual bool IsShape => false;
 
+    /// <summary>Whether <see cref="Enter"/> keeps what the other methods need, only until the second next view of this kind that shows enters a
+    /// tile.</summary>
+    public virtual bool HoldsTile => false;
+
     /// <summary>A view for one thread at a time; the same object if a view has no state.</summary>
     /// <param name="shared">What the thread's views share; null until the first view that needs it has made it.</param>
     public virtual ModelView ForThread(ref object? shared) => this;

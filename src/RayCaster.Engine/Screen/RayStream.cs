@@ -158,6 +158,16 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         Set(pixel, N.Select(better, hit, nearest), N.Select(better, modelIndex, models));
     }
 
+    /// <summary>Begins with the hits of a stream that holds all pixels of this one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
+    public void CopyHits<N>(RayStream whole) where N : struct, IPacket<N>
+    {
+        var first = (Row - whole.Row) * whole.Pitch + Column - whole.Column;
+        for (var row = 0; row < Rows; row++)
+            for (var i = 0; i < Width; i += N.Count)
+                Set(row * Pitch + i, whole.NearestAt<N>(first + row * whole.Pitch + i), whole.ModelsAt<N>(first + row * whole.Pitch + i));
+    }
+
     /// <summary>Intersects a scalar shape ray by ray and keeps hits that are nearer than all before.</summary>
     public void IntersectOneByOne(Model only, int modelIndex)
     {

@@ -39,19 +39,25 @@ public class MeshViewTests
         Vector3[] corners = [new(0, -1, -1), new(0, 1, -1), new(0.1, 0, 1)];
         RendererTests.AssertEqual(new(camera, [new Mesh(corners, [.. Enumerable.Range(0, 30_000).Select(i => (i + i / 3) % 3)])]), "duplicates");
     }
+
     /// <summary>There are fewer filters than meshes, so meshes share them.</summary>
-    [Fact]
-    public void AHundredMeshesInATileComeOutToTheBit()
+    /// <param name="spheres">With so many as 70 they are found as a batch.</param>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(3)]
+    [InlineData(70)]
+    public void AHundredMeshesInATileComeOutToTheBit(int spheres)
     {
         var random = new Random(1);
         var ball = MeshGenerator.Icosphere(0);
-        double Next() => 2 * random.NextDouble() - 1;
-        var models = new Model[100];
-        for (var i = 0; i < models.Length; i++)
+        var models = new List<Model>();
+        for (var i = 0; i < 100; i++)
         {
-            var center = new Vector3(Next(), Next(), Next());
-            models[i] = new Mesh([.. ball.Vertices.Select(vertex => center + 0.15 * vertex)], ball.Indices) { Color = new(i / 100.0, 1, 0) };
+            var center = Some.Point(random, 1);
+            models.Add(new Mesh([.. ball.Vertices.Select(vertex => center + 0.15 * vertex)], ball.Indices) { Color = new(i / 100.0, 1, 0) });
         }
-        RendererTests.AssertEqual(new(new(new(-5, 0, 0), Vector3.Zero, fovY: 25, width: 40, height: 30), models), "a hundred meshes");
+        for (var i = 0; i < spheres; i++) models.Insert(random.Next(models.Count), Model.Of(new Sphere(Some.Point(random, 1), 0.1)));
+        if (spheres > 0) models.AddRange([Model.Of(new Plane(new(0.5, 0, 0), new(1, 0.2, 0))), new Cylinder(new(0, 0.5, 0), 0.3, 1)]);
+        RendererTests.AssertEqual(new(new(new(-5, 0, 0), Vector3.Zero, fovY: 25, width: 90, height: 70), models), "a hundred meshes");
     }
 }
