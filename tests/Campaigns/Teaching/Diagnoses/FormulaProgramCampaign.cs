@@ -1,8 +1,0 @@
-namespace RayCaster.Teaching.Tests.Diagnoses;
-
-/// <summary>All edits, where the tests take each eighth.</summary>
-public class FormulaProgramCampaign
-{
-    [Fact]
-    public void AnEditReadsOnlyWhatAProgramComputes() => FormulaProgramTests.EditsReadOnlyWhatAProgramComputes(1);
-}

@@ -1,8 +1,0 @@
-namespace RayCaster.Teaching.Tests.Explanations;
-
-/// <summary>More random scenes than the tests take.</summary>
-public class DerivationCampaign
-{
-    [Fact]
-    public void EveryFormulaGivesTheSameBitsAsPlainDoubles() => DerivationTests.FormulasGiveTheSameBitsAsPlainDoubles(300);
-}
