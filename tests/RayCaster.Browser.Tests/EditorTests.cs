@@ -82,15 +82,6 @@ public class EditorTests(Chromium chromium, Site site)
     }
 
     [BrowserFact]
-    public async Task ALinkThatIsBrokenIsToldAndTheFirstSceneShown()
-    {
-        await using var web = await FolderPage.OpenAsync(chromium, site, fragment: "#scene=%00<b>no");
-        await web.Page.ShowsPictureOfAsync(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!);
-        await web.Page.WaitForFunctionAsync("() => /link/i.test(document.getElementById('scene-said').innerText)");
-        Assert.Empty(web.Complaints);
-    }
-
-    [BrowserFact]
     public async Task TheTextIsThereAgainAfterThePageWasLoadedAgain()
     {
         await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball));

@@ -4,7 +4,7 @@ namespace RayCaster.Browser.Tests;
 
 /// <summary>What the page does whichever host it comes from, used by mouse, by keyboard and by fingers.</summary>
 [Trait("waits", "yes")]
-public abstract class PageTests
+public abstract class PageTests : IAsyncLifetime
 {
     private const string Distance = """
         () => {
@@ -13,197 +13,228 @@ public abstract class PageTests
         }
         """;
 
-    /// <summary>Opens the page of a scene, in a tab of its own.</summary>
-    private protected abstract Task<HostedPage> OpenAsync(string scene = Ball);
+    private protected HostedPage Host { get; private set; } = null!;
+
+    private protected IPage Page => Host.Page;
+
+    public async ValueTask InitializeAsync() => Host = await OpenAsync();
+
+    public async ValueTask DisposeAsync()
+    {
+        if (Host is null) return; // it is skipped
+        await Host.DisposeAsync();
+        Assert.Empty(Host.Complaints);
+    }
+
+    /// <summary>Opens the page of the ball, in a tab of its own.</summary>
+    /// <param name="script">What is done before any script of the page.</param>
+    private protected abstract Task<HostedPage> OpenAsync(string script = "");
 
     [BrowserFact]
     public async Task EachByteOfThePictureIsTheDefinitionsAndThePageComplainsOfNothing()
     {
-        await using var host = await OpenAsync();
-        await host.Page.ShowsPictureOfAsync(Ball);
-        await host.Page.SaysAsync("Up to date: 40 × 30 pixels, 1 model.");
-        Assert.Empty(host.Complaints);
+        await Page.ShowsPictureOfAsync(Ball);
+        await Page.SaysAsync("Up to date: 40 × 30 pixels, 1 model.");
     }
 
     [BrowserFact]
     public async Task ANameThatLooksLikeMarkupIsText()
     {
-        await using var host = await OpenAsync();
-        await host.Page.SaysAsync("<img src=x onerror=alert(1)>");
-        Assert.Null(await host.Page.QuerySelectorAsync("img"));
-        Assert.Empty(host.Complaints);
+        await Page.SaysAsync("<img src=x onerror=alert(1)>");
+        Assert.Null(await Page.QuerySelectorAsync("img"));
     }
 
     [BrowserFact]
     public async Task AChangedSceneIsShownAndABrokenOneTold()
     {
-        await using var host = await OpenAsync();
-        await host.WriteSceneAsync(Ball.Replace("\"radius\": 1", "\"radius\": 0"));
-        await host.Page.ShowsAsync("aria/The scene file has 1 error[role=\"heading\"]");
-        Assert.Contains("models[0].radius must be greater than 0", await host.Page.TextOfAsync("#problem-list"));
-        Assert.Contains("1 error in", await host.Page.TextOfAsync("#status"));
+        await Host.WriteSceneAsync(Ball.Replace("\"radius\": 1", "\"radius\": 0"));
+        await Page.ShowsAsync("aria/The scene file has 1 error[role=\"heading\"]");
+        Assert.Contains("models[0].radius must be greater than 0", await Page.TextOfAsync("#problem-list"));
+        Assert.Contains("1 error in", await Page.TextOfAsync("#status"));
         var changed = Ball.Replace("1, 0.5, 0.1", "0.1, 0.5, 1");
-        await host.WriteSceneAsync(changed);
-        await host.Page.HidesAsync("#problems");
-        await host.Page.ShowsPictureOfAsync(changed);
-        Assert.Empty(host.Complaints);
+        await Host.WriteSceneAsync(changed);
+        await Page.HidesAsync("#problems");
+        await Page.ShowsPictureOfAsync(changed);
     }
 
     [BrowserFact]
     public async Task AClickExplainsThePixelInTheProgramsWordsAndArrowKeysStepOn()
     {
-        await using var host = await OpenAsync();
-        var page = host.Page;
-        await page.ClickOnPixelAsync(20, 14, 40, 30);
+        await Page.ClickOnPixelAsync(20, 14, 40, 30);
         var sections = ExplanationText.Sections(new PixelExplanation(PageExtensions.Read(Ball), 20, 14), null);
-        Assert.Contains("Column 20, line 14", await page.TextOfAsync("#pixel-head"));
+        Assert.Contains("Column 20, line 14", await Page.TextOfAsync("#pixel-head"));
         Assert.Equal(
             sections.Skip(1).Select(section => section.Text),
-            await page.EvaluateExpressionAsync<string[]>("[...document.querySelectorAll('#pixel-explained pre')].map(pre => pre.textContent)"));
-        Assert.EndsWith("#pixel=20,14", page.Url);
-        Assert.NotNull(await page.QuerySelectorAsync(".section path.shape"));
+            await Page.EvaluateExpressionAsync<string[]>("[...document.querySelectorAll('#pixel-explained pre')].map(pre => pre.textContent)"));
+        Assert.EndsWith("#pixel=20,14", Page.Url);
+        Assert.NotNull(await Page.QuerySelectorAsync(".section path.shape"));
 
-        await page.PressAsync("ArrowRight");
-        await page.SaysAsync("Column 21, line 14");
-        await page.PressAsync("Escape");
-        await page.HidesAsync("#pixel-explained");
-        Assert.Empty(host.Complaints);
+        await Page.PressAsync("ArrowRight");
+        await Page.SaysAsync("Column 21, line 14");
+        await Page.PressAsync("Escape");
+        await Page.HidesAsync("#pixel-explained");
     }
 
     [BrowserFact]
     public async Task InASmallerPictureTheNearestPixelIsExplained()
     {
-        await using var host = await OpenAsync();
-        await host.Page.EvaluateExpressionAsync("location.hash = '#pixel=20,14'");
-        await host.Page.ShowsAsync("#pixel-head");
-        await host.WriteSceneAsync(Ball.Replace("\"width\": 40", "\"width\": 10"));
-        await host.Page.SaysAsync("Column 9, line 14");
-        Assert.Empty(host.Complaints);
+        await Page.EvaluateExpressionAsync("location.hash = '#pixel=20,14'");
+        await Page.ShowsAsync("#pixel-head");
+        await Host.WriteSceneAsync(Ball.Replace("\"width\": 40", "\"width\": 10"));
+        await Page.SaysAsync("Column 9, line 14");
     }
 
     [BrowserFact]
     public async Task APictureThatIsShownSmallerIsSaidToBe()
     {
-        await using var host = await OpenAsync(Ball.Replace("\"width\": 40, \"height\": 30", "\"width\": 1, \"height\": 9000"));
-        await host.Page.SaysAsync("1 × 9000 pixels, shown as 1 × 4500");
-        Assert.Empty(host.Complaints);
+        await Host.WriteSceneAsync(Ball.Replace("\"width\": 40, \"height\": 30", "\"width\": 1, \"height\": 9000"));
+        await Page.SaysAsync("1 × 9000 pixels, shown as 1 × 4500");
     }
 
     [BrowserFact]
     public async Task ADragTurnsTheCameraAndTheSceneTakesItOnlyWhenAsked()
     {
-        await using var host = await OpenAsync();
-        var page = host.Page;
-        await page.ShowsAsync("#camera-json:not(:empty)");
-        var before = await page.TextOfAsync("#camera-json");
-        var box = await page.BoxOfAsync("#picture");
-        await page.Mouse.MoveAsync(box.X + 100, box.Y + 100);
-        await page.Mouse.DownAsync();
-        await page.Mouse.MoveAsync(box.X + 200, box.Y + 130, new() { Steps = 10 });
-        await page.Mouse.UpAsync();
-        await page.ShowsAsync("#camera-write:not([disabled])");
-        Assert.NotEqual(before, await page.TextOfAsync("#camera-json"));
-        Assert.Equal(Ball, await host.SceneTextAsync());
+        await Page.ShowsAsync("#camera-json:not(:empty)");
+        var before = await Page.TextOfAsync("#camera-json");
+        var box = await Page.BoxOfAsync("#picture");
+        await Page.Mouse.MoveAsync(box.X + 100, box.Y + 100);
+        await Page.Mouse.DownAsync();
+        await Page.Mouse.MoveAsync(box.X + 200, box.Y + 130, new() { Steps = 10 });
+        await Page.Mouse.UpAsync();
+        await Page.ShowsAsync("#camera-write:not([disabled])");
+        Assert.NotEqual(before, await Page.TextOfAsync("#camera-json"));
+        Assert.Equal(Ball, await Host.SceneTextAsync());
 
-        await page.ClickOnAsync("#camera-write");
-        await page.SaysAsync("Written into the scene file.");
-        await PageExtensions.UntilAsync(async () => await host.SceneTextAsync() != Ball);
-        Assert.Contains("// a ball", await host.SceneTextAsync());
-        await page.ShowsPictureOfAsync(await host.SceneTextAsync());
-        Assert.Empty(host.Complaints);
+        await Page.ClickOnAsync("#camera-write");
+        await Page.SaysAsync("Written into the scene file.");
+        await PageExtensions.UntilAsync(async () => await Host.SceneTextAsync() != Ball);
+        Assert.Contains("// a ball", await Host.SceneTextAsync());
+        await Page.ShowsPictureOfAsync(await Host.SceneTextAsync());
     }
 
     [BrowserFact]
     public async Task KeysAloneTurnTheCameraAndExplainAPixel()
     {
-        await using var host = await OpenAsync();
-        var page = host.Page;
-        for (var i = 0; i < 40 && await FocusAsync() != "stage"; i++) await page.PressAsync("Tab");
+        for (var i = 0; i < 40 && await FocusAsync() != "stage"; i++) await Page.PressAsync("Tab");
         Assert.Equal("stage", await FocusAsync());
-        await page.PressAsync("ArrowLeft");
-        await page.ShowsAsync("#camera-reset:not([disabled])");
-        await page.PressAsync("Enter");
-        await page.SaysAsync("Column 20, line 15");
-        Assert.Empty(host.Complaints);
+        await Page.PressAsync("ArrowLeft");
+        await Page.ShowsAsync("#camera-reset:not([disabled])");
+        await Page.PressAsync("Enter");
+        await Page.SaysAsync("Column 20, line 15");
+        Assert.Empty(Host.Complaints);
 
-        Task<string> FocusAsync() => page.EvaluateExpressionAsync<string>("document.activeElement.id");
+        Task<string> FocusAsync() => Page.EvaluateExpressionAsync<string>("document.activeElement.id");
     }
 
     [BrowserFact]
     public async Task EveryControlHasAName()
     {
-        await using var host = await OpenAsync();
-        await host.Page.ExplainAsync();
-        await host.Page.DropAsync(new Picture(40, 30));
-        await host.Page.SaysAsync("mine.png is wrong");
-        Assert.Empty(await host.Page.EvaluateFunctionAsync<string[]>("""
+        await Page.ExplainAsync();
+        await Page.DropWrongAsync(40, 30);
+        Assert.Empty(await Page.EvaluateFunctionAsync<string[]>("""
             () => [...document.querySelectorAll('button, input, select, textarea, summary, a')].filter(e => e.checkVisibility())
                 .filter(e => !(e.getAttribute('aria-label') || e.getAttribute('aria-labelledby')
                     || [...(e.labels ?? [])].map(l => l.textContent).join('') || e.textContent).trim())
                 .map(e => e.outerHTML)
             """));
-        Assert.Matches("The picture of .* 40 by 30 pixels", await host.Page.EvaluateFunctionAsync<string>(
+        Assert.Matches("The picture of .* 40 by 30 pixels", await Page.EvaluateFunctionAsync<string>(
             "() => document.querySelector('[role=img]').getAttribute('aria-label')"));
     }
 
     [BrowserFact]
     public async Task APictureThatIsChosenIsComparedAndItsWorstPlaceExplained()
     {
-        await using var host = await OpenAsync();
-        var page = host.Page;
         using var folder = new TemporaryFolder();
-        await (await page.QuerySelectorAsync("#mine-file")).UploadFileAsync(folder.Write("mine.png", PageExtensions.Png(new(40, 30))));
-        await page.ShowsAsync("#mine-worst:not([hidden])");
-        Assert.Contains("mine.png is wrong", await page.TextOfAsync("#compare-text"));
-        await page.SelectAsync("#mine-show", "difference");
-        await page.ShowsAsync("#mine:not([hidden])");
-        await page.ClickOnAsync("#mine-worst");
-        await page.WaitForFunctionAsync("() => document.getElementById('pixel-explained').textContent.includes('It has 0 0 0 here: different')");
-        Assert.Empty(host.Complaints);
+        await (await Page.QuerySelectorAsync("#mine-file")).UploadFileAsync(folder.Write("mine.png", PageExtensions.Png(new(40, 30))));
+        await Page.ShowsAsync("#mine-worst:not([hidden])");
+        Assert.Contains("mine.png is wrong", await Page.TextOfAsync("#compare-text"));
+        await Page.SelectAsync("#mine-show", "difference");
+        await Page.ShowsAsync("#mine:not([hidden])");
+        await Page.ClickOnAsync("#mine-worst");
+        await Page.WaitForFunctionAsync("() => document.getElementById('pixel-explained').textContent.includes('It has 0 0 0 here: different')");
     }
 
     [BrowserFact]
     public async Task APictureThatIsDroppedIsCompared()
     {
-        await using var host = await OpenAsync();
-        await host.Page.DropAsync(ScalarRenderer.Render(PageExtensions.Read(Ball)), () => host.Page.ShowsAsync("body.dropping"));
-        await host.Page.SaysAsync("mine.png is compared: identical.");
-        Assert.Null(await host.Page.QuerySelectorAsync("body.dropping"));
-        Assert.Empty(host.Complaints);
+        await Page.DropAsync(ScalarRenderer.Render(PageExtensions.Read(Ball)), () => Page.ShowsAsync("body.dropping"));
+        await Page.SaysAsync("mine.png is compared: identical.");
+        Assert.Null(await Page.QuerySelectorAsync("body.dropping"));
     }
 
     [BrowserFact]
     public async Task AWrongPictureIsDiagnosed()
     {
         var room = File.ReadAllText(ProjectFolder.PathOf("scenes/room.json")).Replace(": 500", ": 125");
-        await using var host = await OpenAsync(room);
-        await host.Page.DropAsync(MistakeCatalog.Draw(PageExtensions.Read(room), [MistakeCatalog.Named("nohalf")!.Usual]));
-        await host.Page.SaysAsync("mine.png is wrong");
-        await host.Page.SelectAsync("#hint", "answer");
-        await host.Page.ClickOnAsync("#diagnose");
-        await host.Page.HidesAsync("#diagnosing");
-        Assert.Contains("nohalf", await host.Page.TextOfAsync("#diagnosis-text"));
+        await Host.WriteSceneAsync(room);
+        await Page.ShowsPictureOfAsync(room);
+        await Page.DropAsync(MistakeCatalog.Draw(PageExtensions.Read(room), [MistakeCatalog.Named("nohalf")!.Usual]));
+        await Page.SaysAsync("mine.png is wrong");
+        await Page.SelectAsync("#hint", "answer");
+        await Page.ClickOnAsync("#diagnose");
+        await Page.HidesAsync("#diagnosing");
+        Assert.Contains("nohalf", await Page.TextOfAsync("#diagnosis-text"));
+    }
+
+    /// <summary>Whatever the page asks a browser for may be refused, full, or hold what another page has left there.</summary>
+    [BrowserTheory]
+    [InlineData("Object.defineProperty(window, 'sessionStorage', { get() { throw new DOMException('no', 'SecurityError'); } })")]
+    [InlineData("Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }")]
+    [InlineData("if (location.protocol !== 'about:') for (const name of ['scene', 'token']) sessionStorage.setItem(name, '{ \"rubbish')")]
+    [InlineData("if (location.protocol !== 'about:') for (const name of ['scene', 'token']) sessionStorage.setItem(name, '[7]')")]
+    [InlineData("history.replaceState = () => { throw new DOMException('no', 'SecurityError'); }")]
+    [InlineData("Object.defineProperty(navigator, 'clipboard', { value: undefined })")]
+    [InlineData("Object.defineProperty(navigator, 'clipboard', { value: { writeText: () => Promise.reject(new DOMException('no')) } })")]
+    [InlineData("Object.defineProperty(navigator, 'serviceWorker', { value: undefined })")]
+    [InlineData("Object.defineProperty(navigator, 'serviceWorker', { value: { register: () => Promise.reject(new DOMException('no')) } })")]
+    public async Task ThePageWorksWithoutWhatABrowserMayRefuse(string script)
+    {
+        await using var host = await OpenAsync(script);
+        await host.Page.ShowsPictureOfAsync(Ball);
+        await host.Page.ExplainAsync();
+        await host.Page.ClickOnAsync("#camera-copy");
+        await host.Page.WaitForFunctionAsync("() => document.getElementById('camera-said').textContent");
+        await host.Page.DropWrongAsync(40, 30);
+        var changed = Ball.Replace("\"width\": 40", "\"width\": 44");
+        await host.WriteSceneAsync(changed);
+        await host.Page.ShowsPictureOfAsync(changed);
         Assert.Empty(host.Complaints);
+    }
+
+    [BrowserFact]
+    public async Task ThePixelUnderThePointerIsToldAgainAfterTheCameraHasTurned()
+    {
+        await Page.HoverOnPixelAsync(20, 14, 40, 30);
+        await Page.SaysAsync("column 20, line 14 (row 15): <img");
+        await Page.FocusAsync("#stage");
+        for (var i = 0; i < 8; i++) await Page.PressAsync("ArrowLeft");
+        await Page.ShowsAsync("#camera-reset:not([disabled])");
+        await Page.SaysAsync("column 20, line 14 (row 15): nothing");
+    }
+
+    [BrowserFact]
+    public async Task WhatIsChosenIsNotContradicted()
+    {
+        await Page.DropWrongAsync(40, 30);
+        Assert.Equal(0, await Page.EvaluateExpressionAsync<int>(
+            "[...document.querySelectorAll('input[type=file]')].filter(e => getComputedStyle(e).opacity > 0).length")); // "No file chosen"
     }
 
     [BrowserFact]
     public async Task NoWidthNeedsScrollingSidewaysAndTextHasContrastInLightAndDark()
     {
-        await using var host = await OpenAsync();
-        var page = host.Page;
-        await page.ExplainAsync();
-        await page.DropAsync(new Picture(40, 30));
-        await page.SaysAsync("mine.png is wrong");
+        await Page.ExplainAsync();
+        await Page.DropWrongAsync(40, 30);
         foreach (var width in new[] { 360, 1400 })
         {
             foreach (var scheme in new[] { "light", "dark" })
             {
-                await page.SetViewportAsync(new() { Width = width, Height = 800 });
-                await page.EmulateMediaFeaturesAsync([new() { MediaFeature = MediaFeature.PrefersColorScheme, Value = scheme }]);
-                await page.WaitForFunctionAsync("width => innerWidth === width", width);
-                Assert.Equal((scheme, width), (scheme, await page.EvaluateExpressionAsync<int>(
+                await Page.SetViewportAsync(new() { Width = width, Height = 800 });
+                await Page.EmulateMediaFeaturesAsync([new() { MediaFeature = MediaFeature.PrefersColorScheme, Value = scheme }]);
+                await Page.WaitForFunctionAsync("width => innerWidth === width", width);
+                Assert.Equal((scheme, width), (scheme, await Page.EvaluateExpressionAsync<int>(
                     "Math.max(innerWidth, document.documentElement.scrollWidth)")));
-                Assert.Equal("", await page.FaintTextsAsync());
+                Assert.Equal("", await Page.FaintTextsAsync());
             }
         }
     }
@@ -211,25 +242,23 @@ public abstract class PageTests
     [BrowserFact]
     public async Task OneFingerTurnsTwoFingersMoveAndATapExplains()
     {
-        await using var host = await OpenAsync();
-        var page = host.Page;
-        await page.SetViewportAsync(new() { Width = 360, Height = 740, HasTouch = true });
-        var touch = await page.CreateCDPSessionAsync();
-        await page.ShowsAsync("#camera-json:not(:empty)");
-        var box = await page.BoxOfAsync("#picture");
+        await Page.SetViewportAsync(new() { Width = 360, Height = 740, HasTouch = true });
+        var touch = await Page.CreateCDPSessionAsync();
+        await Page.ShowsAsync("#camera-json:not(:empty)");
+        var box = await Page.BoxOfAsync("#picture");
         var (x, y) = (box.X + box.Width / 2, box.Y + box.Height / 2);
-        var before = await page.EvaluateFunctionAsync<double>(Distance);
+        var before = await Page.EvaluateFunctionAsync<double>(Distance);
 
         await DragAsync([(x, y)], [(x + 60, y)]);
-        await page.ShowsAsync("#camera-reset:not([disabled])");
-        Assert.Equal(before, await page.EvaluateFunctionAsync<double>(Distance), tolerance: 1e-3);
+        await Page.ShowsAsync("#camera-reset:not([disabled])");
+        Assert.Equal(before, await Page.EvaluateFunctionAsync<double>(Distance), tolerance: 1e-3);
 
         await DragAsync([(x - 20, y), (x + 20, y)], [(x - 80, y), (x + 80, y)]);
-        await page.WaitForFunctionAsync($"before => ({Distance})() < 0.5 * before", before);
+        await Page.WaitForFunctionAsync($"before => ({Distance})() < 0.5 * before", before);
 
-        await page.Touchscreen.TapAsync(x, y);
-        await page.ShowsAsync("#pixel-head");
-        Assert.Empty(host.Complaints);
+        await Page.Touchscreen.TapAsync(x, y);
+        await Page.ShowsAsync("#pixel-head");
+        Assert.Empty(Host.Complaints);
 
         async Task DragAsync((decimal X, decimal Y)[] from, (decimal X, decimal Y)[] to)
         {

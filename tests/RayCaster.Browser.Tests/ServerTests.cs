@@ -6,33 +6,29 @@ namespace RayCaster.Browser.Tests;
 [Collection("server")]
 public class ServerTests(Chromium chromium) : PageTests
 {
-    private protected override async Task<HostedPage> OpenAsync(string scene = Ball) => await ServedPage.OpenAsync(chromium, scene);
+    private string Scene => ((ServedPage)Host).Scene;
+
+    private protected override async Task<HostedPage> OpenAsync(string script) =>
+        await ServedPage.OpenAsync(chromium, script: script);
 
     [BrowserFact]
-    public async Task TheSecretIsNotInTheAddressThatTheBrowserShows()
-    {
-        await using var served = await ServedPage.OpenAsync(chromium);
-        Assert.DoesNotContain("token", served.Page.Url);
-    }
+    public void TheSecretIsNotInTheAddressThatTheBrowserShows() => Assert.DoesNotContain("token", Page.Url);
 
     [BrowserFact]
     public async Task AnErrorHasALinkThatOpensVSCode()
     {
-        await using var served = await ServedPage.OpenAsync(chromium);
-        await served.WriteSceneAsync("{");
-        var link = await served.Page.ShowsAsync("aria/Open in VS Code[role=\"link\"]");
+        await Host.WriteSceneAsync("{");
+        var link = await Page.ShowsAsync("aria/Open in VS Code[role=\"link\"]");
         Assert.StartsWith("vscode://file/", await link.EvaluateFunctionAsync<string>("link => link.getAttribute('href')"));
     }
 
     [BrowserFact]
     public async Task ADeletedSceneIsGone()
     {
-        await using var served = await ServedPage.OpenAsync(chromium);
-        File.Delete(served.Scene);
-        await served.Page.ShowsAsync("aria/The scene file is gone[role=\"heading\"]");
-        Assert.Equal($"{served.Scene} is gone.", await served.Page.TextOfAsync("#status"));
-        await served.WriteSceneAsync(Ball);
-        await served.Page.HidesAsync("#problems");
-        Assert.Empty(served.Complaints);
+        File.Delete(Scene);
+        await Page.ShowsAsync("aria/The scene file is gone[role=\"heading\"]");
+        Assert.Equal($"{Scene} is gone.", await Page.TextOfAsync("#status"));
+        await Host.WriteSceneAsync(Ball);
+        await Page.HidesAsync("#problems");
     }
 }

@@ -68,4 +68,18 @@ public class RequestTests
         Assert.Contains("Question: ", text);
         Assert.DoesNotContain("--hint", text);
     }
+
+    /// <summary>The page has no commands: those of an answer are the console program's.</summary>
+    [Fact]
+    public async Task ADiagnosisNamesTheProgramOfItsCommands()
+    {
+        var noise = new Picture(40, 30);
+        new Random(20261128).NextBytes(noise.Rgb);
+        await using var page = await LivePage.OpenAsync(mine: "mine.png", prepare: folder => PictureFile.Write(folder["mine.png"], noise));
+        await page.ConnectAsync();
+        await page.AskAsync("""{"diagnose":true}""");
+        var text = (await page.MessageAsync("diagnosis")).GetProperty("text").GetString();
+        Assert.Contains("\"raycaster explain\"", text);
+        Assert.DoesNotContain("\"explain\"", text);
+    }
 }

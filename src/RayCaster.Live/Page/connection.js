@@ -1,12 +1,13 @@
 // The connection to the program that serves this page: a WebSocket.
+import { keep, kept, readdress } from "./memory.js";
 
 // The program's address has the token after "#". It stays in this tab: no other page and no other port gets it.
 const given = /#token=(\w+)/.exec(location.hash);
 if (given) {
-  sessionStorage.setItem("token", given[1]);
-  history.replaceState(null, "", location.pathname);
+  keep("token", given[1]);
+  readdress(location.pathname);
 }
-const token = sessionStorage.getItem("token") ?? "none";
+const token = given?.[1] ?? /^\w+$/.exec(kept("token"))?.[0] ?? "none";
 let socket = null;
 
 /** By how much the first frame's sides are divided while the camera moves. */
@@ -18,8 +19,9 @@ export function connect(listener) {
   socket.binaryType = "arraybuffer";
   socket.addEventListener("open", listener.open);
   socket.addEventListener("message", event => listener.message(event.data));
-  socket.addEventListener("close", () => listener.closed("The program has ended or is being built again. This page continues by itself when the " +
-    "program runs again under the same address; otherwise open the address that the terminal shows."));
+  socket.addEventListener("close", () => token === "none" ? listener.closed("Open the address that the terminal shows: this one lacks its secret.", true)
+    : listener.closed("The program has ended or is being built again. This page continues by itself when the program runs again under the same " +
+      "address; otherwise open the address that the terminal shows."));
 }
 
 /** Sends one or several requests; the server takes them in order. */

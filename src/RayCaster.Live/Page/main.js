@@ -8,12 +8,14 @@ import { ask, connect, on, remember } from "./server.js";
 import "./comparison.js";
 import "./models.js";
 
-let scene = null, camera = null, pointed = null;
-const drawn = new Promise(resolve => $("stage").addEventListener("frame", resolve, { once: true }));
+const patience = 300; // milliseconds in which most pictures are drawn
+const hint = $("hover").textContent;
+let scene = null, pointed = null, news = "", shown = 0, timer = 0; // shown: the version whose picture has come
 
 on("open", () => say("Connected."));
 on("closed", reason => {
   document.body.classList.add("apart");
+  shown = 0;
   say(reason);
 });
 
@@ -30,18 +32,18 @@ on("scene", message => {
   const isSmaller = scene.shownWidth !== scene.width || scene.shownHeight !== scene.height;
   const smaller = isSmaller ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
   const found = errors(scene);
-  const news = scene.good
+  news = scene.good
     ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`
     : scene.isGone ? `${scene.path} is gone.` : `${count(found.length + scene.more, "error")} in ${scene.path}: ${found[0].message}`;
-  scene.width > 0 ? drawn.then(() => say(news)) : say(news);
-  if (pointed) ask({ hover: pointed });
+  if (!scene.good || shown === scene.version) say(news);
+  else timer = setTimeout(say, patience, "Drawing …");
+  point();
   const picture = `The picture of ${scene.path}, ${scene.width} by ${scene.height} pixels, ${count(scene.modelCount, "model")}` +
     (scene.good ? "" : "; it is the last good one");
   for (const id of ["picture", "stage"]) $(id).setAttribute("aria-label", picture);
 });
 
 on("camera", message => {
-  camera = message;
   const { position, target, fovY } = message;
   $("camera-json").textContent = `"position": ${JSON.stringify(position)}, "target": ${JSON.stringify(target)}, "fovY": ${JSON.stringify(fovY)}`;
   $("camera-write").disabled = $("camera-reset").disabled = !message.moved;
@@ -65,6 +67,18 @@ $("camera-copy").addEventListener("click", async () => {
 $("camera-write").addEventListener("click", () => ask({ write: scene.version }));
 $("camera-reset").addEventListener("click", () => ask({ camera: null }));
 
+// What is said about a pixel and about the picture is no longer true while the camera moves.
+$("stage").addEventListener("frame", ({ detail: { isFinal, version, width } }) => {
+  if (!isFinal) {
+    $("hover").textContent = hint;
+    if (width < size.width) say("The camera moves; the picture is sharp again when it rests.");
+    return;
+  }
+  shown = version;
+  if (version === scene.version) say(news);
+  point();
+});
+
 on("hover", at => {
   $("hover").textContent = `column ${at.column}, line ${at.line} (row ${at.row}): ` +
     `${at.model}, t = ${digits(at.t)}, depth z = ${digits(at.depth)}, bytes ${at.bytes.join(" ")}`;
@@ -74,6 +88,14 @@ hand.onPoint = pixel => {
   pointed = pixel ?? pointed;
   if (pixel) ask({ hover: pixel });
 };
+
+/** Asks again about the pixel that somebody points at. */
+function point() {
+  if (!pointed) return;
+  if (pointed[0] < size.width && pointed[1] < size.height) ask({ hover: pointed });
+  else $("hover").textContent = hint;
+}
+
 hand.onClick = explain;
 hand.onStep = ([right, up]) => $("arrows-step").checked && step(right, -up);
 
@@ -98,6 +120,7 @@ on("legend", legend => {
 });
 
 function say(text) {
+  clearTimeout(timer);
   if ($("status").textContent !== text) $("status").textContent = text;
 }
 

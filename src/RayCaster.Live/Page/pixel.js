@@ -2,6 +2,7 @@
 import { $, make, show, swatch } from "./dom.js";
 import { mark, size } from "./picture.js";
 import { section } from "./section.js";
+import { readdress } from "./memory.js";
 import { ask, on } from "./server.js";
 
 let chosen = null;
@@ -17,7 +18,7 @@ export function explain(pixel) {
   show($("pixel-explained"), pixel !== null);
   show($("pixel-none"), pixel === null);
   const address = pixel ? `#pixel=${pixel}` : location.pathname;
-  if (location.hash !== address) history.replaceState(null, "", address);
+  if (location.hash !== address) readdress(address);
 }
 
 /** Goes to the pixel beside the explained one; false if none is explained. */
@@ -39,7 +40,6 @@ on("explanation", ({ column, line, color, sections, drawing }) => {
   const [head, ...parts] = sections;
   $("pixel-explained").replaceChildren(
     make("p", { id: "pixel-head" }, swatch(color), ` ${head.text}`),
-    make("p", {}, make("a", { href: `#pixel=${column},${line}` }, "Link to this pixel")),
     section(drawing), ...parts.map(part));
 });
 

@@ -37,8 +37,12 @@ export function connect() {
       const message = JSON.parse(data);
       tell(message.kind, message);
     },
-    closed(reason) {
+    camera(camera) {
+      ask({ camera });
+    },
+    closed(reason, forEver = false) {
       tell("closed", reason);
+      if (forEver) return;
       setTimeout(connect, wait);
       wait = Math.min(2 * wait, delay.longest);
     },

@@ -1,10 +1,12 @@
+using System.Text.RegularExpressions;
+
 namespace RayCaster.Live;
 
 /// <summary>The comparison of the user's own picture with the scene's, in words and in pictures.</summary>
 /// <param name="Name">The picture's name; null if there is no picture.</param>
 /// <param name="Problem">Why it cannot be compared; null if it can.</param>
 /// <param name="Mine">The picture; null if it cannot be compared.</param>
-internal sealed record Comparison(string? Name, string? Problem, Picture? Mine, Scene Scene, string SceneName)
+internal sealed partial record Comparison(string? Name, string? Problem, Picture? Mine, Scene Scene, string SceneName)
 {
     private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds
     private Diagnosis? diagnosis;
@@ -19,7 +21,7 @@ internal sealed record Comparison(string? Name, string? Problem, Picture? Mine, 
         Kind = "comparison",
         Name,
         Problem,
-        Text = Result is null ? null : ComparisonText.Of(Result, Name!, SceneName),
+        Text = Result is null ? null : ForPage(ComparisonText.Of(Result, Name!, SceneName)),
         Verdict = Result is null ? null : ComparisonText.Of(Result.Likeness),
         HasLayers = Result?.Difference is not null,
         Middle = Result?.Difference?.WrongMiddle is var (x, y) ? (int[])[x, y] : null,
@@ -49,7 +51,7 @@ internal sealed record Comparison(string? Name, string? Problem, Picture? Mine, 
                 cancellation.ThrowIfCancellationRequested();
                 (diagnosis, isCut) = (found, budget.UsedUp is not null);
             }
-            return DiagnosisReport.Text(diagnosis, Name!, SceneName, level)
+            return ForPage(DiagnosisReport.Text(diagnosis, Name!, SceneName, level))
                 + (isCut ? "\nNot everything was tried: \"raycaster diagnose --all\" takes more time.\n" : "");
         }
         finally
@@ -57,4 +59,10 @@ internal sealed record Comparison(string? Name, string? Problem, Picture? Mine, 
             turn.Release();
         }
     }
+
+    /// <summary>The commands that a text names are the console program's; the page has none.</summary>
+    private static string ForPage(string text) => Command().Replace(text, "\"raycaster ");
+
+    [GeneratedRegex("\"(?=(check|compare|diagnose|explain)\\b)")]
+    private static partial Regex Command();
 }

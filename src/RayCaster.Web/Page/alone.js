@@ -2,13 +2,14 @@
 import { dropped } from "./comparison.js";
 import { change, scene } from "./connection.js";
 import { $, make, show } from "./dom.js";
-import { longest, toLink } from "./link.js";
-import "./problems.js"; // it makes its list before the buttons in it are made here
+import { cannot, isLink, longest, toLink } from "./link.js";
+import "./pixel.js"; // these two make their parts before those in them are made here
+import "./problems.js";
 import { on } from "./server.js";
 
 const most = 10_000_000; // letters of a scene
 const editor = $("scene-text"), said = $("scene-said");
-let timer = 0;
+let timer = 0, camera = null;
 
 editor.after($("problems"));
 $("problem-list").setAttribute("role", "status"); // an alert would interrupt whoever types
@@ -35,8 +36,8 @@ function take(text, name = scene[0]) {
   clearTimeout(timer);
   if (text.length > most) return void (said.textContent = `${name} is too large: this page takes scenes of at most 10 MB.`);
   if (editor.value !== text) editor.value = text;
-  show($("share"), false);
-  said.textContent = "";
+  show($("share-link"), false);
+  said.textContent = $("notice").textContent = "";
   change(name, text);
 }
 
@@ -61,17 +62,29 @@ dropped.onFile = file => file.name.toLowerCase().endsWith(".json") ? open(file) 
 $("save-scene").addEventListener("click", () =>
   make("a", { download: scene[0], href: URL.createObjectURL(new Blob([editor.value], { type: "application/json" })) }).click());
 
-$("share-scene").addEventListener("click", async () => {
-  const link = await toLink(editor.value);
-  show($("share"), link.length <= longest);
-  $("share-link").value = link;
-  $("share-link").select();
-  const isCopied = link.length <= longest && await navigator.clipboard?.writeText(link).then(() => true, () => false);
+/** Copies a link to the scene, or shows it to be copied; with a pixel, to that pixel as the camera sees it now. */
+async function share(said, field, pixel = null) {
+  const link = cannot ?? await toLink(editor.value, pixel && camera?.moved ? camera : null, pixel);
+  const isLink = !cannot && link.length <= longest;
+  show(field, isLink);
+  field.value = link;
+  field.select();
+  const isCopied = isLink && await navigator.clipboard?.writeText(link).then(() => true, () => false);
   said.textContent = isCopied ? "The link is copied."
-    : link.length <= longest ? "The link is selected: press Ctrl + C to copy it."
-    : `The link would have ${link.length} characters; many programs cut it. Save the scene as a file instead.`;
+    : isLink ? "The link is selected: press Ctrl + C to copy it."
+    : `${cannot ?? `The link would have ${link.length} characters; many programs cut it.`} Save the scene as a file instead.`;
+}
+
+$("share-scene").addEventListener("click", () => share(said, $("share-link")));
+
+on("camera", message => { camera = message; });
+on("explanation", ({ column, line }) => {
+  if (!$("pixel-head") || $("pixel-link")) return; // another pixel was chosen meanwhile
+  const linked = make("span", { role: "status" }), field = make("input", { class: "link", readonly: true, "aria-label": "The link", hidden: true });
+  const button = make("button", { type: "button", id: "pixel-link", onclick: () => share(linked, field, [column, line]) }, "Link to this pixel");
+  $("pixel-head").after(make("p", {}, button, " ", linked), field);
 });
 
-addEventListener("hashchange", () => { if (location.hash.startsWith("#scene=")) location.reload(); });
+addEventListener("hashchange", () => { if (isLink(location.href)) location.reload(); });
 
 navigator.serviceWorker?.register("offline.js").catch(() => { /* private windows do not allow it */ });

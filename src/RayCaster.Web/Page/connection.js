@@ -1,11 +1,14 @@
 // The connection to RayCaster in Web Workers. A worker does one thing at a time, so there are three: the camera turns at once while another one
 // counts rays, and a diagnosis that takes too long ends with its worker.
-import { fromLink } from "./link.js";
+import { $ } from "./dom.js";
+import { cannot, fromLink, isLink } from "./link.js";
+import { keep, kept, readdress } from "./memory.js";
 
 const answers = { view: "Scene, Hover, Frame, Camera, Explanation", study: "Map, Comparison, Ledger", search: "Diagnosis" };
 const workers = {};
 let isOpen = false; // whether a worker has said something
 let isSearching = false; // whether a diagnosis runs
+let isOver = false; // whether it has been told that none can start
 let told = null;   // what to do with what the workers send
 let mine = null;   // the user's picture: its name and its bytes
 
@@ -18,8 +21,43 @@ export const firstDivisor = 4;
 export async function connect(listener) {
   told = listener;
   document.body.classList.add("alone");
-  if (!scene) change(...await fromLink() ?? JSON.parse(sessionStorage.getItem("scene")) ?? ["room.json", await (await fetch("room.json")).text()]);
+  let camera = null;
+  if (!scene) {
+    const { name, text, seenThrough = null } = await linked() ?? last() ?? await first();
+    camera = seenThrough;
+    change(name, text);
+  }
   ["view", "study"].forEach(start);
+  if (camera) told.camera(camera);
+}
+
+/** The scene in the page's address, which the page then leaves but for the pixel. */
+async function linked() {
+  const address = location.href;
+  if (!isLink(address)) return null;
+  readdress(new URL(location.hash ? location.pathname : ".", address)); // of a link whose "#" was encoded, all of it is the name of a file
+  const link = cannot ? null : await fromLink(address);
+  if (!link) $("notice").textContent = `${cannot ?? "This link is broken: it does not hold a whole scene."} Another scene is shown.`;
+  else if (link.pixel) readdress(`#pixel=${link.pixel}`);
+  return link && { name: "shared.json", text: link.text, seenThrough: link.camera };
+}
+
+/** The scene that this tab has shown last. */
+function last() {
+  try {
+    const [name, text] = JSON.parse(kept("scene"));
+    if (typeof text === "string") return { name: String(name), text };
+    $("notice").textContent = `The browser could not keep ${name}: open it again. Another scene is shown.`;
+  } catch { /* there is none, or what there is was not kept by this page */ }
+  return null;
+}
+
+/** The page's own scene. */
+async function first() {
+  if (location.hash.startsWith("#pixel=")) $("notice").textContent = "This address holds a pixel but no scene: this is the page's first one.";
+  const answer = await fetch("room.json").catch(() => null);
+  if (!answer?.ok) $("notice").textContent = "This page is not complete: its host does not have room.json.";
+  return { name: "room.json", text: answer?.ok ? await answer.text() : "" };
 }
 
 /** Sends one or several requests. */
@@ -34,7 +72,7 @@ export function send(requests) {
 /** Takes a scene: the name of its file, and its text. It is there again after the page was loaded again, but for a very long one. */
 export function change(...next) {
   scene = next;
-  sessionStorage.setItem("scene", JSON.stringify(scene[1].length < 1_000_000 ? scene : null));
+  if (scene[1].length > 1_000_000 || !keep("scene", JSON.stringify(scene))) keep("scene", JSON.stringify([scene[0], null]));
   cancel();
   tell("Change", ...scene);
 }
@@ -60,7 +98,12 @@ function tell(...call) {
 }
 
 function start(name) {
-  const worker = workers[name] = new Worker("worker.js", { type: "module" });
+  let worker;
+  try {
+    worker = workers[name] = new Worker("worker.js", { type: "module" });
+  } catch (refusal) {
+    return fail(refusal.message);
+  }
   worker.addEventListener("message", event => {
     if (!isOpen) told.open();
     isOpen = true;
@@ -77,9 +120,13 @@ function end(name) {
   delete workers[name];
 }
 
-/** Begins anew after a fault of a worker, as when its memory is full. */
-function fail(reason) {
+/** Begins anew after a fault of a worker, as when its memory is full. One that has never answered would fail again. */
+async function fail(reason) {
+  const hasBegun = isOpen;
   Object.keys(workers).forEach(end);
   isOpen = isSearching = false;
-  told.closed(`RayCaster has ended in this page (${reason}); it starts again.`);
+  if (hasBegun) return told.closed(`RayCaster has ended in this page (${reason}); it starts again.`);
+  if (isOver) return;
+  isOver = true;
+  told.closed(await lacks() ?? `RayCaster cannot start in this browser: ${reason ?? "it allows no worker"}.`, true);
 }

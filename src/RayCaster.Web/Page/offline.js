@@ -8,4 +8,4 @@ addEventListener("install", event => event.waitUntil(caches.open(name).then(cach
 addEventListener("activate", event => event.waitUntil(caches.keys().then(all =>
   Promise.all(all.filter(other => other.startsWith(place) && other !== name).map(other => caches.delete(other))))));
 addEventListener("fetch", event => event.respondWith(caches.match(event.request.mode === "navigate" ? "./" : event.request, { cacheName: name })
-  .then(kept => kept ?? fetch(event.request))));
+  .catch(() => null).then(kept => kept ?? fetch(event.request)))); // a browser may have thrown the files away

@@ -1,7 +1,7 @@
 // A Web Worker that runs RayCaster. A message is an exported method of Program.cs and its arguments; the answers are those of a server.
-import { dotnet } from "./_framework/dotnet.js";
 
 async function start() {
+  const { dotnet } = await import("./_framework/dotnet.js");
   const { getAssemblyExports, getConfig, setModuleImports } = await dotnet.create();
   setModuleImports("worker", {
     post: message => postMessage(message),

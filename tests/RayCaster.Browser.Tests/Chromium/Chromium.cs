@@ -20,12 +20,14 @@ public sealed class Chromium : IAsyncLifetime
 
     /// <summary>A tab with a cache, a storage and workers of its own.</summary>
     /// <param name="proxy">Where its requests go, also those for this machine; null for no such place.</param>
-    internal async Task<Tab> OpenAsync(string? proxy = null)
+    /// <param name="script">What is done before any script of a page.</param>
+    internal async Task<Tab> OpenAsync(string? proxy = null, string script = "")
     {
         var context = await browser!.CreateBrowserContextAsync(
             proxy is null ? null : new() { ProxyServer = proxy, ProxyBypassList = ["<-loopback>"] });
         var page = await context.NewPageAsync();
         await page.SetViewportAsync(new() { Width = 1300, Height = 900 });
+        await page.EvaluateExpressionOnNewDocumentAsync(script);
         page.DefaultTimeout = 120_000; // beside other work
         return new(context, page);
     }

@@ -14,7 +14,7 @@ internal static class PageExtensions
         public Task HidesAsync(string selector) => page.WaitForSelectorAsync(selector, new() { Hidden = true });
 
         /// <summary>Waits until the page shows a text.</summary>
-        public Task SaysAsync(string text) => page.WaitForFunctionAsync("text => document.body.innerText.includes(text)", text);
+        public Task SaysAsync(string text) => page.MainFrame.SaysAsync(text);
 
         /// <summary>The text that an element shows.</summary>
         public Task<string> TextOfAsync(string selector) =>
@@ -27,11 +27,19 @@ internal static class PageExtensions
         /// <summary>Clicks on an element once it is visible.</summary>
         public async Task ClickOnAsync(string selector) => await (await page.ShowsAsync(selector)).ClickAsync();
 
+        /// <summary>Points at a pixel of the picture.</summary>
+        public async Task HoverOnPixelAsync(double column, double line, double width, double height)
+        {
+            var box = await page.BoxOfAsync("#picture");
+            await page.Mouse.MoveAsync(box.X + box.Width * (decimal)((column + 0.5) / width), box.Y + box.Height * (decimal)((line + 0.5) / height));
+        }
+
         /// <summary>Clicks on a pixel of the picture.</summary>
         public async Task ClickOnPixelAsync(double column, double line, double width, double height)
         {
-            var box = await page.BoxOfAsync("#picture");
-            await page.Mouse.ClickAsync(box.X + box.Width * (decimal)((column + 0.5) / width), box.Y + box.Height * (decimal)((line + 0.5) / height));
+            await page.HoverOnPixelAsync(column, line, width, height);
+            await page.Mouse.DownAsync();
+            await page.Mouse.UpAsync();
             await page.ShowsAsync("#pixel-head");
         }
 
@@ -60,6 +68,13 @@ internal static class PageExtensions
 
         /// <summary>Drops a picture on the page.</summary>
         public Task DropAsync(Picture picture, Func<Task>? dragged = null) => page.DropAsync("mine.png", Png(picture), dragged);
+
+        /// <summary>Drops a wrong picture of the scene's size, and waits for its comparison.</summary>
+        public async Task DropWrongAsync(int width, int height)
+        {
+            await page.DropAsync(new Picture(width, height));
+            await page.SaysAsync("mine.png is wrong");
+        }
 
         /// <summary>Drags a file over the page and drops it there.</summary>
         /// <param name="dragged">What to do while it is over the page.</param>
@@ -112,6 +127,20 @@ internal static class PageExtensions
                 return faint.join('\n');
             }
             """);
+    }
+
+    /// <summary>Waits until a frame shows a text.</summary>
+    public static async Task SaysAsync(this IFrame frame, string text)
+    {
+        try
+        {
+            await frame.WaitForFunctionAsync(
+                "text => document.body?.innerText.includes(text)", new WaitForFunctionOptions { PollingInterval = 50 }, text);
+        }
+        catch (WaitTaskTimeoutException)
+        {
+            throw new TimeoutException($"\"{text}\" is not said, but: {await frame.EvaluateExpressionAsync<string>("document.body.innerText")}");
+        }
     }
 
     public static Scene Read(string scene) => SceneReader.Parse(System.Text.Encoding.UTF8.GetBytes(scene), "scene.json", "").Scene!;

@@ -10,12 +10,13 @@ internal sealed class FolderPage(Tab tab, FileServer server) : HostedPage(tab)
 
     /// <param name="fragment">What follows the address, beginning with #; nothing for the first scene.</param>
     /// <param name="below">The folder of the host that the site is in.</param>
+    /// <param name="script">What is done before any script of the page.</param>
     /// <param name="isProxied">Whether requests for other hosts reach the file server, too.</param>
     public static async Task<FolderPage> OpenAsync(
-        Chromium chromium, Site site, string fragment = "", string below = "", bool isProxied = false)
+        Chromium chromium, Site site, string fragment = "", string below = "", string script = "", bool isProxied = false)
     {
         var server = await site.ServeAsync(below);
-        var tab = await chromium.OpenAsync(isProxied ? server.Root : null);
+        var tab = await chromium.OpenAsync(isProxied ? server.Root : null, script);
         await tab.ShowAsync(server.Address + fragment);
         return new(tab, server);
     }

@@ -9,10 +9,10 @@ internal sealed class ServedPage(Tab tab, LivePage live) : HostedPage(tab)
 {
     public string Scene => live.Scene;
 
-    public static async Task<ServedPage> OpenAsync(Chromium chromium, string scene = Ball)
+    public static async Task<ServedPage> OpenAsync(Chromium chromium, string scene = Ball, string script = "")
     {
         var live = await LivePage.OpenAsync(scene);
-        var tab = await chromium.OpenAsync();
+        var tab = await chromium.OpenAsync(script: script);
         await tab.ShowAsync(live.Server.Address);
         return new(tab, live);
     }

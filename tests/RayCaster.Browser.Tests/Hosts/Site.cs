@@ -38,10 +38,11 @@ public sealed partial class Site : IAsyncLifetime
 
     /// <summary>Serves the folder as any web host does.</summary>
     /// <param name="below">The folder of the host that it is copied to.</param>
-    internal Task<FileServer> ServeAsync(string below = "")
+    /// <param name="missing">The beginning of the names that the host does not have.</param>
+    internal Task<FileServer> ServeAsync(string below = "", string? missing = null)
     {
         Assert.SkipWhen(cannotBeRestored, "the runtime pack for browser-wasm cannot be restored");
-        return FileServer.StartAsync(published ?? folder.Path, below);
+        return FileServer.StartAsync(published ?? folder.Path, below, missing);
     }
 
     public ValueTask DisposeAsync()
@@ -78,7 +79,7 @@ internal sealed class FileServer(WebApplication server, ConcurrentQueue<string> 
     /// <summary>All requests so far: their addresses and the status that was answered.</summary>
     public string[] Requests => [.. requests];
 
-    public static async Task<FileServer> StartAsync(string folder, string below)
+    public static async Task<FileServer> StartAsync(string folder, string below, string? missing)
     {
         var builder = WebApplication.CreateSlimBuilder();
         builder.Logging.ClearProviders();
@@ -93,8 +94,20 @@ internal sealed class FileServer(WebApplication server, ConcurrentQueue<string> 
             requests.Enqueue($"{request.Method} {request.Scheme}://{request.Host}{request.Path}{request.QueryString} {context.Response.StatusCode}");
         });
         var files = new PhysicalFileProvider(folder);
+        server.Use((context, next) =>
+        {
+            if (missing is not null && context.Request.Path.StartsWithSegments(below, out var rest) && rest.Value!.StartsWith("/" + missing,
+                StringComparison.Ordinal)) context.Request.Path = "/missing";
+            return next();
+        });
         server.UseDefaultFiles(new DefaultFilesOptions { FileProvider = files, RequestPath = below });
         server.UseStaticFiles(new StaticFileOptions { FileProvider = files, RequestPath = below });
+        server.Run(async context => // as hosts do for a file that they do not have
+        {
+            context.Response.StatusCode = StatusCodes.Status404NotFound;
+            context.Response.ContentType = "text/html";
+            await context.Response.SendFileAsync(Path.Combine(folder, "404.html"));
+        });
         await server.StartAsync();
         return new(server, requests, below);
     }

@@ -1,0 +1,105 @@
+using static RayCaster.Browser.Tests.HostedPage;
+
+namespace RayCaster.Browser.Tests;
+
+/// <summary>A link shows its scene, or the page says that it shows another one.</summary>
+[Collection("folder"), Trait("waits", "yes")]
+public class LinkTests(Chromium chromium, Site site)
+{
+    private static readonly string code = FolderPage.Link(Ball)["#scene=".Length..];
+
+    /// <summary>Mail programs and learning platforms encode a link, and add what follows it in a text.</summary>
+    [BrowserTheory]
+    [InlineData("#scene%3D", "")]
+    [InlineData("%23scene=", "")]
+    [InlineData("%23scene%3D", "")]
+    [InlineData("%2523scene%253D", "")]
+    [InlineData("#scene=", ".")]
+    [InlineData("#scene=", ")")]
+    [InlineData("#scene=", "&utm_source=mail")]
+    [InlineData("#scene=", "%0D%0ASee you")]
+    [InlineData("%23scene=", ">")]
+    public async Task ALinkThatOtherProgramsHaveChangedShowsItsScene(string before, string after)
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site, before + code + after);
+        await web.Page.ShowsPictureOfAsync(Ball);
+        Assert.Equal(Ball, await web.SceneTextAsync());
+        Assert.Equal("", await web.Page.TextOfAsync("#notice"));
+        Assert.Equal(web.Server.Address, web.Page.Url);
+    }
+
+    [BrowserFact]
+    public async Task ALinkThatWasBrokenIntoLinesShowsItsScene()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site, $"#scene={code[..76]}=%0D%0A{code[76..]}");
+        await web.Page.ShowsPictureOfAsync(Ball);
+    }
+
+    /// <summary>After a visit no request reaches the host.</summary>
+    [BrowserFact]
+    public async Task AnEncodedLinkShowsItsSceneAfterAVisit()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await web.Page.EvaluateExpressionAsync("navigator.serviceWorker.ready.then(() => true)");
+        await web.Page.GoToAsync($"{web.Server.Address}%23scene={code}");
+        await web.Page.ShowsPictureOfAsync(Ball);
+    }
+
+    [BrowserTheory]
+    [InlineData("#scene")]
+    [InlineData("#scene=")]
+    [InlineData("#scene=%00<b>no")]
+    [InlineData("#scene=c2hvcnQ")]
+    [InlineData("%23scene=c2hvcnQ")]
+    public async Task ALinkThatHoldsNoSceneIsTold(string link)
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site, link);
+        await web.Page.SaysAsync("This link is broken: it does not hold a whole scene. Another scene is shown.");
+        await web.WriteSceneAsync(Ball);
+        await web.Page.ShowsPictureOfAsync(Ball);
+        Assert.Equal("", await web.Page.TextOfAsync("#notice"));
+    }
+
+    [BrowserFact]
+    public async Task AnAddressOfAPixelWithoutASceneIsTold()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site, "#pixel=20,14");
+        await web.Page.SaysAsync("This address holds a pixel but no scene: this is the page's first one.");
+    }
+
+    [BrowserFact]
+    public async Task ALinkToAPixelHoldsTheSceneAndTheCamera()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball));
+        await web.Page.FocusAsync("#stage");
+        await web.Page.PressAsync("ArrowLeft");
+        await web.Page.ShowsAsync("#camera-reset:not([disabled])");
+        await web.Page.ClickOnPixelAsync(22, 14, 40, 30);
+        await web.Page.ClickOnAsync("#pixel-link");
+        var field = await web.Page.ShowsAsync("#pixel .link");
+        var link = await field.EvaluateFunctionAsync<string>("field => field.value");
+
+        await using var other = await FolderPage.OpenAsync(chromium, site, link[link.IndexOf('#')..] + ".");
+        await other.Page.SaysAsync("Column 22, line 14");
+        Assert.Equal(Ball, await other.SceneTextAsync());
+        Assert.Equal(await web.Page.TextOfAsync("#camera-json"), await other.Page.TextOfAsync("#camera-json"));
+        Assert.Equal(await web.Page.TextOfAsync("#pixel-head"), await other.Page.TextOfAsync("#pixel-head"));
+    }
+
+    [BrowserFact]
+    public async Task ALinkThatWouldBeTooLongSaysSo()
+    {
+        var random = new Random(20261128);
+        var text = Ball + "// " + string.Concat(Enumerable.Range(0, 12_000).Select(_ => (char)random.Next(33, 127)));
+        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await web.WriteSceneAsync(text);
+        await web.Page.ShowsPictureOfAsync(Ball);
+        await web.Page.ExplainAsync();
+        foreach (var button in new[] { "#share-scene", "#pixel-link" })
+        {
+            await web.Page.ClickOnAsync(button);
+            await web.Page.SaysAsync("many programs cut it. Save the scene as a file instead.");
+            Assert.Null(await web.Page.QuerySelectorAsync(".link:not([hidden])"));
+        }
+    }
+}
