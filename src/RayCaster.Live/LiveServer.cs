@@ -26,10 +26,10 @@ internal sealed class LiveServer : IAsyncDisposable
     private readonly Gate gate;
     private readonly WebApplication app;
 
-    private LiveServer(string scene, string? mine, PageAddress address)
+    private LiveServer(string scene, string? mine, PageAddress address, TimeProvider clock, TimeSpan silence)
     {
-        Scene = new(scene, end.Token);
-        Mine = new(mine, end.Token);
+        Scene = new(scene, clock, end.Token);
+        Mine = new(mine, clock, end.Token);
         Port = address.Port;
         gate = new(Port, address.Token);
         var builder = WebApplication.CreateEmptyBuilder(new());
@@ -42,7 +42,7 @@ internal sealed class LiveServer : IAsyncDisposable
             kestrel.ListenLocalhost(Port);
         });
         app = builder.Build();
-        app.UseWebSockets(new() { KeepAliveInterval = TimeSpan.FromSeconds(10), KeepAliveTimeout = TimeSpan.FromSeconds(20) });
+        app.UseWebSockets(new() { KeepAliveInterval = silence / 2, KeepAliveTimeout = silence });
         app.Use(AnswerAsync);
         // The page's own files are part of the program: no request can name a file of the disk.
         app.UseFileServer(new FileServerOptions { FileProvider = new EmbeddedFileProvider(typeof(LiveServer).Assembly, "") });
@@ -64,14 +64,16 @@ internal sealed class LiveServer : IAsyncDisposable
     /// <param name="scene">The scene file.</param>
     /// <param name="mine">The file of a picture by the user's own program to compare with; null for none.</param>
     /// <param name="port">The page's port; null for any that is free.</param>
+    /// <param name="clock">By which the files are followed; null for the system's.</param>
+    /// <param name="silence">How many seconds a browser may be silent.</param>
     /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>
-    public static async Task<LiveServer> StartAsync(string scene, string? mine = null, int? port = null)
+    public static async Task<LiveServer> StartAsync(string scene, string? mine = null, int? port = null, TimeProvider? clock = null, int silence = 20)
     {
         for (var attempt = 1; ; attempt++)
         {
             var address = attempt == 1 && PageAddress.Last() is { } last && (port ?? last.Port) == last.Port ? last
                 : PageAddress.New(port ?? FreePort());
-            var server = new LiveServer(scene, mine, address);
+            var server = new LiveServer(scene, mine, address, clock ?? TimeProvider.System, TimeSpan.FromSeconds(silence));
             try
             {
                 await server.app.StartAsync();

@@ -19,7 +19,7 @@ internal static class Program
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => End(context, ExitCode.Terminated));
         try
         {
-            var line = CommandLine.Parse("live", [.. LiveOptions.All, LiveOptions.UntilInputEnds, Option.Help], arguments);
+            var line = CommandLine.Parse("live", [.. LiveOptions.All, LiveOptions.UntilInputEnds, LiveOptions.Silence, Option.Help], arguments);
             if (line.Get(Option.Help))
             {
                 Console.Out.WriteLine(Usage);
@@ -34,7 +34,8 @@ internal static class Program
             }
             if (line.Get(LiveOptions.UntilInputEnds)) _ = Task.Run(EndWithInput);
             // It may wait for a mesh file for ever.
-            var starting = Task.Run(() => LiveServer.StartAsync(scene, line.Get(LiveOptions.Mine), line.Get(LiveOptions.Port)));
+            var starting = Task.Run(() => LiveServer.StartAsync(
+                scene, line.Get(LiveOptions.Mine), line.Get(LiveOptions.Port), silence: line.Get(LiveOptions.Silence) ?? 20));
             if (await Task.WhenAny(starting, end.Task) == end.Task) return await end.Task;
             var server = await starting;
             Console.Out.WriteLine(Greeting(scene, server));

@@ -7,7 +7,7 @@ internal sealed class PatientStudio : Studio
     private const int PixelsAtOnce = 1 << 15, Step = 64;
 
     /// <summary>The browser interprets the program, and a search then takes some ten times as long.</summary>
-    public override TimeSpan SearchTime => TimeSpan.FromMinutes(2);
+    public override TimeSpan SearchTime => TimeSpan.FromMinutes(5);
 
     public override async Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation)
     {

@@ -5,7 +5,7 @@ namespace RayCaster.Web;
 /// <summary>What a Web Worker of the page calls (Page/worker.js), and how it is called.</summary>
 internal sealed partial class Program : IConnection
 {
-    private static readonly MinePicture mine = new(null, default);
+    private static readonly MinePicture mine = new(null, TimeProvider.System, default);
     private static LiveScene? live;
     private static Tab? tab;
 
@@ -18,7 +18,7 @@ internal sealed partial class Program : IConnection
     internal static Task Start(string answers, string name, string text)
     {
         File.WriteAllText(name, text); // the worker's files are in its memory
-        live = new(name, default);
+        live = new(name, TimeProvider.System, default);
         tab = new(new Program(), live, mine, new PatientStudio(), default, Enum.Parse<Pending>(answers));
         live.Changed += tab.Wake;
         live.Written += () => tab.Post(Messages.Of(new { Kind = "text", Text = File.ReadAllText(live.Path) }));

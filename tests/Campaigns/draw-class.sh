@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 for program in bwrap parallel prlimit python3 setpriv; do
-    command -v "$program" >/dev/null || { echo "skipped: $program is missing"; exit 0; }
+    command -v "$program" >/dev/null || { echo "$program is missing"; exit 77; }
 done
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1
 work=$(mktemp -d)

@@ -42,8 +42,11 @@ for k in "$@"; do
     )
 done
 
+raycaster handout -q "$folder/solved" --solution
+solved() { cp -r "$folder/solved" "$folder/$1"; }
+
 echo "== the tool in lib"
-raycaster handout -q "$folder/stopped" --solution
+solved stopped
 (
     cd "$folder/stopped"
     cp scenes/step10/room.png room.png
@@ -89,7 +92,7 @@ echo "== endless code in tests"
 )
 
 echo "== the pictures for marks"
-raycaster handout -q "$folder/drawn" --solution
+solved drawn
 (
     cd "$folder/drawn"
     sh .ci/pictures.sh ada > log
@@ -100,7 +103,7 @@ raycaster mark -q docs/rubric.json "$folder/drawn/pictures" -o "$folder/marks"
 grep -q "^ada,20,0,20," "$folder/marks/marks.csv"
 
 echo "== files that students must not change"
-raycaster handout -q "$folder/changed" --solution
+solved changed
 (
     cd "$folder/changed"
     git init -q
@@ -130,7 +133,7 @@ raycaster handout -q "$folder/changed" --solution
 )
 
 echo "== a hand-out that was committed in parts"
-raycaster handout -q "$folder/parts" --solution
+solved parts
 (
     cd "$folder/parts"
     git init -q

@@ -110,7 +110,7 @@ public sealed class CommandLineTests : CommandTests
     [InlineData("wrong ROOM rows,bgr", "unknown name 'rows,bgr' in 'rows,bgr', a list of names joined by '+'\n")]
     [InlineData("part a.json 5", "'5' names no lines: write the first and the last as in 0..249, counted from 0 at the top, " +
         "or 3/8 for the third of eight parts\n")]
-    [InlineData("part a.json 9/8", "'9/8' names no lines")]
+    [InlineData("part a.json 9/8", "there is no part 9/8: parts are 1/8 to 8/8 (--array=1-8)")]
     [InlineData("part a.json 0..1 -o a.ppm", "a part is a PNG file, which records what it shows; choose another name\n")]
     [InlineData("part a.json 0..1 -o -", "a part is a PNG file, which records what it shows; choose another name\n")]
     [InlineData("part ROOM 5..10 -s 4x10", "there is no part 5..10 of a picture of 10 lines, 0..9\n")]

@@ -90,26 +90,4 @@ public sealed class DrawTests : CommandTests
         Assert.Equal(["ball.json", "ball.png"], raycaster.Files);
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("ball.png")));
     }
-
-    [Theory(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
-    [InlineData("HUP", 129)]
-    [InlineData("INT", 130)]
-    [InlineData("TERM", 143)]
-    public void ASignalLeavesTheOldPictureAndNothingElse(string signal, int exitCode)
-    {
-        raycaster.Write("room.png", "the old picture");
-        using var process = raycaster.Start(Room, "--size", "20000x20000");
-        WaitForTemporaryFile(process);
-        Assert.Equal(exitCode, RayCasterProcess.Kill(process, signal));
-        Assert.Equal(["room.png"], raycaster.Files);
-        Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("room.png")));
-    }
-
-    [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
-    public void WaitingForASceneCanBeInterrupted()
-    {
-        using var process = raycaster.Start("-");
-        Thread.Sleep(300); // it reads by now; where it does not, the runtime's own answer to the signal is the same
-        Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
-    }
 }

@@ -108,6 +108,7 @@ internal sealed class RayCasterProcess : IDisposable
             RedirectStandardError = true,
         };
         start.Environment.Remove("RAYCASTER_TRACE");
+        start.Environment["DOTNET_EnableDiagnostics"] = "0"; // no debugger's pipe beside those of a test
         return Process.Start(start)!;
     }
 

@@ -2,6 +2,7 @@ using System.Net.WebSockets;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Text.Json;
+using Microsoft.Extensions.Time.Testing;
 
 namespace RayCaster.Live.Tests;
 
@@ -16,10 +17,13 @@ internal sealed class LivePage : IAsyncDisposable
         }
         """;
 
-    private readonly List<string> received = []; // what came, for the message of a test that waits in vain
+    private readonly Queue<string> received = []; // what came last, for the message of a test that waits in vain
     private ClientWebSocket? socket;
 
-    private LivePage(TemporaryFolder folder, LiveServer server) => (Folder, Server) = (folder, server);
+    private LivePage(TemporaryFolder folder, LiveServer server, FakeTimeProvider? clock) => (Folder, Server, Clock) = (folder, server, clock);
+
+    /// <summary>By which the server follows its files: it goes on only while the test waits for a message. Null for the system's.</summary>
+    public FakeTimeProvider? Clock { get; }
 
     public LiveServer Server { get; }
 
@@ -31,18 +35,19 @@ internal sealed class LivePage : IAsyncDisposable
 
     public string Token => Server.Address[(Server.Address.IndexOf('=') + 1)..];
 
-    public static async Task<LivePage> OpenAsync(string scene = Ball, string? mine = null, Action<TemporaryFolder>? prepare = null)
+    public static async Task<LivePage> OpenAsync(
+        string scene = Ball, string? mine = null, Action<TemporaryFolder>? prepare = null, FakeTimeProvider? clock = null)
     {
         var folder = new TemporaryFolder();
         prepare?.Invoke(folder);
         var path = folder.Write("scene.json", scene);
-        return new(folder, await LiveServer.StartAsync(path, mine is null ? null : folder[mine]));
+        return new(folder, await LiveServer.StartAsync(path, mine is null ? null : folder[mine], clock: clock), clock);
     }
 
     /// <summary>A page that has shown its first picture.</summary>
     public static async Task<LivePage> ShownAsync(string scene = Ball, string? mine = null, Action<TemporaryFolder>? prepare = null)
     {
-        var page = await OpenAsync(scene, mine, prepare);
+        var page = await OpenAsync(scene, mine, prepare, new(DateTimeOffset.UtcNow));
         await page.ConnectAsync();
         await page.FrameAsync();
         return page;
@@ -54,10 +59,10 @@ internal sealed class LivePage : IAsyncDisposable
         socket = new();
         socket.Options.SetRequestHeader("Origin", origin ?? Root);
         socket.Options.AddSubProtocol(token ?? Token);
-        await socket.ConnectAsync(new($"ws://127.0.0.1:{Server.Port}/live"), Soon());
+        await socket.ConnectAsync(new($"ws://127.0.0.1:{Server.Port}/live"), new CancellationTokenSource(TimeSpan.FromSeconds(60)).Token);
     }
 
-    public Task AskAsync(string requests) => socket!.SendAsync(Encoding.UTF8.GetBytes(requests), WebSocketMessageType.Text, true, Soon());
+    public Task AskAsync(string requests) => socket!.SendAsync(Encoding.UTF8.GetBytes(requests), WebSocketMessageType.Text, true, CancellationToken.None);
 
     /// <summary>The next message of a kind that suits. Confirms frames that come before it, and drops other messages.</summary>
     public async Task<JsonElement> MessageAsync(string kind, Func<JsonElement, bool>? suits = null)
@@ -101,27 +106,30 @@ internal sealed class LivePage : IAsyncDisposable
             if (!result.EndOfMessage) continue;
             if (result.MessageType == WebSocketMessageType.Close) throw new InvalidOperationException("the server has closed the connection");
             var bytes = whole.ToArray();
-            received.Add(result.MessageType == WebSocketMessageType.Text ? Encoding.UTF8.GetString(bytes)
+            received.Enqueue(result.MessageType == WebSocketMessageType.Text ? Encoding.UTF8.GetString(bytes)
                 : $"a frame: {string.Join(' ', MemoryMarshal.Cast<byte, int>(bytes)[..6].ToArray())}");
+            if (received.Count > 8) received.Dequeue();
             if (result.MessageType == WebSocketMessageType.Binary && bytes[0] == (int)Layer.Picture)
                 await AskAsync($$"""{"shown":{{BitConverter.ToInt32(bytes, 8)}}}""");
             return (result.MessageType == WebSocketMessageType.Text, bytes);
         }
     }
 
-    /// <remarks>Waits twelve times, since the time of a virtual machine jumps when it is resumed.</remarks>
+    /// <remarks>Counts how often it has waited, since the time of a virtual machine jumps when it is resumed.</remarks>
     private async Task<WebSocketReceiveResult> ReceiveAsync(byte[] part)
     {
         var receiving = socket!.ReceiveAsync(part, CancellationToken.None);
-        for (var i = 0; i < 12 && !receiving.IsCompleted; i++) await Task.WhenAny(receiving, Task.Delay(TimeSpan.FromSeconds(5)));
+        for (var i = 0; i < 30_000 && !receiving.IsCompleted; i++)
+        {
+            await Task.WhenAny(receiving, Task.Delay(2));
+            Clock?.Advance(TimeSpan.FromMilliseconds(10));
+        }
         if (receiving.IsCompleted) return await receiving;
         var (state, file) = (Server.Scene.State, FileWatch.StampOf(Scene));
         throw new TimeoutException($"Nothing came for a minute. The server's scene has version {state.Version}, the file {file.Length} bytes of " +
             $"{file.Time:T}; the pool has {ThreadPool.ThreadCount} threads and {ThreadPool.PendingWorkItemCount} waiting. The last messages:\n" +
-            string.Join('\n', received.TakeLast(8).Select(message => message[..Math.Min(300, message.Length)])));
+            string.Join('\n', received.Select(message => message[..Math.Min(300, message.Length)])));
     }
-
-    private static CancellationToken Soon() => new CancellationTokenSource(TimeSpan.FromSeconds(60)).Token;
 }
 
 /// <summary>A frame as the page receives it.</summary>

@@ -13,12 +13,13 @@ internal static class PictureAssert
     /// <param name="folder">Where the reference is.</param>
     public static void Equal(string name, Picture actual, string? folder = null)
     {
+        var reference = folder is null ? Reference.Of(name) : Reference.Read(folder, name);
         folder ??= Reference.Folder;
         var (received, diff) = (Path.Combine(folder, name + ".received.png"), Path.Combine(folder, name + ".diff.png"));
         File.Delete(received);
         File.Delete(diff);
 
-        var comparison = new ReferenceComparison(Reference.Read(folder, name), actual);
+        var comparison = new ReferenceComparison(reference, actual);
         if (comparison.IsEqual) return;
 
         PictureFile.Write(received, actual);

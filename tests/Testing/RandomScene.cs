@@ -35,10 +35,7 @@ internal static class RandomScene
             case 0: return Model.Of(new Plane(Some(random, 6), Some(random, 1) + new Vector3(0, 0, 0.01)));
             case 1: return Model.Of(new Sphere(random.Next(5) == 0 ? position : Some(random, 6), 0.3 + 4 * random.NextDouble()));
             case 2:
-                var (a, b) = (random.Next(5) == 0 ? position : Some(random, 6), Some(random, 6));
-                return Model.Of(new Aabb(
-                    new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)),
-                    new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z))));
+                return Model.Of(Testing.Some.Box(random.Next(5) == 0 ? position : Some(random, 6), Some(random, 6)));
             case 3: return Model.Of(new Circle(Some(random, 6), Some(random, 1) + new Vector3(0, 0, 0.01), 3 * random.NextDouble() + 0.1));
             case 4: return Model.Of(new Triangle(Some(random, 6), Some(random, 6), Some(random, 6)));
             case 5: return Lattice(random, random.Next(3) == 0 ? position : Some(random, 5), 0.5 + 4 * random.NextDouble());

@@ -1,3 +1,5 @@
+using System.Collections.Concurrent;
+
 namespace RayCaster.Testing;
 
 /// <summary>A picture that another program drew, and the pixels in which it is uncertain (tests/References/README.md).</summary>
@@ -5,6 +7,8 @@ namespace RayCaster.Testing;
 /// <param name="Outline">Not black where the colour hangs on a thousandth of a pixel; null if nowhere.</param>
 internal sealed record Reference(Picture Picture, Picture? Outline)
 {
+    private static readonly ConcurrentDictionary<string, Reference> read = new();
+
     /// <summary>Where references are kept.</summary>
     public static string Folder => ProjectFolder.PathOf("tests/References");
 
@@ -24,7 +28,7 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
     public static Scene SceneOf(string name)
     {
         var scene = SceneReader.Read(SceneFile(name)).Scene!;
-        var picture = Read(Folder, name).Picture;
+        var picture = Of(name).Picture;
         return scene.WithSize(picture.Width, picture.Height);
     }
 
@@ -35,7 +39,10 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
         return scene with { Camera = scene.Camera.With(sample: other) };
     }
 
-    /// <summary>Reads a reference by its name, which is the scene's path under scenes without the extension.</summary>
+    /// <summary>A reference by its name, which is the scene's path under scenes without the extension.</summary>
+    public static Reference Of(string name) => read.GetOrAdd(name, name => Read(Folder, name));
+
+    /// <summary>Reads a reference of any folder.</summary>
     public static Reference Read(string folder, string name)
     {
         var outline = Path.Combine(folder, name + ".outline.png");

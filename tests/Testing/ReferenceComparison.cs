@@ -75,25 +75,17 @@ internal sealed class ReferenceComparison
         return picture;
     }
 
-    /// <summary>The largest difference of a channel; on an outline how far it is out of the range of the pixel and its neighbours.</summary>
+    /// <summary>The largest difference of a channel; on an outline that from the nearest of the nine colours around the pixel.</summary>
     private int Difference(int x, int y)
     {
         var reach = reference.IsOutline(x, y) ? 1 : 0;
-        var largest = 0;
-        for (var channel = 0; channel < 3; channel++)
-        {
-            var (least, greatest) = (255, 0);
-            for (var j = Math.Max(0, y - reach); j <= Math.Min(expected.Height - 1, y + reach); j++)
-                for (var i = Math.Max(0, x - reach); i <= Math.Min(expected.Width - 1, x + reach); i++)
-                {
-                    var value = Channel(expected, i, j, channel);
-                    (least, greatest) = (Math.Min(least, value), Math.Max(greatest, value));
-                }
-            var got = Channel(actual, x, y, channel);
-            largest = Math.Max(largest, Math.Max(least - got, got - greatest));
-        }
-        return largest;
+        var least = 255;
+        for (var j = Math.Max(0, y - reach); j <= Math.Min(expected.Height - 1, y + reach); j++)
+            for (var i = Math.Max(0, x - reach); i <= Math.Min(expected.Width - 1, x + reach); i++)
+            {
+                var ((r, g, b), got) = (expected[i, j], actual[x, y]);
+                least = Math.Min(least, Math.Max(Math.Abs(r - got.R), Math.Max(Math.Abs(g - got.G), Math.Abs(b - got.B))));
+            }
+        return least;
     }
-
-    private static int Channel(Picture picture, int x, int y, int channel) => picture.Rgb[(y * picture.Width + x) * 3 + channel];
 }

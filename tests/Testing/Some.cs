@@ -1,8 +1,14 @@
+using RayCaster.Testing.Fuzzing;
+
 namespace RayCaster.Testing;
 
 /// <summary>Random things, the same in every run because the caller seeds the generator.</summary>
 internal static class Some
 {
+    /// <summary>Random numbers that are the same in each run, and others for each value of RAYCASTER_SEED.</summary>
+    /// <param name="number">Other numbers for each.</param>
+    public static Random Chance(int number) => new(unchecked((int)((Campaign.Seed - 1) * 1_000_003L + number)));
+
     /// <summary>A number between −reach and reach.</summary>
     public static double Number(Random random, double reach) => reach * (2 * random.NextDouble() - 1);
 
@@ -12,6 +18,10 @@ internal static class Some
     public static Vector3 Point(Random random, double reach) => new(Number(random, reach), Number(random, reach), Number(random, reach));
 
     public static Vector3 GridPoint(Random random) => new(Sixteenth(random), Sixteenth(random), Sixteenth(random));
+
+    /// <summary>The box between two of its corners.</summary>
+    public static Aabb Box(Vector3 a, Vector3 b) => new(
+        new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)), new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z)));
 
     /// <summary>The shapes with a formula: the triangles of a mesh, or the model itself.</summary>
     public static IEnumerable<Model> ShapesOf(Model model) =>

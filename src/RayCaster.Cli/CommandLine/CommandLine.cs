@@ -46,8 +46,8 @@ internal sealed class CommandLine(string command)
             $"{command} takes {string.Join(' ', names!)}, but {(operands.Count == 0 ? "nothing" : $"'{string.Join(' ', operands)}'")} is given");
     }
 
-    /// <summary>How long a search for mistakes may take; null for any time.</summary>
-    public SearchBudget? Budget() => Get(Option.Everything) ? null : new(SearchBudget.Usual);
+    /// <summary>How much a search for mistakes may do; null for any amount.</summary>
+    public SearchBudget? Budget() => Get(Option.Everything) ? null : new();
 
     /// <summary>Prints a line about what was done, unless only errors are wanted.</summary>
     public void Tell(string text)

@@ -11,5 +11,8 @@ internal static class LiveOptions
     /// <summary>Of the page's program alone: the command adds it.</summary>
     public static readonly Option<bool> UntilInputEnds = Option.Switch("--until-input-ends", "Ends when its standard input is closed.");
 
+    /// <summary>Also of the page's program alone, for its tests.</summary>
+    public static readonly Option<int?> Silence = Option.Count("--silence", "How many seconds a browser may be silent. [default: 20]", 3600);
+
     public static readonly IReadOnlyList<Option> All = [Mine, Port, NoBrowser];
 }

@@ -6,7 +6,7 @@ namespace RayCaster.Cli;
 /// <param name="value">The value's name in the help page; null for a switch, which has no value.</param>
 internal abstract class Option(string names, string? value, string help)
 {
-    private const int MaxThreads = 1024, MaxThreadsPerCore = 4;
+    internal const int MaxThreads = 1024, MaxThreadsPerCore = 4;
 
     public static readonly Option<PictureFormat?> Format = new("--format", "<format>",
         "png, ppm or ppm-text (PPM in readable numbers). [default: by the file's extension]", "png, ppm or ppm-text",
@@ -16,7 +16,7 @@ internal abstract class Option(string names, string? value, string help)
     public static readonly Option<int?> Threads = new("-t, --threads", "<n>",
         "How many threads cast rays. [default: one per core]", $"a whole number from 1 to {MaxThreads:N0}", ReadThreads);
     public static readonly Option<bool> Everything = Switch("--all",
-        "Tries everything, however long it takes. Otherwise the search ends after 6 s of processor time.");
+        "Tries everything, however long it takes. Otherwise the search ends after an amount of work that takes some five seconds.");
     public static readonly Option<bool> Quiet = Switch("-q, --quiet", "Prints errors only.");
     public static readonly Option<bool> NoProgress = Switch("--no-progress", "Never draws a progress line.");
     public static readonly Option<bool> Version = Switch("--version", "Shows the version.");

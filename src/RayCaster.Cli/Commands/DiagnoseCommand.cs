@@ -60,7 +60,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         var prepared = new SceneDiagnosis(scene, line.Get(Option.Threads), budget: budget, size: size);
         var diagnosis = prepared.Judge(picture, line.Get(parts) ?? []);
         var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
-        if (budget?.LeavesOut == true) line.Warn("Not everything was tried within 6 s of processor time; --all tries everything.");
+        if (budget?.UsedUp is { } limit) line.Warn($"Not everything was tried within {limit}; --all tries everything.");
         StandardStreams.WriteOutput(json
             ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden) + MoreHelp(diagnosis, level));

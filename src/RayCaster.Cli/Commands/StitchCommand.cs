@@ -41,28 +41,35 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
         var start = Stopwatch.GetTimestamp();
         var named = FilePatterns.Expand([.. line.Operands.Where(operand => !Directory.Exists(operand))]);
         var inFolders = line.Operands.Where(Directory.Exists).SelectMany(folder => FilePatterns.FilesIn(folder, "*.png"));
-        var parts = new PartSet([.. named.Concat(inFolders).DistinctBy(Path.GetFullPath)], named.Contains);
-        if (parts.Count == 0 && parts.Problems.Count == 0)
+        string[] files = [.. named.Concat(inFolders).DistinctBy(Path.GetFullPath)];
+        var parts = new PartSet(files, named.Contains, whole: onlyMissing);
+        if (parts.Count + parts.Problems.Count + parts.Unreadable.Count == 0)
             throw new ProblemException($"there are no parts of a picture in {string.Join(", ", line.Operands)}");
 
-        if (parts.Problems.Count > 0) return No("these are not the parts of one picture", parts.Problems);
-        if (onlyMissing)
-        {
-            StandardStreams.WriteOutput(string.Concat(parts.Missing.Select(lines => $"{lines}\n")));
-            return parts.Missing.Count == 0 ? ExitCode.Done : ExitCode.No;
-        }
+        if (parts.Problems.Count > 0) No("these are not the parts of one picture", parts.Problems);
+        else if (onlyMissing) StandardStreams.WriteOutput(string.Concat(parts.Missing.Select(lines => $"{lines}\n")));
+        if (parts.Unreadable.Count > 0) return Unreadable(parts);
+        if (parts.Problems.Count > 0) return ExitCode.No;
+        if (onlyMissing) return parts.Missing.Count == 0 ? ExitCode.Done : ExitCode.No;
         if (parts.Missing.Count > 0)
             return No($"of {parts.Size.Height} lines these are missing", [.. parts.Missing.Select(lines => lines.ToString())]);
 
         InputFiles.Note(parts.Files);
         var (width, height) = parts.Size;
-        OutputFile.Write(file, cancellation, stream =>
+        try
         {
-            using var progress = ProgressLine.For(line, width, height, "pixels");
-            using var writer = PictureWriter.Create(format, stream, width, height);
-            parts.Write(writer, lines => progress?.LinesDone(lines), cancellation);
-            writer.Finish();
-        });
+            OutputFile.Write(file, cancellation, stream =>
+            {
+                using var progress = ProgressLine.For(line, width, height, "pixels");
+                using var writer = PictureWriter.Create(format, stream, width, height);
+                parts.Write(writer, lines => progress?.LinesDone(lines), cancellation);
+                writer.Finish();
+            });
+        }
+        catch (ProblemException) when (new PartSet(files, named.Contains, whole: true) is { Unreadable.Count: > 0 } damaged)
+        {
+            return Unreadable(damaged); // all of them, not only the first
+        }
         var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
         line.Tell($"{OutputFile.NameOf(file)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
         return ExitCode.Done;
@@ -70,9 +77,17 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
 
     private static int No(string answer, IReadOnlyList<string> reasons)
     {
-        var shown = string.Concat(reasons.Take(MaxReasons).Select(reason => $"  {reason}\n"));
-        var more = reasons.Count > MaxReasons ? $"  and {reasons.Count - MaxReasons} more\n" : "";
-        StandardStreams.WriteError($"raycaster: {answer}:\n{shown}{more}");
+        StandardStreams.WriteError($"raycaster: {answer}:\n" + Listed("  ", reasons));
         return ExitCode.No;
     }
+
+    private static int Unreadable(PartSet parts)
+    {
+        StandardStreams.WriteError(Listed("raycaster: ", parts.Unreadable));
+        return ExitCode.Failed;
+    }
+
+    private static string Listed(string before, IReadOnlyList<string> reasons) =>
+        string.Concat(reasons.Take(MaxReasons).Select(reason => $"{before}{reason}\n"))
+        + (reasons.Count > MaxReasons ? $"  and {reasons.Count - MaxReasons} more\n" : "");
 }

@@ -41,7 +41,7 @@ internal sealed class VaryCommand() : Command("vary", "<scene>", "Makes a simila
         }
         OutputFile.Write(file, cancellation, stream => stream.Write(varied));
         line.Tell($"{OutputFile.NameOf(file)}: {path}, varied; it shows the same mistakes" +
-            (budget?.LeavesOut == true ? ", of those that were tried within 6 s; --all tries all" : ""));
+            (budget?.UsedUp is { } limit ? $", of those that were tried within {limit}; --all tries all" : ""));
         return ExitCode.Done;
     }
 }

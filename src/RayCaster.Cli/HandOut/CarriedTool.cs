@@ -40,6 +40,7 @@ internal static class CarriedTool
         var start = new ProcessStartInfo("dotnet", ["build", project, "-v", "quiet", "-tl:off", "-o", built, "-p:UseAppHost=false"])
         {
             RedirectStandardOutput = true, // even quietly it says that it has succeeded
+            WorkingDirectory = project, // whose global.json says which SDK builds it
         };
         using var build = Process.Start(start)!;
         try

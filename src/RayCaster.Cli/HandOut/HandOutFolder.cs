@@ -1,13 +1,18 @@
+using System.Text.RegularExpressions;
+
 namespace RayCaster.Cli;
 
 /// <summary>Writes a hand-out: a folder that is a course's repository. The folder is written completely or not at all.</summary>
-internal static class HandOutFolder
+internal static partial class HandOutFolder
 {
     public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)
     {
         var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
             throw new ProblemException($"{folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
+        if (Misread().Match(target[Path.GetPathRoot(target)!.Length..].Replace(Path.DirectorySeparatorChar, '/')) is { Success: true } part)
+            throw new ProblemException($"{folder} could not be built: MSBuild misreads '{part}' in a path, as in {target}\n" +
+                "  Name another folder: its path must not have % before two digits or letters from A to F, nor @(, ..., *, ?, :, \\ or \".");
         ThrowIfPicturesDiffer(cancellation);
         var files = HandOutFiles.With(isOpen);
         WrittenFiles.WriteFolder(folder, made =>
@@ -23,6 +28,10 @@ internal static class HandOutFolder
             WritePictures(Path.Combine(made, "scenes"), cancellation);
         });
     }
+
+    /// <summary>What MSBuild takes in a path for the code of a character, a list of items, a pattern, a drive, a separator or a quote.</summary>
+    [GeneratedRegex(@"%[0-9A-Fa-f]{2}|@\(|\.\.\.|[*?:\\""]")]
+    private static partial Regex Misread();
 
     /// <summary>A hand-out judges students by the pictures of this build: in a clone they must be the stored references.</summary>
     private static void ThrowIfPicturesDiffer(CancellationToken cancellation)
@@ -44,13 +53,18 @@ internal static class HandOutFolder
             if (file.EndsWith(".schema.json")) continue;
             var reading = SceneReader.Read(file);
             var scene = reading.Scene ?? throw new ProblemException($"a scene of the hand-out has errors\n{reading.Report()}");
+            using var png = new MemoryStream();
             for (var step = 1; step <= LabSteps.Count; step++)
             {
                 cancellation.ThrowIfCancellationRequested();
+                if (LabSteps.Changes(scene, step))
+                {
+                    png.SetLength(0);
+                    PictureFile.Write(png, LabSteps.Draw(scene, step), PictureFormat.Png);
+                }
                 var picture = Path.Combine(scenes, $"step{step:00}", Path.ChangeExtension(Path.GetRelativePath(scenes, file), ".png"));
                 Directory.CreateDirectory(Path.GetDirectoryName(picture)!);
-                using var stream = File.Create(picture); // in place: the folder as a whole is there or not
-                PictureFile.Write(stream, LabSteps.Draw(scene, step), PictureFormat.Png);
+                File.WriteAllBytes(picture, png.ToArray()); // in place: the folder as a whole is there or not
             }
         }
     }

@@ -5,6 +5,9 @@ namespace RayCaster.Files;
 /// <summary>Collects the vertices and faces of a mesh file; splits polygons into fans.</summary>
 internal sealed class MeshBuilder(MeshSource source)
 {
+    /// <summary>The most triangles of a mesh: their indices are one array.</summary>
+    public static int MaxTriangles => Array.MaxLength / 3;
+
     private readonly List<Vector3> vertices = [];
     private readonly List<int> indices = [];
     private readonly List<(int Index, int Count, long Place)> early = []; // polygons before their vertices
@@ -42,8 +45,8 @@ internal sealed class MeshBuilder(MeshSource source)
 
     public void AddTriangle(int a, int b, int c)
     {
-        if (indices.Count > Array.MaxLength - 3)
-            throw source.Error($"the file has too many faces; at most {Array.MaxLength / 3} triangles are read");
+        if (indices.Count >= 3 * MaxTriangles)
+            throw source.Error($"the file has too many faces; at most {MaxTriangles} triangles are read");
         indices.Add(a);
         indices.Add(b);
         indices.Add(c);
@@ -57,7 +60,8 @@ internal sealed class MeshBuilder(MeshSource source)
         {
             string[] has = [.. from other in others.Prepend((Count: vertices.Count, Name: "vertex")) where other.Count > 0
                                select Plural.Of(other.Count, other.Name)];
-            throw source.Error($"the file has no face{(has.Length > 0 ? $", only {string.Join(" and ", has)}" : "")}; a mesh needs at least one");
+            throw source.Error($"the file has no face{(has.Length > 0 ? $", only {string.Join(" and ", has)}" : "")}; a mesh needs at least one"
+                + (warning is null ? "" : "; " + warning));
         }
         foreach (var (index, count, place) in early) Check(index, count, place);
         if (folded > 0)

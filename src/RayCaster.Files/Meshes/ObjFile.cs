@@ -2,7 +2,8 @@ using System.Buffers.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>Wavefront OBJ: the statements <c>v x y z</c> and <c>f i j k …</c>; all others are skipped.</summary>
+/// <summary>Wavefront OBJ: the statements <c>v x y z</c> and <c>f i j k …</c>; all others are skipped, those that are not known with a
+/// warning.</summary>
 internal static class ObjFile
 {
     public static MeshData Read(MeshSource source)
@@ -17,6 +18,7 @@ internal static class ObjFile
         var lines = 0;
         var points = 0;
         var ahead = new List<(long Index, int Line)>(); // of faces before their vertices: each index that is greater than those before it
+        var skipped = new SkippedStatements();
         string? warning = null;
         do
         {
@@ -29,6 +31,10 @@ internal static class ObjFile
                 case var statement when statement.SequenceEqual("usemtl"u8) || statement.SequenceEqual("mtllib"u8):
                     warning = "the file's materials are ignored; \"color\" colours the whole mesh";
                     break;
+                case []: break;
+                case [(byte)'v', (byte)'t' or (byte)'n']: break;
+                case [(byte)'g' or (byte)'o' or (byte)'s']: break;
+                case var statement: skipped.Add(statement, scanner); break;
             }
         }
         while (scanner.NextLine());
@@ -36,7 +42,8 @@ internal static class ObjFile
         foreach (var (index, line) in ahead)
             if (index > mesh.VertexCount)
                 throw source.ErrorAtLine(line, $"face index {index} is beyond the file's {mesh.VertexCount} vertices");
-        return mesh.Finish(warning, others: [(lines, "line"), (points, "point")]);
+        return mesh.Finish(string.Join("; ", ((string?[])[warning, skipped.Warning]).OfType<string>()) is { Length: > 0 } warnings ? warnings : null,
+            others: [(lines, "line"), (points, "point")]);
     }
 
     private static void ReadVertex(TextScanner scanner, MeshBuilder mesh)
@@ -79,7 +86,8 @@ internal static class ObjFile
             Utf8Parser.TryParse(rest[1..], out long _, out length); // of length 0 where nothing is written
             rest = rest[(1 + length)..];
         }
-        if (!isCorner || !rest.IsEmpty) throw scanner.Error($"a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is {scanner.Quoted}");
+        if (!isCorner || !rest.IsEmpty) throw scanner.Error($"a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is {scanner.Quoted}"
+            + NumberSpelling.SeparatorHint(Encoding.UTF8.GetString(corner)));
         if (index == 0) throw scanner.Error("face index 0 is not allowed: vertices count from 1, or from -1 backwards");
         return index;
     }

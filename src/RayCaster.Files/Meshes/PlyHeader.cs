@@ -24,7 +24,9 @@ internal sealed record PlyElement(string Name, long Count, int Line)
 /// <summary>The lines from <c>ply</c> to <c>end_header</c>.</summary>
 internal sealed class PlyHeader
 {
-    private const int longest = 1 << 20;
+    /// <summary>The most bytes of a header.</summary>
+    public const int MaxBytes = 1 << 20;
+
     private readonly MeshSource source;
 
     private static readonly (string Old, string New)[] typeNames =
@@ -60,7 +62,7 @@ internal sealed class PlyHeader
 
     private void ReadLines()
     {
-        while (source.Position < longest && Scanner.NextLine())
+        while (source.Position < MaxBytes && Scanner.NextLine())
         {
             switch (NextWord())
             {
@@ -75,8 +77,8 @@ internal sealed class PlyHeader
                         $"a header line must be format, element, property, comment, obj_info or end_header, but is {Scanner.Quoted}");
             }
         }
-        throw Scanner.Error(source.Length > longest
-            ? $"end_header is missing in the first {longest} bytes; a header must not be longer"
+        throw Scanner.Error(source.Length > MaxBytes
+            ? $"end_header is missing in the first {MaxBytes} bytes; a header must not be longer"
             : "the file ends within the header: end_header is missing");
     }
 

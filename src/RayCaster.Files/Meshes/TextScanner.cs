@@ -5,6 +5,9 @@ namespace RayCaster.Files;
 /// <summary>Divides a text into lines and words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>
 internal sealed class TextScanner
 {
+    /// <summary>The most bytes of a word that a message quotes.</summary>
+    public const int LongestQuote = 40;
+
     private readonly MeshSource source;
     private readonly bool isObj;
     private int length, lineEnd; // the bytes of the line without its end, and of its end
@@ -34,10 +37,9 @@ internal sealed class TextScanner
     {
         get
         {
-            const int most = 40;
             var word = Line[wordAt..Math.Max(wordAt, Position)]; // Return may have gone back before it
             if (word.IsEmpty) return lineEnd == 0 ? "the end of the file" : "the end of the line";
-            return $"'{PrintableText.Of(Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)]))}{(word.Length > most ? "…" : "")}'";
+            return $"'{PrintableText.Of(Beginning(word))}{(word.Length > LongestQuote ? "…" : "")}'";
         }
     }
 
@@ -86,7 +88,8 @@ internal sealed class TextScanner
     public double ToNumber(ReadOnlySpan<byte> word, string what)
     {
         if (TryParse(word, out var number)) return number;
-        throw Error(word.IsEmpty ? $"{what} is missing" : $"{what} must be a finite number, but is {Quoted}");
+        throw Error(word.IsEmpty ? $"{what} is missing"
+            : $"{what} must be a finite number, but is {Quoted}{NumberSpelling.Hint(Beginning(word))}");
     }
 
     /// <summary>Reads a whole word as the double nearest to it; false where the word is no number or beyond the largest double. Numbers are
@@ -96,6 +99,8 @@ internal sealed class TextScanner
         Utf8Parser.TryParse(word, out number, out var length) && length == word.Length && double.IsFinite(number);
 
     public ProblemException Error(string reason) => source.ErrorAtLine(LineNumber, reason);
+
+    private static string Beginning(ReadOnlySpan<byte> word) => Encoding.UTF8.GetString(word[..Math.Min(word.Length, LongestQuote)]);
 
     private ReadOnlySpan<byte> Line => source.Bytes[..length];
 

@@ -5,7 +5,12 @@ public static class PartFile
 {
     /// <summary>Which lines of which picture a file holds; null for a PNG that is no part.</summary>
     /// <exception cref="ProblemException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
-    public static PartFacts? FactsOf(string path) => Open(path, (_, facts) => facts);
+    /// <param name="whole">Whether its pixels are read, too, so that a damaged file is refused.</param>
+    public static PartFacts? FactsOf(string path, bool whole = false) => Open(path, (png, facts) =>
+    {
+        if (whole && facts is not null) png.ReadLines(_ => { });
+        return facts;
+    });
 
     /// <summary>Whether a file exists, can be read to its last pixel, and holds these lines of this picture.</summary>
     /// <param name="reason">Why not, as the end of a sentence; null if there is no file.</param>

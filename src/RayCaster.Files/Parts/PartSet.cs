@@ -6,19 +6,27 @@ public sealed class PartSet
 {
     private readonly List<(string Path, PartFacts Facts)> parts = [];
     private readonly List<string> problems = [];
+    private readonly List<string> unreadable = [];
     private readonly List<NumberRange> missing = [];
 
     /// <summary>Reads the facts of the files.</summary>
     /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
     /// none.</param>
-    /// <exception cref="ProblemException">A file cannot be read.</exception>
-    public PartSet(IReadOnlyList<string> paths, Predicate<string>? isChosen = null)
+    /// <param name="whole">Whether the pixels are read, too, so that damaged files are found; a damaged part holds no lines.</param>
+    public PartSet(IReadOnlyList<string> paths, Predicate<string>? isChosen = null, bool whole = false)
     {
         foreach (var path in paths)
         {
-            if (PartFile.FactsOf(path) is { } facts) parts.Add((path, facts));
-            else if (isChosen is null || isChosen(path))
-                problems.Add($"{path} is a picture, but does not say which part of which; the command part draws parts");
+            try
+            {
+                if (PartFile.FactsOf(path, whole) is { } facts) parts.Add((path, facts));
+                else if (isChosen is null || isChosen(path))
+                    problems.Add($"{path} is a picture, but does not say which part of which; the command part draws parts");
+            }
+            catch (ProblemException e)
+            {
+                unreadable.Add(e.Message);
+            }
         }
         parts.Sort(
             (a, b) => a.Facts.Lines.First.CompareTo(b.Facts.Lines.First) is var order and not 0 ? order : string.CompareOrdinal(a.Path, b.Path));
@@ -35,6 +43,9 @@ public sealed class PartSet
 
     /// <summary>Why these files are not the parts of one picture, a line of text for each reason. Missing parts do not count here.</summary>
     public IReadOnlyList<string> Problems => problems;
+
+    /// <summary>The files that cannot be read, and why, a line of text for each. Their lines count as missing.</summary>
+    public IReadOnlyList<string> Unreadable => unreadable;
 
     /// <summary>The lines that no part holds, from the top; of parts without problems.</summary>
     public IReadOnlyList<NumberRange> Missing => missing;

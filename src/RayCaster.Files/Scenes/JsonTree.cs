@@ -29,6 +29,8 @@ internal sealed class JsonTree
     /// <summary>The bytes between the quotes of a text or key.</summary>
     public ReadOnlySpan<byte> Written(int node) => Text.Utf8[(nodes[node].Start + 1)..(nodes[node].End - 1)];
 
+    public int Count => nodes.Count;
+
     public Node Last => nodes[^1];
 
     /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>
@@ -50,7 +52,8 @@ internal sealed class JsonTree
         return text.ToArray();
     }
 
-    public static JsonTree? Parse(SourceText text, out JsonMistake? mistake)
+    /// <param name="takesText">Whether the value of a key may be a text: then a word without quotes gets that advice.</param>
+    public static JsonTree? Parse(SourceText text, out JsonMistake? mistake, Predicate<string>? takesText = null)
     {
         mistake = Encodings.MistakeIn(text.Utf8);
         if (mistake is not null) return null;
@@ -79,9 +82,9 @@ internal sealed class JsonTree
             }
             return tree;
         }
-        catch (JsonException e)
+        catch (JsonException)
         {
-            mistake = new JsonExpectation(tree, open.AsSpan(0, depth), last, lastEnd).Explain(e);
+            mistake = new JsonExpectation(tree, open.AsSpan(0, depth), last, lastEnd, takesText ?? (_ => false)).Explain();
             return null;
         }
     }

@@ -55,6 +55,9 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
+    /// <summary>Whether it is a number that is written without a point and an exponent.</summary>
+    public bool IsWholeNumber => Kind == JsonTokenType.Number && tree.Text.Utf8[Start..End].IndexOfAny(".eE"u8) < 0;
+
     /// <summary>A text or key without quotes and escapes; with its escapes if they contain half a surrogate pair, which is no character.</summary>
     public string Text
     {

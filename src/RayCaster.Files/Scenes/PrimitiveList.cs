@@ -34,11 +34,11 @@ internal static class PrimitiveList
 
     public static readonly string[] Names = Array.ConvertAll(All, type => type.Name);
 
-    public static IEnumerable<string> KeysOfAllTypes()
+    public static IReadOnlyList<SceneKey> KeysOfAllTypes()
     {
         var o = SceneObject.Describing(out var keys);
         foreach (var type in All) SceneReader.ReadModel(o, type);
-        return keys.Select(key => key.Name);
+        return keys;
     }
 
     private static Model Box(SceneObject o)
@@ -91,7 +91,8 @@ internal static class PrimitiveList
             if (!o.IsSound) return nothing;
             if (isNew && data.Warning is { } warning) o.Warn(key, $": {warning}");
             var mesh = placement.Place(data, out var dropped);
-            if (dropped > 0) o.Warn(key, $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
+            if (mesh.TriangleCount == 0) o.Warn(key, $": nothing of the mesh is left: none of its {dropped} triangles has an area");
+            else if (dropped > 0) o.Warn(key, $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
             return mesh;
         }
         catch (Exception e) when (e is ProblemException or OverflowException)

@@ -77,11 +77,20 @@ public static class SceneReader
         where T : class
     {
         document = new SceneDocument(new SourceText(displayName, utf8), folder);
-        var tree = JsonTree.Parse(document.Text, out var mistake);
+        var tree = JsonTree.Parse(document.Text, out var mistake, key => TakesText(key, read));
+        if (tree is not null) DecimalComma.WarnOfHugeNumbers(document, tree);
         if (mistake is { } wrong) document.Add(true, wrong.Start, wrong.End, wrong.Message);
         var root = tree is null ? null : SceneObject.AsObject(document, tree.Root, "", name);
         var result = root is null ? null : read(root);
         return document.ErrorCount == 0 ? result : null;
+    }
+
+    /// <summary>Whether a key of a file, or of a model, may have a text as its value.</summary>
+    private static bool TakesText<T>(string key, Func<SceneObject, T?> read)
+    {
+        read(SceneObject.Describing(out var keys));
+        return key == "type" || keys.Concat(keys.SelectMany(outer => outer.Members)).Concat(PrimitiveList.KeysOfAllTypes()).Any(known =>
+            known.Name == key && known.Kind is KeyKind.Text or KeyKind.Texts or KeyKind.FileName or KeyKind.Choice or KeyKind.Color);
     }
 
     /// <summary>Reads the outermost object of a scene; null if there is an error in it.</summary>
@@ -148,7 +157,7 @@ public static class SceneReader
         var type = Array.Find(PrimitiveList.All, type => type.Name == name);
         var model = type is null ? null : ReadModel(o, type);
         // If the type is unknown, only a key that no type has is surely wrong.
-        o.Close(type is null ? PrimitiveList.KeysOfAllTypes() : []);
+        o.Close(type is null ? PrimitiveList.KeysOfAllTypes().Select(key => key.Name) : []);
         return model;
     }
 

@@ -48,7 +48,8 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     {
         if (json.Kind == JsonTokenType.StartArray && Elements.Take(4).ToArray() is [var x, var y, var z])
             return new(x.Number(limits), y.Number(limits), z.Number(limits));
-        var found = json.Kind == JsonTokenType.StartArray ? $"has {Plural.Of(json.Content.Count(), "element")}{DecimalComma()}"
+        var found = json.Kind == JsonTokenType.StartArray
+            ? $"has {Plural.Of(json.Content.Count(), "element")}{DecimalComma.Hint([.. json.Content.Take(7)])}"
             : $"is {json.InWords}";
         Report(true, $" must be {form}, but {found}");
         return NoVector;
@@ -123,20 +124,5 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     {
         if (json.Kind != kind) Report(true, $" must be {form}, but is {json.InWords}");
         return json.Kind == kind;
-    }
-
-    /// <summary>[2,5, 0, 0] probably means [2.5, 0, 0]: a whole number follows a comma without a space.</summary>
-    private string DecimalComma()
-    {
-        var elements = json.Content.ToArray();
-        for (var i = 1; i < elements.Length && elements.Length > 3; i++)
-        {
-            var (whole, fraction) = (elements[i - 1], elements[i]);
-            if (fraction.Start == whole.End + 1 && IsWhole(whole) && IsWhole(fraction) && fraction.Number >= 0)
-                return $"; a decimal comma? Write {whole.AsWritten}.{fraction.AsWritten}";
-        }
-        return "";
-
-        static bool IsWhole(JsonValue value) => value.Kind == JsonTokenType.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
     }
 }

@@ -44,10 +44,10 @@ internal sealed record Comparison(string? Name, string? Problem, Picture? Mine, 
         {
             if (diagnosis is null)
             {
-                var budget = new SearchBudget(time, cancellation);
+                var budget = new SearchBudget(lastResort: time, cancellation: cancellation);
                 var found = await Task.Run(() => Diagnosis.Of(Scene, Mine, budget), CancellationToken.None);
                 cancellation.ThrowIfCancellationRequested();
-                (diagnosis, isCut) = (found, budget.LeavesOut);
+                (diagnosis, isCut) = (found, budget.UsedUp is not null);
             }
             return DiagnosisReport.Text(diagnosis, Name!, SceneName, level)
                 + (isCut ? "\nNot everything was tried: \"raycaster diagnose --all\" takes more time.\n" : "");

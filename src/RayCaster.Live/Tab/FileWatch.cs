@@ -1,11 +1,9 @@
-using System.Diagnostics;
-
 namespace RayCaster.Live;
 
 /// <summary>Notices that one of some files has changed: compares their times and lengths, which works on every file system.</summary>
 /// <remarks>Two saves of the same length may have the same time: that of FAT counts in steps of two seconds. So a file also counts as changed once,
 /// when its time is <see cref="TimeStep"/> old.</remarks>
-internal sealed class FileWatch(CancellationToken end)
+internal sealed class FileWatch(TimeProvider clock, CancellationToken end)
 {
     private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(30), TimeStep = TimeSpan.FromSeconds(2);
 
@@ -18,11 +16,11 @@ internal sealed class FileWatch(CancellationToken end)
     /// <summary>Waits until a file has changed, or until the time is over; false in that case.</summary>
     public async Task<bool> WaitAsync(TimeSpan? time = null)
     {
-        var start = Stopwatch.GetTimestamp();
+        var start = clock.GetTimestamp();
         while (!HasChanged())
         {
-            if (Stopwatch.GetElapsedTime(start) > time) return false;
-            await Task.Delay(PollInterval, end);
+            if (clock.GetElapsedTime(start) > time) return false;
+            await Task.Delay(PollInterval, clock, end);
         }
         return true;
     }
@@ -48,10 +46,10 @@ internal sealed class FileWatch(CancellationToken end)
     /// <summary>Whether a file holds nothing. A pipe has no length either: to read it might take for ever.</summary>
     public static bool IsEmpty(string file) => StampOf(file).Length == 0;
 
-    private static (DateTime, long, bool) AgedStampOf(string file)
+    private (DateTime, long, bool) AgedStampOf(string file)
     {
         var (time, length) = StampOf(file);
-        return (time, length, DateTime.UtcNow - time > TimeStep);
+        return (time, length, clock.GetUtcNow().UtcDateTime - time > TimeStep);
     }
 
     private bool HasChanged()

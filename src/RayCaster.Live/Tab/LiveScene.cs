@@ -18,15 +18,17 @@ internal sealed class LiveScene
     /// </summary>
     private static readonly TimeSpan GracePeriod = TimeSpan.FromMilliseconds(150), GracePeriodIfEmpty = TimeSpan.FromMilliseconds(600);
 
+    private readonly TimeProvider clock;
     private readonly FileWatch watch;
     private CancellationTokenSource outdated = new();
     private (DateTime, long)[] stamps = []; // of the meshes that are shown
 
-    public LiveScene(string path, CancellationToken end)
+    public LiveScene(string path, TimeProvider clock, CancellationToken end)
     {
         Path = path;
         FullPath = System.IO.Path.GetFullPath(path);
-        watch = new(end);
+        this.clock = clock;
+        watch = new(clock, end);
         watch.Watch([FullPath]);
         State = Next(Read());
     }
@@ -49,7 +51,7 @@ internal sealed class LiveScene
     {
         while (await watch.WaitAsync())
         {
-            await Task.Delay(1); // most editors cause a second notice within this time
+            await Task.Delay(TimeSpan.FromMilliseconds(1), clock); // most editors cause a second notice within this time
             try
             {
                 var reading = await ReadPatiently();

@@ -1,7 +1,7 @@
 namespace RayCaster.Live;
 
 /// <summary>The picture of the user's own program: a watched file, or one that was dropped on the page.</summary>
-internal sealed class MinePicture(string? path, CancellationToken end)
+internal sealed class MinePicture(string? path, TimeProvider clock, CancellationToken end)
 {
     /// <summary>How long a file must be broken before it is reported: the user's program may still be writing it.</summary>
     private static readonly TimeSpan GracePeriod = TimeSpan.FromMilliseconds(300);
@@ -15,7 +15,7 @@ internal sealed class MinePicture(string? path, CancellationToken end)
     public async Task FollowAsync()
     {
         if (path is null) return;
-        var watch = new FileWatch(end);
+        var watch = new FileWatch(clock, end);
         ((DateTime, long) Stamp, Picture? Picture, string? Problem) known = default;
         watch.Watch([Path.GetFullPath(path)]);
         do

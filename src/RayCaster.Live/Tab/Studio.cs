@@ -5,8 +5,8 @@ internal class Studio
 {
     private readonly SemaphoreSlim turn = new(1, 1);
 
-    /// <summary>How much processor time a diagnosis may take.</summary>
-    public virtual TimeSpan SearchTime => SearchBudget.Usual;
+    /// <summary>How much processor time a diagnosis may take at most, if it has not done its usual work by then.</summary>
+    public virtual TimeSpan SearchTime => SearchBudget.LastResort;
 
     public virtual Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation) =>
         DoAsync(() => Draw(view.Of(scene), cancellation), cancellation);

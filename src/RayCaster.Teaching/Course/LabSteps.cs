@@ -43,6 +43,11 @@ public static class LabSteps
         return step < Shading ? Unshaded(scene) : Renderer.Render(scene);
     }
 
+    /// <summary>Whether the picture after a step is another than before it: with the first rays, with light, with clipping, or with a shape of the
+    /// scene.</summary>
+    public static bool Changes(Scene scene, int step) =>
+        step is 1 or FirstPicture or Shading or Clipping || (step > FirstPicture && KindsOf(scene, step).Any());
+
     /// <summary>What of a scene surely works when a step is written, as a diagnosis calls it; the step's own shape may be missing in a
     /// picture.</summary>
     internal static string[] DoneAt(Scene scene, int step) =>

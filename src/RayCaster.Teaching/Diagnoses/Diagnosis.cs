@@ -32,10 +32,10 @@ public sealed class Diagnosis
         this.prepared = prepared;
         var scene = prepared.Scene;
         var right = prepared.Right;
-        evidence = new(scene, right, picture, Pixels, !TooManyModels);
+        evidence = new(scene, right, picture, Pixels, !TooManyModels, prepared.Budget);
         if (evidence.WrongCount < evidence.OutlineCount && evidence.OutlineCount > SceneFitness.LeastPixels)
         {
-            var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false);
+            var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false, prepared.Budget);
             if (prepared.Known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
         }
         if (prepared.Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
@@ -68,6 +68,7 @@ public sealed class Diagnosis
                 scene with { Models = [.. scene.Models.Where((_, i) => i != missing)] }, FormulaProgram.For(scene.Camera));
         }
         answer = new Judgement(prepared, evidence, done, likely, byModels, leftByMissingModel).Decide();
+        evidence.Forget(); // a diagnosis is often kept
         if (plain is null) return;
         // several mistakes, or one of thousands of edits, would explain one colour by chance
         answer = answer with
@@ -128,7 +129,7 @@ public sealed class Diagnosis
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
     /// <param name="scene">The scene that it should show, at the picture's size.</param>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
-    /// <param name="budget">How long it may take; any time if left out.</param>
+    /// <param name="budget">How much may be done; any amount if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public static Diagnosis Of(Scene scene, Picture picture, SearchBudget? budget = null) =>
         new SceneDiagnosis(scene, budget: budget).Judge(picture);

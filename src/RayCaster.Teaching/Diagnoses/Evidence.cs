@@ -24,6 +24,7 @@ internal sealed class Evidence
     private const double FewPixels = 0.03;
 
     private readonly ConcurrentDictionary<(int Wrong, int Other), ConcurrentBag<FormulaEvaluator>> evaluators = []; // that no thread uses now
+    private readonly SearchBudget? budget;
     private readonly FormulaProgram? basis; // that others differ from; the slides' if null
     private readonly int most;
     private readonly int allWrong; // also those that a first mistake explains
@@ -31,9 +32,10 @@ internal sealed class Evidence
 
     /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
     /// <param name="pixels">The most pixels that are compared; fewer in a scene of many models.</param>
-    public Evidence(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true)
+    /// <param name="budget">What drawing spends; null if it is not counted.</param>
+    public Evidence(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true, SearchBudget? budget = null)
     {
-        (Scene, Picture, Right) = (scene, picture, right);
+        (Scene, Picture, Right, this.budget) = (scene, picture, right, budget);
         most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
         var difference = HasRightSize ? new PictureDifference(picture, right) : null;
         var judge = new PictureJudge(right, scene);
@@ -56,10 +58,11 @@ internal sealed class Evidence
     /// <summary>The same pixels as evidence for a second mistake: those that a first one does not explain count as wrong.</summary>
     public Evidence(Evidence whole, FormulaProgram first)
     {
-        (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
+        (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
         basis = first with { MovedBytes = 0 };
         var drawn = whole.Draw(first);
-        var isExplained = drawn.Colors.ToLookup(pixel => PictureJudge.IsNear(pixel.Color, Picture.At(pixel.Pixel)), pixel => pixel.Pixel);
+        var isExplained = whole.wrongPixels[..drawn.Wrong].Concat(whole.otherPixels[..drawn.Other]).Index()
+            .ToLookup(pixel => PictureJudge.IsNear(drawn.ColorAt(pixel.Index), Picture.At(pixel.Item)), pixel => pixel.Item);
         wrongPixels = [.. isExplained[false]];
         otherPixels = [.. isExplained[true]];
         WrongCount = (int)whole.Misfit(first).Unexplained;
@@ -68,7 +71,7 @@ internal sealed class Evidence
 
     private Evidence(Evidence whole, int[] pixels)
     {
-        (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
+        (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
         (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
     }
 
@@ -124,11 +127,7 @@ internal sealed class Evidence
     {
         var wrong = Affordable(Math.Min(pixels, wrongPixels.Length), program);
         var other = Affordable(Math.Min(pixels, otherPixels.Length), program);
-        var rgb = Draw(program, wrong, other);
-        List<(int, (byte, byte, byte))> colors = [];
-        foreach (var (i, pixel) in wrongPixels[..wrong].Concat(otherPixels[..other]).Index())
-            colors.Add((pixel, (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2])));
-        return new(program.SizeOf(Scene.Camera), colors);
+        return new(program.SizeOf(Scene.Camera), wrong, other, Draw(program, wrong, other));
     }
 
     /// <summary>Whether a program draws the same picture as another, but for one pixel in two thousand. Most differ in the first pixels.</summary>
@@ -137,15 +136,21 @@ internal sealed class Evidence
 
     private static bool AreAlike(Drawn one, Drawn other)
     {
-        var colors = one.Colors.ToDictionary(pixel => pixel.Pixel, pixel => pixel.Color);
-        var left = other.Colors.Count / 2000;
-        foreach (var (pixel, color) in other.Colors)
-            if (colors.TryGetValue(pixel, out var own) && !PictureJudge.IsNear(color, own) && --left < 0) return false;
-        return true;
+        var left = (other.Wrong + other.Other) / 2000;
+        return Differing(0, 0, Math.Min(one.Wrong, other.Wrong)) + Differing(one.Wrong, other.Wrong, Math.Min(one.Other, other.Other)) <= left;
+
+        int Differing(int ofOne, int ofOther, int count) =>
+            Enumerable.Range(0, count).Count(i => !PictureJudge.IsNear(one.ColorAt(ofOne + i), other.ColorAt(ofOther + i)));
     }
 
-    /// <param name="Colors">The pixels' places in the student's picture, and their colours.</param>
-    public sealed record Drawn((int Width, int Height) Size, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
+    /// <summary>What a program draws.</summary>
+    /// <param name="Wrong">In how many of the first wrong pixels.</param>
+    /// <param name="Other">In how many of the first others.</param>
+    /// <param name="Rgb">The bytes of the wrong pixels, then those of the others.</param>
+    public sealed record Drawn((int Width, int Height) Size, int Wrong, int Other, byte[] Rgb)
+    {
+        public (byte, byte, byte) ColorAt(int i) => (Rgb[3 * i], Rgb[3 * i + 1], Rgb[3 * i + 2]);
+    }
 
     /// <summary>
     /// The bits of the pixels that are left unexplained. Their share is unknown before, from all that is wrong down to what other last bits may
@@ -173,7 +178,7 @@ internal sealed class Evidence
     public Misfit Misfit(Scene scene, FormulaProgram program, double share = 1)
     {
         var (wrong, other) = (CountOf(wrongPixels), CountOf(otherPixels));
-        return MisfitOf(wrong, other, FormulaEvaluator.Draw(scene, program, PixelsOf(wrong, other)), null);
+        return MisfitOf(wrong, other, FormulaEvaluator.Draw(scene, program, PixelsOf(wrong, other), budget), null);
 
         int CountOf(int[] pixels) => Math.Min(pixels.Length, (int)Math.Ceiling(most * share));
     }
@@ -212,13 +217,16 @@ internal sealed class Evidence
     private byte[] Draw(FormulaProgram program, int wrong, int other)
     {
         if (wrong + other == 0) return [];
-        if (program.MovedBytes != 0) return FormulaEvaluator.Draw(Scene, program, PixelsOf(wrong, other));
+        if (program.MovedBytes != 0) return FormulaEvaluator.Draw(Scene, program, PixelsOf(wrong, other), budget);
         var idle = evaluators.GetOrAdd((wrong, other), _ => []);
         if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), basis ?? FormulaProgram.For(Scene.Camera));
-        var rgb = evaluator.Draw(program);
+        var rgb = evaluator.Draw(program, budget);
         idle.Add(evaluator);
         return rgb;
     }
+
+    /// <summary>Lets go of what is kept for faster drawing. It is made again if it is needed.</summary>
+    public void Forget() => evaluators.Clear();
 
     private (int X, int Y)[] PixelsOf(int wrong, int other) =>
         [.. wrongPixels[..wrong].Concat(otherPixels[..other]).Select(pixel => (pixel % Picture.Width, pixel / Picture.Width))];

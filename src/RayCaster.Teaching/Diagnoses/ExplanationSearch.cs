@@ -1,5 +1,3 @@
-using System.Collections.Concurrent;
-
 namespace RayCaster.Teaching;
 
 /// <summary>
@@ -11,7 +9,7 @@ namespace RayCaster.Teaching;
 /// <param name="done">What the program certainly draws.</param>
 /// <param name="threads">How many threads draw; one per core if null.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
-/// <param name="budget">How long the search may take; null for any time.</param>
+/// <param name="budget">How much the search may do; null for any amount. The pictures spend it.</param>
 /// <param name="possible">Which edits are tried that have no name; all if null.</param>
 internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
     int? threads, Predicate<Mistake>? likely, SearchBudget? budget, Predicate<Mistake>? possible)
@@ -35,6 +33,9 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
 
     /// <summary>What two known mistakes cost, and two that leave what rays along an edge may leave. A shorter explanation ends the search.</summary>
     private const double Pair = 2 * (Priors.Known + Priors.Variant), NearPair = Pair + 16;
+
+    /// <summary>How many explanations are measured between two looks at the budget.</summary>
+    private const int Together = 64;
 
     /// <summary>In a scene of more models no edits are tried.</summary>
     private const int MaxModels = 200;
@@ -199,14 +200,10 @@ internal sealed class ExplanationSearch(IReadOnlyList<Evidence> pictures, IReadO
     private List<Explanation> Measured(IReadOnlyList<Explanation?> candidates, double share, IReadOnlyList<Evidence>? left = null)
     {
         var evidence = left ?? pictures;
-        var measured = new ConcurrentBag<(int, Explanation)>();
-        Parallel.For(0, candidates.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, (i, loop) =>
-        {
-            if (budget?.IsSpent() == true) loop.Stop();
-            else if (candidates[i] is { } candidate) measured.Add((i, Measure(candidate, share, evidence)));
-        });
-        budget?.ThrowIfSpent();
-        return [.. measured.OrderBy(one => one.Item2.Total).ThenBy(one => one.Item1).Select(one => one.Item2)];
+        Explanation[] measured = [.. candidates.OfType<Explanation>()];
+        var done = SearchBudget.Do(budget, measured.Length, Together, threads, i => measured[i] = Measure(measured[i], share, evidence));
+        if (done < measured.Length) throw new TimeoutException();
+        return [.. measured.OrderBy(one => one.Total)]; // those with the same total in the order of the candidates
     }
 
     private static Explanation Measure(Explanation candidate, double share, IReadOnlyList<Evidence> evidence)

@@ -14,7 +14,7 @@ public sealed class SceneDiagnosis
     /// <param name="scene">The scene that the pictures should show, at their size.</param>
     /// <param name="threads">How many threads draw, and judge each picture; one per core if left out.</param>
     /// <param name="possible">Which mistakes are tried, for example those of the code written so far; all if left out.</param>
-    /// <param name="budget">How long all searches together may take; any time if left out.</param>
+    /// <param name="budget">How much all searches together may do; any amount if left out.</param>
     /// <param name="size">The size that the scene's picture should have, if the pictures have another.</param>
     public SceneDiagnosis(Scene scene, int? threads = null, Predicate<Mistake>? possible = null, SearchBudget? budget = null,
         (int Width, int Height)? size = null)

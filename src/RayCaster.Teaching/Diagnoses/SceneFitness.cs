@@ -26,6 +26,12 @@ public sealed class SceneFitness
     /// <summary>How many triangles are tried in all if each ray must try every triangle of a mesh.</summary>
     private const int MaxTests = 10_000_000;
 
+    /// <summary>How many pixels are drawn between two looks whether they show a mistake.</summary>
+    private const int PixelsAtOnce = 4096;
+
+    /// <summary>How many mistakes are tried between two looks at the budget.</summary>
+    private const int Together = 16;
+
     private SceneFitness()
     {
     }
@@ -70,7 +76,7 @@ public sealed class SceneFitness
     /// <param name="scenes">At least one; each passes <see cref="CanJudge"/>.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <param name="tested">The mistakes that they should show; all of the catalogue if left out.</param>
-    /// <param name="budget">How long it may take, in the order of the mistakes; any time if left out.</param>
+    /// <param name="budget">How much may be done, in the order of the mistakes; any amount if left out.</param>
     public static SceneFitness Of(
         IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? tested = null, SearchBudget? budget = null)
     {
@@ -92,7 +98,7 @@ public sealed class SceneFitness
             ShowsNothing = views.All(view => view.IsOfOneColor),
             FragilePixels = views.Sum(view => FragilePixelsOf(view.Scene, threads)),
             PixelCount = judged.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height),
-            IsCut = budget?.LeavesOut == true, // at last: the groups may be cut, too
+            IsCut = budget?.UsedUp is not null, // at last: the groups may be cut, too
         };
     }
 
@@ -101,16 +107,12 @@ public sealed class SceneFitness
         IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> tested, int? threads, SearchBudget? budget)
     {
         Mistake[] known = [.. tested.Where(mistake => scenes.All(scene => CanTry(scene, mistake)))];
-        View[] views = [.. scenes.Select(scene => new View(scene))];
-        var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
-        var tried = new ConcurrentBag<Mistake>();
-        Parallel.ForEach(Partitioner.Create(known, loadBalance: true), options, mistake =>
+        View[] views = [.. scenes.Select(scene => new View(scene, budget))];
+        var tried = SearchBudget.Do(budget, known.Length, Together, threads, i =>
         {
-            if (budget?.IsSpent() == true) return;
-            foreach (var view in views) view.Try(mistake);
-            tried.Add(mistake);
+            foreach (var view in views) view.Try(known[i]);
         });
-        return ([.. known.Intersect(tried)], views);
+        return (known[..tried], views);
     }
 
     private static Mistake[] HiddenOf(Mistake[] known, View[] views) => [.. known.Where(mistake => !views.Any(view => view.Shows(mistake)))];
@@ -156,14 +158,16 @@ public sealed class SceneFitness
     /// <summary>As much of a scene's picture with each mistake as is needed.</summary>
     private sealed class View
     {
+        private readonly SearchBudget? budget;
         private readonly FormulaProgram slides;
         private readonly (int X, int Y)[] places; // any beginning is spread over the picture
         private readonly Picture right;
         private readonly ConcurrentDictionary<Mistake, byte[]> samples = [];
         private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [];
 
-        public View(Scene scene)
+        public View(Scene scene, SearchBudget? budget)
         {
+            this.budget = budget;
             Scene = scene;
             slides = FormulaProgram.For(scene.Camera);
             right = slides.Draw(scene); // mistakes are edits of its formulas: other last bits than the definition's are none
@@ -190,7 +194,7 @@ public sealed class SceneFitness
         {
             var program = mistake.In(slides)!;
             var drawn = samples[mistake] = FormulaEvaluator.Draw(
-                Scene, program, places[..Math.Min(program.RaysWithin(Scene, MaxTests, Samples), right.Count)]);
+                Scene, program, places[..Math.Min(program.RaysWithin(Scene, MaxTests, Samples), right.Count)], budget);
             shownFirst[mistake] = HasOtherSize(program) || Differ(drawn, 0, LeastPixels)
                 || (mistake.Touches(Scene) && Changes(program, MoreSamples));
             shown[mistake] = shownFirst[mistake] || (mistake.Touches(Scene)
@@ -208,10 +212,10 @@ public sealed class SceneFitness
             for (var i = 0; i < Math.Min(first.Length, second.Length); i += 3)
                 if (!AreNear(first, second, i) && --left == 0) return false;
             if (isSlow) return true;
-            for (var k = Samples; k < right.Count; k += FormulaEvaluator.Block)
+            for (var k = Samples; k < right.Count; k += PixelsAtOnce)
             {
-                var some = places[k..Math.Min(right.Count, k + FormulaEvaluator.Block)];
-                (first, second) = (FormulaEvaluator.Draw(Scene, one, some), FormulaEvaluator.Draw(Scene, other, some));
+                var some = places[k..Math.Min(right.Count, k + PixelsAtOnce)];
+                (first, second) = (FormulaEvaluator.Draw(Scene, one, some, budget), FormulaEvaluator.Draw(Scene, other, some, budget));
                 for (var i = 0; i < first.Length; i += 3)
                     if (!AreNear(first, second, i) && --left == 0) return false;
             }
@@ -225,10 +229,10 @@ public sealed class SceneFitness
             if (HasOtherSize(program) || program.TrianglesTried(Scene) > 0) return HasOtherSize(program);
             most = Math.Min(most, right.Count);
             var left = (int)Math.Ceiling((double)LeastPixels * most / right.Count);
-            for (var k = 0; k < most; k += FormulaEvaluator.Block)
+            for (var k = 0; k < most; k += PixelsAtOnce)
             {
-                var some = places[k..Math.Min(most, k + FormulaEvaluator.Block)];
-                left -= Differences(FormulaEvaluator.Draw(Scene, program, some), k);
+                var some = places[k..Math.Min(most, k + PixelsAtOnce)];
+                left -= Differences(FormulaEvaluator.Draw(Scene, program, some, budget), k);
                 if (left <= 0) return true;
             }
             return false;

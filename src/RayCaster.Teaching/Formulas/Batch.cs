@@ -18,6 +18,9 @@ internal readonly record struct Batch(double[] X, double[]? Y = null, double[]? 
 
     public void Set(int pixel, Vector3 value) => (X[pixel], Y![pixel], Z![pixel]) = (value.X, value.Y, value.Z);
 
+    /// <summary>The same in arrays of its own.</summary>
+    public Batch Copy() => new([.. X], Y is null ? null : [.. Y], Z is null ? null : [.. Z]);
+
     /// <summary>Whether both are equal to the bit, NaN included.</summary>
     public bool IsSameAs(Batch other) => AreSame(X, other.X) && AreSame(Y, other.Y) && AreSame(Z, other.Z);
 

@@ -5,51 +5,80 @@ namespace RayCaster.Teaching;
 /// <summary>Evaluates expressions in many pixels at once. Truth is 1 or 0.</summary>
 /// <param name="pixels">How many pixels a batch has that is not the same in all of them: a multiple of <see cref="Vector{T}.Count"/>;
 /// 0 if there is no such batch.</param>
-/// <remarks>Not for several threads: arrays that <see cref="Forget"/> gives back are used again.</remarks>
+/// <remarks>Not for several threads: arrays that were given back are used again.</remarks>
 internal sealed class BatchArithmetic(int pixels)
 {
     private static readonly FormulaSection slides = FormulaBook.Slides.StylesOf(SectionKind.Vectors)[0];
 
-    private readonly List<double[]> pool = [];
-    private int used;
+    /// <summary>What an operation takes beside the pixels, as so many pixels do.</summary>
+    private const int WorkOfOperation = 150;
+
+    private readonly List<double[]> pool = []; // the first ones are in use
     private bool isInSum;
 
     /// <summary>The functions of vectors.</summary>
     public FormulaSection Functions { get; set; } = slides;
 
-    /// <summary>Whether what is computed from now on must outlive <see cref="Forget"/>.</summary>
-    public bool Keeps { get; set; }
+    /// <summary>How many arrays are in use.</summary>
+    public int Used { get; private set; }
 
-    /// <summary>Gives back all arrays that need not be kept.</summary>
-    public void Forget() => used = 0;
+    /// <summary>What has been done: the numbers that were computed, and something for each operation.</summary>
+    public long Work { get; set; }
 
+    /// <summary>The value of an expression. What was computed on the way to it is given back.</summary>
     /// <param name="frame">The values of names, by <see cref="Symbol.Place"/>; of a function's parameters in its body.</param>
     public Batch Evaluate(Expression e, Batch[] frame)
+    {
+        var used = Used;
+        var value = Compute(e, frame);
+        GiveBack(used, value.X, value.Y, value.Z);
+        return value;
+    }
+
+    /// <summary>Gives back what was computed since so many arrays were in use.</summary>
+    /// <param name="but">What is still needed, if it is among them.</param>
+    public void GiveBack(int used, params ReadOnlySpan<double[]?> but)
+    {
+        var end = Used;
+        Used = used;
+        foreach (var array in but)
+        {
+            for (var i = end - 1; i >= Used; i--)
+            {
+                if (!ReferenceEquals(pool[i], array)) continue;
+                (pool[i], pool[Used]) = (pool[Used], array);
+                Used++;
+                break;
+            }
+        }
+    }
+
+    private Batch Compute(Expression e, Batch[] frame)
     {
         switch (e.Operator)
         {
             case Operator.Number: return e.Constant;
             case Operator.Name: return frame[e.Symbol!.Place];
-            case Operator.X: return new(Evaluate(e.Operands[0], frame).X);
-            case Operator.Y: return new(Evaluate(e.Operands[0], frame).Y!);
-            case Operator.Z: return new(Evaluate(e.Operands[0], frame).Z!);
+            case Operator.X: return new(Compute(e.Operands[0], frame).X);
+            case Operator.Y: return new(Compute(e.Operands[0], frame).Y!);
+            case Operator.Z: return new(Compute(e.Operands[0], frame).Z!);
             case Operator.Vector:
-                return new(Evaluate(e.Operands[0], frame).X, Evaluate(e.Operands[1], frame).X, Evaluate(e.Operands[2], frame).X);
+                return new(Compute(e.Operands[0], frame).X, Compute(e.Operands[1], frame).X, Compute(e.Operands[2], frame).X);
             case Operator.If:
-                return Chosen(Evaluate(e.Operands[0], frame).X, Evaluate(e.Operands[1], frame), Evaluate(e.Operands[2], frame));
+                return Chosen(Compute(e.Operands[0], frame).X, Compute(e.Operands[1], frame), Compute(e.Operands[2], frame));
             case Operator.Call:
                 var arguments = new Batch[e.Operands.Length];
-                for (var i = 0; i < arguments.Length; i++) arguments[i] = Evaluate(e.Operands[i], frame);
+                for (var i = 0; i < arguments.Length; i++) arguments[i] = Compute(e.Operands[i], frame);
                 return Evaluate(Functions.Formulas[e.Function].Right, arguments);
             default:
-                var a = Evaluate(e.Operands[0], frame);
+                var a = Compute(e.Operands[0], frame);
                 if (e.Operands.Length == 1)
                     return a.Y is null ? new(Map(e.Operator, a.X)) : new(Map(e.Operator, a.X), Map(e.Operator, a.Y), Map(e.Operator, a.Z!));
-                var b = Evaluate(e.Operands[1], frame);
+                var b = Compute(e.Operands[1], frame);
                 if (e.Function >= 0 && !isInSum && Functions.Formulas[e.Function].Right != slides.Formulas[e.Function].Right)
                 {
                     isInSum = true; // an edited sum may have a sum of vectors itself
-                    var sum = Evaluate(Functions.Formulas[e.Function].Right, [a, b]);
+                    var sum = Compute(Functions.Formulas[e.Function].Right, [a, b]);
                     isInSum = false;
                     return sum;
                 }
@@ -61,16 +90,10 @@ internal sealed class BatchArithmetic(int pixels)
     /// <summary>An array for a result; its content is undefined.</summary>
     public double[] New(int length)
     {
-        if (Keeps || length != pixels) return new double[length];
-        if (used == pool.Count) pool.Add(new double[pixels]);
-        return pool[used++];
-    }
-
-    /// <summary>How many arrays are in use; set to an earlier number, what was computed since then is given back.</summary>
-    public int Used
-    {
-        get => used;
-        set => used = value;
+        Work += WorkOfOperation + length;
+        if (length != pixels) return new double[length];
+        if (Used == pool.Count) pool.Add(new double[pixels]);
+        return pool[Used++];
     }
 
     public Batch NewVector(int length) => new(New(length), New(length), New(length));

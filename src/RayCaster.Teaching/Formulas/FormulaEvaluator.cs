@@ -10,40 +10,43 @@ internal sealed class FormulaEvaluator
     /// <summary>A mesh with more triangles is searched through its tree.</summary>
     public const int MaxTriangles = 100;
 
-    /// <summary>How many pixels of a whole picture are computed together.</summary>
-    public const int Block = 4096;
+    /// <summary>How many pixels are computed together, at most: their numbers stay in the processor's cache.</summary>
+    private const int MaxTogether = 1024;
+
+    /// <summary>What a ray through a mesh's tree, or to a shape of one's own, takes, as so many computed numbers do.</summary>
+    private const int WorkOfRay = 500;
 
     private static readonly UInt128 ofRay = Symbol.Of("P").Bit | Symbol.Of("d").Bit;
 
     private readonly Scene scene;
-    private readonly int count; // pixels: those that are drawn, and with the last one again and again as many as the arithmetic needs
+    private readonly int count; // pixels of a group: those that are drawn, and with the last one again and again as many as the arithmetic needs
     private readonly BatchArithmetic arithmetic;
     private readonly Batch[] givens;
     private readonly Part[] parts;
-    private readonly Dictionary<(int Part, FormulaSection Section), Batch[]> rightFrames = [];
-    private readonly Batch[] ofShape = new Batch[Symbol.Max], ofRule = new Batch[Symbol.Max]; // frames for intermediate results
-    private readonly State? right;
-    private int shown;
+    private readonly Group[] groups;
+    private readonly Dictionary<(int Part, FormulaSection Section), Batch[]>? rightFrames; // null for many pixels: they would take much memory
+    private readonly Batch[] ofPixel = new Batch[Symbol.Max], ofShape = new Batch[Symbol.Max], ofRule = new Batch[Symbol.Max]; // used again and again
+    private readonly FormulaProgram? right;
 
     /// <param name="pixels">Columns from the left and lines from the top of the file.</param>
     /// <param name="program">The program that others differ from.</param>
     public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram program)
-        : this(scene, pixels.Count)
+        : this(scene, pixels)
     {
-        Place(pixels);
-        arithmetic.Keeps = true;
-        right = Run(program, null);
-        arithmetic.Keeps = false;
+        right = program;
+        if (groups.Length == 1) rightFrames = [];
+        foreach (var group in groups) group.Right = Run(program, group).Copy();
     }
 
-    private FormulaEvaluator(Scene scene, int pixels)
+    private FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels)
     {
         this.scene = scene;
-        count = (pixels + Vector<double>.Count - 1) / Vector<double>.Count * Vector<double>.Count;
+        var number = Math.Max(1, (pixels.Count + MaxTogether - 1) / MaxTogether);
+        var shown = (pixels.Count + number - 1) / number;
+        count = (shown + Vector<double>.Count - 1) / Vector<double>.Count * Vector<double>.Count;
+        groups = [.. Enumerable.Range(0, number).Select(i => new Group([.. pixels.Skip(i * shown).Take(shown)], count))];
         arithmetic = new(count);
         givens = GivensOf(scene.Camera);
-        givens[Symbol.Of("x").Place] = new(new double[count]);
-        givens[Symbol.Of("y").Place] = new(new double[count]);
         parts = [.. scene.Models.SelectMany(PartsOf)];
     }
 
@@ -69,30 +72,20 @@ internal sealed class FormulaEvaluator
 
     /// <summary>What a program draws in some pixels, of which there may be many: red, green, blue, and so on.</summary>
     /// <param name="pixels">Columns from the left and lines from the top of the program's file.</param>
-    public static byte[] Draw(Scene scene, FormulaProgram program, IReadOnlyList<(int X, int Y)> pixels)
-    {
-        if (program.MovedBytes != 0) return DrawMoved(scene, program, pixels);
-        var rgb = new byte[3 * pixels.Count];
-        var evaluator = new FormulaEvaluator(scene, Math.Min(Block, pixels.Count));
-        for (var first = 0; first < pixels.Count; first += Block)
-        {
-            evaluator.Place([.. pixels.Skip(first).Take(Block)]);
-            evaluator.arithmetic.Forget();
-            evaluator.Run(program, null).Bytes.CopyTo(rgb, 3 * first);
-        }
-        return rgb;
-    }
+    /// <param name="budget">What is spent; null if it is not counted.</param>
+    public static byte[] Draw(Scene scene, FormulaProgram program, IReadOnlyList<(int X, int Y)> pixels, SearchBudget? budget = null) =>
+        program.MovedBytes != 0 ? DrawMoved(scene, program, pixels, budget) : new FormulaEvaluator(scene, pixels).Draw(program, budget);
 
     /// <summary>The same where a byte comes from another place in the file; what is before the first or after the last one is a line break.
     /// </summary>
-    private static byte[] DrawMoved(Scene scene, FormulaProgram program, IReadOnlyList<(int X, int Y)> pixels)
+    private static byte[] DrawMoved(Scene scene, FormulaProgram program, IReadOnlyList<(int X, int Y)> pixels, SearchBudget? budget)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         if (program.IsTurned) (width, height) = (height, width);
         int[] sources = [.. from pixel in pixels from channel in (int[])[0, 1, 2]
             select 3 * (pixel.Y * width + pixel.X) + channel - program.MovedBytes];
         int[] places = [.. sources.Where(IsInFile).Select(source => source / 3).Distinct()];
-        var drawn = Draw(scene, program with { MovedBytes = 0 }, [.. places.Select(place => (place % width, place / width))]);
+        var drawn = Draw(scene, program with { MovedBytes = 0 }, [.. places.Select(place => (place % width, place / width))], budget);
         var at = places.Index().ToDictionary(place => place.Item, place => 3 * place.Index);
         return [.. sources.Select(source => IsInFile(source) ? drawn[at[source / 3] + source % 3] : (byte)'\n')];
 
@@ -100,25 +93,31 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>The bytes of all pixels: red, green, blue, and so on.</summary>
-    public byte[] Draw(FormulaProgram program)
+    /// <param name="budget">What is spent; null if it is not counted.</param>
+    public byte[] Draw(FormulaProgram program, SearchBudget? budget = null)
     {
-        arithmetic.Forget();
-        return ReferenceEquals(program, right!.Program) ? right.Bytes : Run(program, right).Bytes;
+        var rgb = new byte[3 * groups.Sum(group => group.Shown)];
+        var drawn = 0;
+        arithmetic.Work = 0;
+        foreach (var group in groups)
+        {
+            var bytes = ReferenceEquals(program, right) ? group.Right!.Bytes : Run(program, group).Bytes;
+            bytes.CopyTo(rgb, drawn);
+            drawn += bytes.Length;
+        }
+        budget?.Spend(arithmetic.Work);
+        return rgb;
     }
 
-    /// <summary>Sets which pixels are drawn.</summary>
-    private void Place(IReadOnlyList<(int X, int Y)> pixels)
+    /// <returns>What the next run overwrites.</returns>
+    private State Run(FormulaProgram program, Group group)
     {
-        shown = pixels.Count;
-        var (x, y) = (givens[Symbol.Of("x").Place].X, givens[Symbol.Of("y").Place].X);
-        for (var i = 0; i < count; i++) (x[i], y[i]) = pixels[Math.Min(i, shown - 1)];
-    }
-
-    private State Run(FormulaProgram program, State? basis)
-    {
+        var basis = group.Right;
+        (givens[Symbol.Of("x").Place], givens[Symbol.Of("y").Place]) = (group.X, group.Y);
+        arithmetic.GiveBack(0);
         arithmetic.Functions = program[SectionKind.Vectors];
         var changed = basis is null ? 0 : ChangedFunctions(basis.Program[SectionKind.Vectors], arithmetic.Functions);
-        var frame = (Batch[])givens.Clone();
+        var frame = Copied(givens, ofPixel);
         if (program.SwapsEnds)
             (frame[pointP.Place], frame[pointT.Place]) = (frame[pointT.Place], frame[pointP.Place]);
         if (basis is not null && basis.Program.SwapsEnds != program.SwapsEnds) changed |= pointP.Bit | pointT.Bit;
@@ -143,7 +142,7 @@ internal sealed class FormulaEvaluator
         var (nearest, t) = areNew ? Nearest(program, crossed, frame, isUsual) : (basis!.Nearest, basis.T);
         if (!areNew && IsSame(SectionKind.Light) && IsSame(SectionKind.Bytes) && (Formula.Written.Bit & changed) == 0
             && program[SectionKind.File].Has(Formula.Written) == basis!.Program[SectionKind.File].Has(Formula.Written)) return basis;
-        return new(program, frame, crossed, nearest, t, BytesOf(program, frame, nearest, t));
+        return new(program, frame, crossed, nearest, t, BytesOf(program, frame, nearest, t, group.Shown));
 
         bool IsSame(SectionKind kind) =>
             basis is not null && ReferenceEquals(program[kind], basis.Program[kind]) && (program[kind].Reads & changed) == 0;
@@ -195,16 +194,19 @@ internal sealed class FormulaEvaluator
     {
         var (model, kind, numbers) = parts[part];
         if (kind is null || (parts[part].IsLarge && !AreTrianglesEdited(program))) return HitsOf(model, rule, camera);
+        var used = arithmetic.Used;
         var section = program[kind.Value];
         if (parts[part].IsLarge)
             return program.ProposesTriangles ? Decided(ProposedBy((Mesh)model, camera)) : OfAll((Mesh)model);
 
-        var before = basis is null ? null : StyleOf(section, basis.Program);
+        var before = basis is null || rightFrames is null ? null : StyleOf(section, basis.Program);
         var old = before is null ? null : RightFrame(part, before, basis!.Frame);
         var frame = FrameOf(numbers, camera, ofShape);
         foreach (var (symbol, _) in numbers) changed &= ~symbol.Bit;
         Define(section, frame, before, old, ref changed);
-        return Counted(section, rule, frame, camera, withAll);
+        var crossed = Counted(section, rule, frame, camera, withAll);
+        arithmetic.GiveBack(used, crossed.T, crossed.IsHit, crossed.Far, crossed.Ends?.X);
+        return crossed;
 
         Crossed Decided((Symbol, Batch)[] triangles)
         {
@@ -220,13 +222,13 @@ internal sealed class FormulaEvaluator
             Array.Fill(nearest, double.NaN);
             var ends = arithmetic.New(count);
             Array.Clear(ends);
-            var used = arithmetic.Used;
+            var before = arithmetic.Used;
             for (var k = 0; k < mesh.TriangleCount; k++)
             {
                 var of = Decided(NumbersOf(mesh[k]));
                 Offer(nearest, of.T);
                 for (var i = 0; of.Ends is { } own && i < count; i++) ends[i] = Math.Max(ends[i], own[i]);
-                if (!arithmetic.Keeps) arithmetic.Used = used;
+                arithmetic.GiveBack(before);
             }
             return new(nearest) { Ends = rule.Has(Formula.Ends) ? new(ends) : null };
         }
@@ -300,15 +302,15 @@ internal sealed class FormulaEvaluator
     /// <summary>A shape's frame in a style, as the program that others differ from has it.</summary>
     private Batch[] RightFrame(int part, FormulaSection section, Batch[] camera)
     {
-        if (rightFrames.TryGetValue((part, section), out var frame)) return frame;
-        var keeps = arithmetic.Keeps;
-        var functions = arithmetic.Functions;
-        arithmetic.Keeps = true;
-        arithmetic.Functions = right!.Program[SectionKind.Vectors];
+        if (rightFrames!.TryGetValue((part, section), out var frame)) return frame;
+        var (functions, used, work) = (arithmetic.Functions, arithmetic.Used, arithmetic.Work);
+        arithmetic.Functions = right![SectionKind.Vectors];
         frame = FrameOf(parts[part].Numbers, camera, new Batch[Symbol.Max]);
         Define(section, frame);
-        arithmetic.Keeps = keeps;
+        foreach (var formula in section.Formulas) frame[formula.Name.Place] = frame[formula.Name.Place].Copy();
         arithmetic.Functions = functions;
+        arithmetic.GiveBack(used);
+        arithmetic.Work = work; // which thread needs the frame first must not matter
         return rightFrames[(part, section)] = frame;
     }
 
@@ -330,6 +332,7 @@ internal sealed class FormulaEvaluator
     {
         var corners = (A: arithmetic.NewVector(count), B: arithmetic.NewVector(count), C: arithmetic.NewVector(count));
         var none = new Vector3(double.NaN, double.NaN, double.NaN);
+        arithmetic.Work += WorkOfRay * count;
         for (var i = 0; i < count; i++)
         {
             var origin = camera[pointP.Place].At(i);
@@ -356,6 +359,7 @@ internal sealed class FormulaEvaluator
     {
         var isUsual = FormulaBook.Slides.StylesOf(SectionKind.Rule).Contains(rule) && rule.Style != "aim";
         var hits = arithmetic.New(count);
+        arithmetic.Work += WorkOfRay * count;
         for (var i = 0; i < count; i++)
         {
             var origin = camera[pointP.Place].At(i);
@@ -458,11 +462,11 @@ internal sealed class FormulaEvaluator
                 if (lights[i] != 0) shownT[i] = t[i];
                 if (replaces[i] != 0) least[i] = t[i];
             }
-            if (!arithmetic.Keeps) arithmetic.Used = used;
+            arithmetic.GiveBack(used);
         }
     }
 
-    private byte[] BytesOf(FormulaProgram program, Batch[] camera, int[] nearest, double[] t)
+    private byte[] BytesOf(FormulaProgram program, Batch[] camera, int[] nearest, double[] t, int shown)
     {
         var frame = Copied(camera, ofRule);
         var own = arithmetic.NewVector(count);
@@ -543,9 +547,50 @@ internal sealed class FormulaEvaluator
 
         /// <summary>Whether the ray ends here with the background.</summary>
         public Batch? Ends { get; init; }
+
+        /// <summary>The same in arrays of its own.</summary>
+        public Crossed Copy() => new([.. T])
+        {
+            IsHit = IsHit is null ? null : [.. IsHit],
+            Far = Far is null ? null : [.. Far],
+            Ends = Ends?.Copy(),
+        };
     }
 
     /// <param name="Frame">What camera and pixel have computed.</param>
     /// <param name="Nearest">The part that each pixel shows; −1 for none.</param>
-    private sealed record State(FormulaProgram Program, Batch[] Frame, Crossed[] Hits, int[] Nearest, double[] T, byte[] Bytes);
+    private sealed record State(FormulaProgram Program, Batch[] Frame, Crossed[] Hits, int[] Nearest, double[] T, byte[] Bytes)
+    {
+        /// <summary>The same in arrays of its own.</summary>
+        public State Copy() => this with
+        {
+            Frame = [.. Frame.Select(batch => batch.X is null ? batch : batch.Copy())],
+            Hits = [.. Hits.Select(hits => hits.Copy())],
+            T = [.. T],
+        };
+    }
+
+    /// <summary>Pixels that are computed together.</summary>
+    private sealed class Group
+    {
+        /// <param name="count">How many values each array has; the last pixel's stands for more.</param>
+        public Group((int X, int Y)[] pixels, int count)
+        {
+            Shown = pixels.Length;
+            (X, Y) = (new(new double[count]), new(new double[count]));
+            for (var i = 0; i < count; i++) (X.X[i], Y.X[i]) = pixels[Math.Min(i, Shown - 1)];
+        }
+
+        /// <summary>How many pixels are drawn.</summary>
+        public int Shown { get; }
+
+        /// <summary>Their columns.</summary>
+        public Batch X { get; }
+
+        /// <summary>Their lines.</summary>
+        public Batch Y { get; }
+
+        /// <summary>What the program draws there that others differ from.</summary>
+        public State? Right { get; set; }
+    }
 }

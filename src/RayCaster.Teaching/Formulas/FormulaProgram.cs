@@ -62,12 +62,15 @@ internal sealed record FormulaProgram
     public int RaysWithin(Scene scene, double tries, int rays) =>
         TrianglesTried(scene) is > 0 and var triangles ? (int)Math.Min(rays, tries / triangles) : rays;
 
+    /// <summary>How many pixels of a picture a thread draws at a time, at most, unless a line has more.</summary>
+    private const int PixelsAtOnce = 4096;
+
     /// <summary>The whole file.</summary>
     public Picture Draw(Scene scene, int? threads = null)
     {
         var (width, height) = SizeOf(scene.Camera);
         var rgb = new byte[3 * width * height];
-        var lines = Math.Max(1, FormulaEvaluator.Block / width); // that are drawn together
+        var lines = Math.Max(1, PixelsAtOnce / width); // that are drawn together
         Parallel.For(0, (height + lines - 1) / lines, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, i =>
         {
             var first = i * lines;

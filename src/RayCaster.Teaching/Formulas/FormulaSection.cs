@@ -71,7 +71,12 @@ internal sealed class FormulaSection(
         return -1;
     }
 
-    public bool Has(Symbol name) => formulas.Any(formula => formula.Name == name);
+    public bool Has(Symbol name)
+    {
+        foreach (var formula in formulas)
+            if (formula.Name == name) return true;
+        return false;
+    }
 
     public FormulaSection With(ImmutableArray<Formula> others) => new(kind, style, slide, scope, others);
 

@@ -40,6 +40,8 @@ internal static class LedgerVerdict
             Outcome.BeyondFar =>
                 Invariant($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {group.Min(entry => entry.LeastBeyondFar):G7} ") +
                 "and more. Make zFar greater.",
+            Outcome.Misses when ledger.Scene.Models.All(model => model is Mesh { TriangleCount: 0 }) =>
+                "Nothing of the mesh is left: none of its triangles has an area.",
             Outcome.Misses => PercentHit(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
                 ? Invariant($"They lie beside the picture: aim target at them (it is {camera.Target}), ") +
                     Invariant($"or make fovY greater (it is {camera.FovY:G7} degrees).")

@@ -43,8 +43,8 @@ public sealed class SceneVariation
     /// <param name="folder">The folder where the paths of mesh files start.</param>
     /// <param name="seed">For example a student's name: the same seed gives the same scene.</param>
     /// <param name="newFolder">The folder of the new scene, from which its schema is found.</param>
-    /// <param name="budget">How long the mistakes of the scene are tried; those that are left out are not tried on the new one either. Any time if
-    /// left out.</param>
+    /// <param name="budget">How much is tried to find the scene's mistakes; those that are left out are not tried on the new one either. All are
+    /// tried if it is left out.</param>
     /// <returns>The new text; null if no try succeeds.</returns>
     public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder, SearchBudget? budget = null)
     {

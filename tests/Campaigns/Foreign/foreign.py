@@ -2,7 +2,7 @@
 """Asks "diagnose" about every picture of expected.csv, prints each answer that is wrong and a table, and fails if too many are or
 it fails itself.
 README.md says how an answer is counted. Needs a built raycaster (RAYCASTER, or what "dotnet build -c Release src/RayCaster.Cli" leaves).
-Usage: foreign.py [pictures whose name contains this]"""
+Usage: foreign.py [what the names of the pictures contain…]"""
 import collections, concurrent.futures, csv, json, os, pathlib, statistics, struct, subprocess, sys, tempfile, zlib
 
 here = pathlib.Path(__file__).resolve().parent
@@ -73,9 +73,9 @@ def words(answer):
 
 
 def main():
-    part = sys.argv[1] if len(sys.argv) > 1 else ""
+    parts = sys.argv[1:] or [""]
     with open(here / "expected.csv", newline="") as file:
-        rows = [row for row in csv.DictReader(file) if part in row["picture"]]
+        rows = [row for row in csv.DictReader(file) if any(part in row["picture"] for part in parts)]
     counts, empty, times, failed = collections.defaultdict(list), 0, [], False
     pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
     for row, (answer, time) in zip(rows, pool.map(diagnose, rows)):

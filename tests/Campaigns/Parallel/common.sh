@@ -26,7 +26,7 @@ trap 'exit 1' INT TERM
 need() { # the programs that a script cannot do without
     local program
     for program in "$@"; do
-        PATH=$PATH:/usr/sbin command -v "$program" >/dev/null || { echo "skipped: $program is missing"; exit 0; }
+        PATH=$PATH:/usr/sbin command -v "$program" >/dev/null || { echo "$program is missing"; exit 77; }
     done
 }
 

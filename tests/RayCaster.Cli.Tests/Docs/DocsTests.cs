@@ -33,30 +33,6 @@ public class DocsTests
     public void TheReadmeShowsTheFirstSceneInFull() => Assert.Contains($"```json\n{Read("scenes/first.json")}```", Read("README.md"));
 
     [Fact]
-    public void TheReadmesErrorIsTheOneThatIsPrinted()
-    {
-        using var raycaster = new RayCasterProcess();
-        Directory.CreateDirectory(raycaster.PathOf("scenes"));
-        raycaster.Write("scenes/first.json", Read("scenes/first.json").Replace("\"radius\"", "\"raduis\"")).Run("scenes/first.json");
-        Assert.Contains($"-- scenes/first.json\n{raycaster.Error}```", Read("README.md"));
-    }
-
-    [Fact]
-    public void WhatTheReadmeShowsOfAWrongPictureIsPrinted()
-    {
-        using var raycaster = new RayCasterProcess();
-        Directory.CreateDirectory(raycaster.PathOf("scenes"));
-        raycaster.Write("scenes/room.json", Read("scenes/room.json")).Run("scenes/room.json");
-        var session = Regex.Match(Read("README.md"), @"```\n(\$ [^\n]+ -- wrong .*?)```", RegexOptions.Singleline).Groups[1].Value;
-        foreach (var part in session.Split("$ dotnet run --project src/RayCaster.Cli -- ", StringSplitOptions.RemoveEmptyEntries))
-        {
-            var lines = part.Split('\n', StringSplitOptions.RemoveEmptyEntries);
-            var printed = raycaster.Run(lines[0].Split(' ')).OutputText.ReplaceLineEndings("\n").Split('\n');
-            foreach (var line in lines.Skip(1).Where(line => line != "...")) Assert.Contains(line, printed);
-        }
-    }
-
-    [Fact]
     public void TheExplanationOfTheDocumentIsTheOneThatIsPrinted()
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/first.json")).Scene!;

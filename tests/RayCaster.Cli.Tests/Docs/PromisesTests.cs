@@ -9,8 +9,9 @@ public class PromisesTests
 {
     [Theory]
     [InlineData("67,108,864", SceneReader.MaxBytes)]
-    [InlineData("1,048,576", 1 << 20)]
     [InlineData("268,435,456", MeshFile.MaxBytesAtOnce)]
+    [InlineData("| threads | 1024,", Option.MaxThreads)]
+    [InlineData("at most 4 per core are started", Option.MaxThreadsPerCore)]
     [InlineData("1000 are kept", SceneReading.MaxProblems)]
     [InlineData("20 are printed", SceneReading.Printed)]
     [InlineData("a scene file of n bytes | 4 MiB + 75 n", MemoryLimit.BytesOfScene)]
@@ -20,20 +21,28 @@ public class PromisesTests
     public void TheLimitsAreThoseOfTheCode(string written, int limit)
     {
         Assert.Contains(written, Read("docs/limits.md"));
-        Assert.Contains($"{limit}", Regex.Replace(written, @",|MiB|\b4 ", ""));
+        Assert.Contains($"{limit}", Regex.Replace(written, @",|\b4 MiB", ""));
     }
+
+    [Theory]
+    [InlineData("1")]
+    [InlineData("1024")]
+    public void MoreThreadsThanAFewPerCoreAreNotStarted(string asked) => Assert.Equal(
+        Math.Min(int.Parse(asked), 4 * Environment.ProcessorCount), CommandLine.Parse("draw", [Option.Threads], ["-t", asked]).Get(Option.Threads));
 
     [Fact]
     public void FilesAreWrittenInOnePlace() =>
         NowhereBut(
-            ["WrittenFiles.cs", "HandOutFolder.cs", "CarriedTool.cs", "ClassMarks.cs", "PrivateFile.cs", "Browser.cs",
+            ["RayCaster.Files/WrittenFiles.cs", "RayCaster.Cli/HandOut/HandOutFolder.cs", "RayCaster.Cli/HandOut/CarriedTool.cs",
+                "RayCaster.Marks/ClassMarks.cs", "RayCaster.Live/PrivateFile.cs", "RayCaster.Live/Browser.cs",
                 "RayCaster.Web/Program.cs"], // in a browser, where files are in memory
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)"
             + @"|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 
+    /// <summary>The live page's promises have tests of their own.</summary>
     [Fact]
     public void NoNetworkAndNoOtherProgram() =>
-        NowhereBut([.. LivePage(), "LiveCommand.cs", "CarriedTool.cs"],
+        NowhereBut(["RayCaster.Live/", "RayCaster.Cli/Commands/LiveCommand.cs", "RayCaster.Cli/HandOut/CarriedTool.cs"],
             @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
 
     [Fact]
@@ -54,16 +63,15 @@ public class PromisesTests
                 Assert.Contains($"`{variable.Groups[1].Value}`", Read("SECURITY.md"));
     }
 
-    /// <summary>The sources of the live page, whose promises have tests of their own.</summary>
-    private static IEnumerable<string> LivePage() =>
-        SourceFiles().Where(path => path.Contains($"{Path.DirectorySeparatorChar}RayCaster.Live{Path.DirectorySeparatorChar}"))
-            .Select(path => Path.GetFileName(path));
-
-    private static void NowhereBut(string[] files, string pattern)
+    /// <param name="places">Where the pattern may be: files, or folders that end with a slash, below src.</param>
+    private static void NowhereBut(string[] places, string pattern)
     {
         foreach (var path in SourceFiles())
-            if (!files.Any(file => path.Replace('\\', '/').EndsWith($"/{file}", StringComparison.Ordinal)))
+        {
+            var place = Path.GetRelativePath(ProjectFolder.PathOf("src"), path).Replace('\\', '/');
+            if (!places.Any(allowed => place == allowed || (allowed.EndsWith('/') && place.StartsWith(allowed))))
                 Assert.Equal((path, ""), (path, Regex.Match(File.ReadAllText(path), pattern).Value));
+        }
     }
 
     private static IEnumerable<string> SourceFiles(string folder = "src") =>

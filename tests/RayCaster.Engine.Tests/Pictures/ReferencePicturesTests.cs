@@ -15,6 +15,6 @@ public class ReferencePicturesTests
     public void EveryReferenceNoticesHalfAPixel(string name)
     {
         var picture = Renderer.Render(Reference.HalfAPixelAway(Reference.SceneOf(name)));
-        Assert.False(new ReferenceComparison(Reference.Read(Reference.Folder, name), picture).IsEqual);
+        Assert.False(new ReferenceComparison(Reference.Of(name), picture).IsEqual);
     }
 }

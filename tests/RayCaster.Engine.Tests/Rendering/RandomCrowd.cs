@@ -7,7 +7,7 @@ internal static class RandomCrowd
     /// <param name="distance">How far from the origin of space things of a few units are; any distance up to a thousand if left out.</param>
     /// <param name="least">The least number of models. With 65, they are drawn in batches.</param>
     public static Scene Make(Random random, double? distance = null, int least = 65) =>
-        Testing.Some.SceneThatShows(random, random => MakeAny(random, distance, least));
+        Some.SceneThatShows(random, random => MakeAny(random, distance, least));
 
     private static Scene MakeAny(Random random, double? distance, int least)
     {
@@ -63,8 +63,7 @@ internal static class RandomCrowd
                 clip: (ClipMode)random.Next(2), sample: isAligned ? PixelSample.Corner : (PixelSample)random.Next(2)),
             models, new Color(0.1, 0.2, 0.3));
 
-        double Number(double range) => range * (2 * random.NextDouble() - 1);
-        Vector3 Point(double range) => new(Number(range), Number(range), Number(range));
+        Vector3 Point(double range) => Some.Point(random, range);
         Vector3 Normal() => Point(1) + new Vector3(0, 0, 0.01);
         Vector3 In(Model model, double share) => model.Bounds is { } box ? box.Min + share * (box.Max - box.Min) : unit * offset;
         Model Sphere(Vector3 center, double r) => Model.Of(new Sphere(unit * center, unit * r));

@@ -44,7 +44,7 @@ public class RendererTests
     {
         var empty = 0;
         for (var i = 0; i < count; i++)
-            if (AssertEqual(make(new Random(seed * 1_000_000 + i)), $"scene {i} of seed {seed}") < 2) empty++;
+            if (AssertEqual(make(Some.Chance(seed * 1_000_000 + i)), $"scene {i} of row {seed}, RAYCASTER_SEED={Campaign.Seed}") < 2) empty++;
         Assert.True(empty <= 0.3 * count, $"{empty} of {count} scenes show less than two models: they test little");
     }
 
@@ -78,6 +78,22 @@ public class RendererTests
         new Renderer(scene).Draw(.., part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, bytes.ToArray());
         Assert.Equal(height, lines);
+    }
+
+    /// <summary>So wide that a row of tiles is drawn in halves, and with triangles that are smaller than a pixel.</summary>
+    [Fact(Explicit = true)]
+    public void AVeryWidePictureOfAMeshIsRightInAllItsBands()
+    {
+        var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/mesh.json")).Scene!.WithSize(90_000, 70);
+        var middle = (90_000 - 24) / 2; // where the mesh is
+        var bytes = new List<byte>();
+        new Renderer(scene).Draw(.., part => bytes.AddRange(part));
+        for (var y = 0; y < 70; y++)
+            for (var x = middle; x < middle + 24; x++)
+            {
+                var at = 3 * (y * 90_000 + x);
+                Assert.Equal(ScalarRenderer.Pixel(scene, x, y), (bytes[at], bytes[at + 1], bytes[at + 2]));
+            }
     }
 
     [Theory]
@@ -117,23 +133,22 @@ public class RendererTests
     public void ManyModelsComeOutToTheBit(int seed)
     {
         var random = new Random(seed);
-        double Next(double range) => range * (2 * random.NextDouble() - 1);
         var models = new List<Model>();
         while (models.Count < 600)
         {
-            var (place, size) = (new Vector3(Next(4), Next(4), Next(4)), random.Next(40) == 0 ? 3 : 0.05 + 0.3 * random.NextDouble());
+            var (place, size) = (Some.Point(random, 4), random.Next(40) == 0 ? 3 : 0.05 + 0.3 * random.NextDouble());
             var corner = new Vector3(size, size / 2, size);
             models.Add(random.Next(4) switch
             {
                 0 => Model.Of(new Aabb(place - corner, place + corner)),
-                1 => Model.Of(new Circle(place, new(Next(1), Next(1), 0.1), size)),
-                2 => Model.Of(new Triangle(place, place + corner, place + new Vector3(-size, size, Next(1)))),
+                1 => Model.Of(new Circle(place, new(Some.Number(random, 1), Some.Number(random, 1), 0.1), size)),
+                2 => Model.Of(new Triangle(place, place + corner, place + new Vector3(-size, size, Some.Number(random, 1)))),
                 _ => Model.Of(new Sphere(place, size)),
             });
             if (random.Next(10) == 0) models.Add(Model.Of(new Sphere(place, size))); // ties, and behind each other in the file
         }
         models.Insert(random.Next(models.Count), Model.Of(new Plane(new(0, 0, -4), new(0, 0, 1))));
-        var position = new Vector3(Next(9), Next(9), Next(9));
+        var position = Some.Point(random, 9);
         var camera = new Camera(position, new(0.1, 0, 0), width: 100, height: 83, sample: (PixelSample)(seed % 2));
         AssertEqual(new Scene(camera, models), $"seed {seed}");
     }
@@ -162,12 +177,11 @@ public class RendererTests
         var random = new Random(spheres);
         for (var i = 0; i < 4; i++)
         {
-            double Next(double range) => range * (2 * random.NextDouble() - 1);
             var models = new List<Model>();
             while (models.Count < spheres)
-                models.Add(Model.Of(new Sphere(new(Next(0.015), Next(0.015), Next(0.015)), 0.0002 + 0.001 * random.NextDouble())));
-            var (position, target) = (new Vector3(Next(2), Next(2), 9 + Next(1)), Vector3.Zero);
-            var up = (position - target).Normalized + 3e-12 * new Vector3(Next(1), Next(1), Next(1));
+                models.Add(Model.Of(new Sphere(Some.Point(random, 0.015), 0.0002 + 0.001 * random.NextDouble())));
+            var (position, target) = (new Vector3(Some.Number(random, 2), Some.Number(random, 2), 9 + Some.Number(random, 1)), Vector3.Zero);
+            var up = (position - target).Normalized + 3e-12 * Some.Point(random, 1);
             var camera = new Camera(position, target, up: up, fovY: 0.2, width: 150, height: 150);
             if (camera.ValidationError is null) AssertEqual(new Scene(camera, models), $"picture {i}");
         }
@@ -235,17 +249,6 @@ public class RendererTests
         var camera = new Camera(new(5, 0, 0), Vector3.Zero, width: 600, height: 600);
         var error = Assert.Throws<InvalidOperationException>(() => new Renderer(new(camera, [faulty]), threads).Draw(.., _ => { }));
         Assert.Contains(nameof(Watched), error.StackTrace);
-    }
-
-    [Fact]
-    public void ScalarShapesShareARayInEachPixelNearThem()
-    {
-        Watched left = new(Model.Of(new Sphere(new(0, -1, 0), 1))), right = new(Model.Of(new Sphere(new(0, -1.5, 0), 1)));
-        var camera = new Camera(new(15, 0, 0), Vector3.Zero, width: 400, height: 400);
-        var scene = new Scene(camera, [left, right]);
-        new Renderer(scene, threads: 1).Draw(.., _ => { });
-        Assert.InRange(left.Rays.Count, 1, 400 * 400 / 4);
-        Assert.Contains(left.Rays, right.Rays.Contains);
     }
 
     /// <summary>A scalar shape that keeps the rays that it was intersected with.</summary>

@@ -6,7 +6,7 @@ internal sealed class SpecialRays(int seed)
     private static readonly double[] Numbers =
         [0, -0.0, 1, -1, 0.5, 2, -5, 1e-300, -1e-300, 1e-30, 1e30, -1e40, double.Epsilon, 1 + 1e-15, 1 - 1e-16, 0.1, Math.PI];
 
-    private readonly Random random = new(seed);
+    private readonly Random random = Some.Chance(seed);
 
     public double Number() => random.Next(4) switch
     {

@@ -29,16 +29,6 @@ public class TileTests
         Assert.NotEqual(0, lostWithoutMargin);
     }
 
-    /// <summary>Each thread has four strips or more, so that it has work nearly until the end.</summary>
-    [Theory]
-    [InlineData(500, 500, 1, 512)]
-    [InlineData(500, 500, 2, 512)]
-    [InlineData(500, 500, 8, 128)]
-    [InlineData(500, 500, 64, 64)]
-    [InlineData(1920, 1080, 8, 512)]
-    public void SmallPicturesAreCutIntoNarrowerStripsForManyThreads(int width, int height, int threads, int expected) =>
-        Assert.Equal(expected, Tile.StripWidth(width, Tile.TilesOf(height), threads));
-
     private static PixelRect InACrowd(Aabb box, Camera camera)
     {
         var bounds = new ScreenBounds(camera);

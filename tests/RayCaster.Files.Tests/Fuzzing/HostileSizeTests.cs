@@ -41,7 +41,7 @@ public sealed class HostileSizeTests : IDisposable
     {
         var bomb = new MemoryStream();
         using (var zlib = new ZLibStream(bomb, CompressionLevel.SmallestSize, leaveOpen: true))
-            for (var i = 0; i < 256; i++) zlib.Write(new byte[1 << 20]);
+            for (var i = 0; i < 20; i++) zlib.Write(new byte[1 << 20]);
         var file = Png(Header(1, 1, 8, 2), Chunk("IDAT", bomb.ToArray()), Chunk("IEND"));
         Assert.Equal("it holds more data than its pixels need",
             Frugally(() => Assert.Throws<ProblemException>(() => PictureFile.Read(new MemoryStream(file))).Message));
@@ -99,6 +99,24 @@ public sealed class HostileSizeTests : IDisposable
         for (var i = 0; i < 1500; i++) text.Append("{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1, \"color\": [255, 0, 0] },");
         var reading = SceneReader.Parse(Encoding.ASCII.GetBytes(text.Append("] }").ToString()), "x", ".");
         Assert.Equal((1500, 1000), (reading.Scene!.Models.Count, reading.Problems.Count));
+    }
+
+    [Fact(Explicit = true)]
+    public void AnEndlessMeshIsReadUpToTheLimit()
+    {
+        Assert.SkipWhen(!File.Exists("/dev/zero"), "no /dev/zero here");
+        File.CreateSymbolicLink(folder["a.obj"], "/dev/zero");
+        Assert.Equal($"{folder["a.obj"]}: the pipe or device has more than 268,435,456 bytes, which is the limit; a file may have any size",
+            Assert.Throws<ProblemException>(() => MeshFile.Read(folder["a.obj"])).Message);
+    }
+
+    [Fact(Explicit = true)]
+    public void ALineOfAGigabyteIsRefused()
+    {
+        var path = folder.Write("a.obj", "v 1 2 ".PadRight(100)); // text at first: a file of zeros is called no text
+        using (var file = new FileStream(path, FileMode.Open)) file.SetLength(1 << 30);
+        Assert.Equal($"{path}(byte 0): a line or row begins here that has more than 268,435,456 bytes, which is the limit",
+            Assert.Throws<ProblemException>(() => MeshFile.Read(path)).Message);
     }
 
     private string Sparse(string name, long length, string start = "")

@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.Meshes;
 
-/// <summary>The files in scenes/meshes. <c>dotnet run --project tests/Generator</c> writes them again.</summary>
+/// <summary>The files in scenes/meshes. <c>dotnet run --project tests/Tools/Generator</c> writes them again.</summary>
 public class CommittedMeshesTests
 {
     public static TheoryData<string> Names => ["cube.stl", "icosphere.obj", "knot.ply"];
@@ -12,7 +12,8 @@ public class CommittedMeshesTests
         var path = PathOf(name);
         var made = Make(name);
         Assert.True(
-            made.AsSpan().SequenceEqual(File.ReadAllBytes(path)), $"{path} is out of date; dotnet run --project tests/Generator writes it anew");
+            made.AsSpan().SequenceEqual(File.ReadAllBytes(path)),
+            $"{path} is out of date; dotnet run --project tests/Tools/Generator writes it anew");
     }
 
     [Theory]

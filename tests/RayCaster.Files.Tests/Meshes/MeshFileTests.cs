@@ -21,13 +21,6 @@ public sealed class MeshFileTests : IDisposable
             Assert.Throws<ProblemException>(() => MeshFile.Read("no-folder/box.obj")).Message);
 
     [Fact]
-    public void NearestNameInTheFolderIsProposed()
-    {
-        folder.Write("teapot.obj", "");
-        Assert.EndsWith("; did you mean \"teapot.obj\"?", Assert.Throws<ProblemException>(() => MeshFile.Read(folder["taepot.obj"])).Message);
-    }
-
-    [Fact]
     public void FolderIsNoFile()
     {
         var path = Directory.CreateDirectory(folder["box.obj"]).FullName;

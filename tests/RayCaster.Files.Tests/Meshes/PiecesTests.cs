@@ -81,11 +81,11 @@ public sealed class PiecesTests : IDisposable
 
     public void Dispose() => folder.Dispose();
 
-    /// <summary>Reads a file in pieces of every size, which must give what the whole gives at once: the mesh, or the refusal.</summary>
+    /// <summary>Reads a file in pieces of some sizes, which must give what the whole gives at once: the mesh, or the refusal.</summary>
     internal static MeshData ReadInPieces(string path, byte[] bytes)
     {
         var expected = Outcome(path, bytes, bytes.Length + 1);
-        for (var pieceSize = 1; pieceSize <= bytes.Length; pieceSize += 1 + pieceSize / 64)
+        foreach (var pieceSize in new[] { 1, 2, 3, 7, bytes.Length / 2, bytes.Length - 1 }.Where(size => size > 0))
         {
             var actual = Outcome(path, bytes, pieceSize);
             Assert.Equal((pieceSize, expected.Message), (pieceSize, actual.Message));

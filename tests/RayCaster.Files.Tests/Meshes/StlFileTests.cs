@@ -49,26 +49,6 @@ public class StlFileTests
     public void FacetOfMoreThanThreeVerticesBecomesAFan() =>
         Assert.Equal([0, 1, 2, 0, 2, 3], Read("solid\n" + facet.Replace("endloop", "vertex 1 1 1\nendloop") + "endsolid\n").Indices);
 
-    [Theory]
-    [InlineData("", "(1): an ascii STL file must begin with 'solid', but this one begins with the end of the file")]
-    [InlineData("\n\nvertex 1 2 3", "(3): an ascii STL file must begin with 'solid', but this one begins with 'vertex'")]
-    [InlineData("solid a\n" + facet, "(8): expected 'facet' or 'endsolid', found the end of the file")]
-    [InlineData("solid a\n" + facet + "endsolid a\nfacet", "(10): expected 'solid', found 'facet'")]
-    [InlineData("solid a\nfacet\nnormals", "(3): expected 'normal', found 'normals'")]
-    [InlineData("solid a\nfacet normal 0 0\nouter loop", "(3): expected 'outer', found 'loop'")]
-    [InlineData("solid a\nfacet normal 0 0 1 outer\nvertex", "(3): expected 'loop', found 'vertex'")]
-    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 1 2 x", "(5): the vertex's z must be a finite number, but is 'x'")]
-    [InlineData(
-        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex inf 2 3", "(5): the vertex's x must be a finite number, but is 'inf'")]
-    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2\nvertex 1 2 3", "(4): the vertex's z is missing")]
-    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2", "(4): the vertex's z is missing")]
-    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 1 2 3\nendloop",
-        "(6): a facet needs at least three vertices, but this one has 2")]
-    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertices", "(5): expected 'vertex' or 'endloop', found 'vertices'")]
-    [InlineData("solid a\nendsolid a\n", ": the file has no face; a mesh needs at least one")]
-    public void MistakeIsNamedWithItsLine(string text, string message) =>
-        Assert.Equal("box.stl" + message, Assert.Throws<ProblemException>(() => Read(text)).Message);
-
     [Fact]
     public void BinaryFileWhoseSizeIsNotWhatItsHeaderPromisesIsRefused()
     {

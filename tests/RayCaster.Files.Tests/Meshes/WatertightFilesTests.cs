@@ -28,15 +28,11 @@ public class WatertightFilesTests(ITestOutputHelper output)
         ["flattened to a millionth"] = new(new(1, 1, 1e-6), new(10, 20, 30), new(1, 2, 3)),
     };
 
+    /// <summary>The formats that round; all read what was written (<see cref="FormatsTests"/>).</summary>
     private static readonly Dictionary<string, Func<MeshData, MeshData>> formats = new()
     {
-        ["obj"] = data => MeshBytes.Read("a.obj", MeshWriter.Obj(data)),
         ["obj of six places"] = data => MeshBytes.Read("a.obj", MeshWriter.Obj(data, "F6")),
-        ["ascii ply"] = data => MeshBytes.Read("a.ply", MeshWriter.PlyAscii(data)),
-        ["big-endian ply"] = data => MeshBytes.Read("a.ply", MeshWriter.PlyBinary(data, bigEndian: true)),
         ["ply of floats"] = data => MeshBytes.Read("a.ply", MeshWriter.PlyFloat(data)),
-        ["ascii stl"] = data => MeshBytes.Read("a.stl", MeshWriter.StlAscii(data)),
-        ["binary stl"] = data => MeshBytes.Read("a.stl", MeshWriter.StlBinary(data)),
     };
 
     public static TheoryData<string> Formats => [.. formats.Keys];

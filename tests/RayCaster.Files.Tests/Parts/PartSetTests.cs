@@ -78,6 +78,18 @@ public sealed class PartSetTests : IDisposable
         Assert.Matches("^cannot read .*: its chunk IDAT at byte [0-9]+ is damaged: the checksum is wrong$", message);
     }
 
+    [Fact]
+    public void WhatCannotBeReadHoldsNoLines()
+    {
+        var damaged = Part("b", 5, 9);
+        var bytes = File.ReadAllBytes(damaged);
+        bytes[^20] ^= 1;
+        folder.Write("b", bytes);
+        var set = new PartSet([Part("a", 0, 3), damaged, folder.Write("c", "no picture"u8)], whole: true);
+        Assert.Equal(["4..9"], set.Missing.Select(lines => lines.ToString()));
+        Assert.Equal([$"cannot read {damaged}", $"cannot read {folder["c"]}"], set.Unreadable.Select(reason => reason.Split(": ")[0]));
+    }
+
     /// <summary>Lines whose bytes are their numbers.</summary>
     private string Part(string name, int first, int last, Func<PartFacts, PartFacts>? change = null)
     {

@@ -34,16 +34,16 @@ public class BrokenPictureTests
     [Theory]
     [InlineData("grey-1.netpbm.png")]
     [InlineData("palette-2.imagemagick-adam7.png")]
+    [InlineData("rgb-8.netpbm-paeth.png", Explicit = true)]
     public void AFlippedByteOfAPngIsNoticed(string name)
     {
-        using var folder = new TemporaryFolder();
         var file = TestData.Bytes(name);
         for (var i = 0; i < file.Length; i++)
         {
             foreach (var flip in new byte[] { 0xFF, 0x01, 0x20, 0x80 })
             {
                 file[i] ^= flip;
-                Assert.NotEmpty(WordsOn(folder.Write("mine", file)));
+                Assert.NotEmpty(WordsOn(file));
                 file[i] ^= flip;
             }
         }
@@ -53,33 +53,6 @@ public class BrokenPictureTests
     {
         { [], "the file is empty" },
         { [0xFF, 0xD8, 0xFF], "it is a JPEG, whose colours are not exact; PNG, PBM, PGM and PPM can be read" },
-        { "GIF89a"u8.ToArray(), "it is a GIF; PNG, PBM, PGM and PPM can be read" },
-        { "hello\n"u8.ToArray(), @"it begins with 'hello\x0A', which is no known picture format; PNG, PBM, PGM and PPM can be read" },
-        { "P7\nWIDTH 1"u8.ToArray(), "it is a PAM (P7); PNG, PBM, PGM and PPM can be read" },
-        { "P"u8.ToArray(), "it begins with 'P', which is no known picture format; PNG, PBM, PGM and PPM can be read" },
-        { "P6 x"u8.ToArray(), "line 1: the width is 'x', but must be a whole number from 1 to 2147483647" },
-        { "P6 0 1 255 "u8.ToArray(), "line 1: the width is '0', but must be a whole number from 1 to 2147483647" },
-        { "P6 1 1 0 abc"u8.ToArray(), "line 1: maxval is '0', but must be a whole number from 1 to 65535" },
-        { "P6 1 1 65536 abcdef"u8.ToArray(), "line 1: maxval is '65536', but must be a whole number from 1 to 65535" },
-        { "P6 1 1 255,abc"u8.ToArray(), "line 1: maxval is '255,abc', but must be a whole number from 1 to 65535" },
-        { "P6 1 1 255 ab"u8.ToArray(), "the file is cut short: 1 × 1 pixels need 3 bytes after the header, but there are 2" },
-        { "P3 1 1 255 0 256 0"u8.ToArray(), "line 1: '256' is no value from 0 to 255 (limit colours to 0 … 1 before they become bytes)" },
-        { "P3 1 1 255 0 -1 0"u8.ToArray(), "line 1: '-1' is no value from 0 to 255 (limit colours to 0 … 1 before they become bytes)" },
-        { "P5 1 1 7 \x08"u8.ToArray(), "the value 8 at byte 9 is greater than maxval, which is 7" },
-        { "P1 2 1 12"u8.ToArray(), "line 1: '2' is no value from 0 to 1 (limit colours to 0 … 1 before they become bytes)" },
-        { "P6 99999999999 1 255 "u8.ToArray(), "line 1: the width is '99999999999', but must be a whole number from 1 to 2147483647" },
-        {
-            "P6 2147483647 2147483647 255 "u8.ToArray(),
-            "a picture of 2,147,483,647 × 2,147,483,647 pixels needs 13,835,058,042,397,261,827 bytes, the limit is 2,147,483,591"
-        },
-        {
-            "P6 26000 26000 255 "u8.ToArray(),
-            "the file is cut short: 26,000 × 26,000 pixels need 2,028,000,000 bytes after the header, but there are 0"
-        },
-        {
-            "P1 26000 26000 0"u8.ToArray(),
-            "the file is cut short: 26,000 × 26,000 pixels need at least 676,000,000 bytes after the header, but there are 2"
-        },
         {
             [0x89, (byte)'P', (byte)'N', (byte)'G', (byte)'\n'],
             "it begins like a PNG, but its first eight bytes are damaged; was it written or transferred as text? Open the file in binary mode"
@@ -137,6 +110,16 @@ public class BrokenPictureTests
         var before = GC.GetAllocatedBytesForCurrentThread();
         Assert.Equal(message, Refused(file).Message);
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 1_000_000);
+    }
+
+    public static TheoryData<string> BrokenTextFiles => BrokenTexts.Rows("Pictures.txt");
+
+    [Theory]
+    [MemberData(nameof(BrokenTextFiles))]
+    public void TheMessageSaysWhatIsWrongInAText(string row)
+    {
+        var columns = BrokenTexts.Columns("Pictures.txt", row);
+        TheMessageSaysWhatIsWrong(Encoding.Latin1.GetBytes(columns[0]), columns[1]);
     }
 
     [Fact]
@@ -223,10 +206,10 @@ public class BrokenPictureTests
     }
 
     /// <summary>The error or the warnings for a file.</summary>
-    private static List<string> WordsOn(string path)
+    private static List<string> WordsOn(byte[] file)
     {
         var words = new List<string>();
-        if (Record.Exception(() => PictureFile.Read(path, words.Add)) is { } error)
+        if (Record.Exception(() => PngReader.Read(new MemoryStream(file), PictureFile.MaxBytes, words.Add)) is { } error)
             words.Add(Assert.IsType<ProblemException>(error).Message);
         return words;
     }

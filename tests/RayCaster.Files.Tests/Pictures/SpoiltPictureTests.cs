@@ -98,32 +98,6 @@ public sealed class SpoiltPictureTests : IDisposable
         Assert.EndsWith(message, refused);
     }
 
-    [Theory]
-    [InlineData("1 1 255 10 200 -2147483648", "(1): '-2147483648' is no value from 0 to 255 (a NaN that was cast to int becomes this)")]
-    [InlineData("1 1\r\n255\r\n10 20.5 30", "(3): '20.5' is no value from 0 to 255 (round it to a whole number)")]
-    [InlineData("1 1\n255\n10\n20,0 30", "(4): '20,0' is no value from 0 to 255 (round it to a whole number)")]
-    [InlineData("1 1 255\n#\n1 2 1e2", "(3): '1e2' is no value from 0 to 255 (round it to a whole number)")]
-    [InlineData("1 1\r255\r-3 1 1", "(3): '-3' is no value from 0 to 255 (limit colours to 0 … 1 before they become bytes)")]
-    [InlineData("1 1 255 1 1 256", "(1): '256' is no value from 0 to 255 (limit colours to 0 … 1 before they become bytes)")]
-    [InlineData("1 1 255 -nan 0 0", "(1): '-nan' is no value from 0 to 255 (not a number: 0 divided by 0, or the root of a negative number)")]
-    [InlineData("1 1 255 1 -1.#IND 0", "(1): '-1.#IND' is no value from 0 to 255 (not a number: 0 divided by 0, or the root of a negative number)")]
-    [InlineData("1 1 255 1 1.#INF 0", "(1): '1.#INF' is no value from 0 to 255 (something was divided by 0)")]
-    [InlineData("1 1 255 1 two 0", "(1): 'two' is no value from 0 to 255")]
-    [InlineData("1 1 255 1 12x 0", "(1): '12x' is no value from 0 to 255")]
-    [InlineData("\n-858993460 2 255",
-        "(2): the width is '-858993460', but must be a whole number from 1 to 2147483647 (a variable that was never set has this value)")]
-    [InlineData("\n2 1.5 255", "(2): the height is '1.5', but must be a whole number from 1 to 2147483647 (round it to a whole number)")]
-    [InlineData("2 1\n0.5\n", "(2): maxval is '0.5', but must be a whole number from 1 to 65535 (round it to a whole number)")]
-    public void TheMessageNamesTheLineAndTheWord(string text, string message) =>
-        Assert.Equal($"cannot read {folder["mine.ppm"]}{message}", Refused("P3 "u8, Encoding.ASCII.GetBytes(text)));
-
-    [Theory]
-    [InlineData("P3 1 2 255 1 2 3 4 1 2 3 4",
-        "2 values more than its header promises: it has four values a pixel; a pixel of P3 has red, green and blue, no alpha")]
-    [InlineData("P2 1 2 255 1 2 3 1 2 3", "4 values more than its header promises: P2 is grey, one value a pixel; the header for colours is P3")]
-    public void ValuesThatAreTooManyAreExplained(string text, string message) =>
-        Assert.Equal($"cannot read {folder["mine.ppm"]}: the file has {message}", Refused(Encoding.ASCII.GetBytes(text), []));
-
     [Fact]
     public void OneValueTooManyIsAWarning()
     {
@@ -172,13 +146,6 @@ public sealed class SpoiltPictureTests : IDisposable
     [MemberData(nameof(OtherKinds))]
     public void AnotherKindOfFileIsNamed(byte[] bytes, string kind) =>
         Assert.Equal($"cannot read {folder["mine.ppm"]}: {kind}; PNG, PBM, PGM and PPM can be read", Refused(bytes, []));
-
-    [Theory]
-    [InlineData("\nP3\n1 1 255 1 2 3")]
-    [InlineData("p3\n1 1 255 1 2 3")]
-    public void WhatStandsBeforeTheHeaderIsNamed(string text) =>
-        Assert.Equal($"cannot read {folder["mine.ppm"]}: nothing may stand before P3, which is a capital letter",
-            Refused(Encoding.ASCII.GetBytes(text), []));
 
     private static byte[] InTextMode(byte[] bytes) => [.. bytes.SelectMany(value => value == 10 ? (byte[])[13, 10] : [value])];
 

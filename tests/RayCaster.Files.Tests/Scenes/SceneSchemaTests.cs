@@ -20,7 +20,7 @@ public class SceneSchemaTests
     {
         var schema = SceneSchema.Write();
         Assert.True(File.Exists(SceneSchema.File) && File.ReadAllText(SceneSchema.File).ReplaceLineEndings("\n") == schema,
-            $"{SceneSchema.File} is not what the reader says; dotnet run --project tests/Generator writes it anew");
+            $"{SceneSchema.File} is not what the reader says; dotnet run --project tests/Tools/Generator writes it anew");
     }
 
     [Theory]

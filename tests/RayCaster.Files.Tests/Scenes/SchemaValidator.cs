@@ -4,6 +4,7 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Files.Tests.Scenes;
 
 /// <summary>Checks a JSON value against a JSON Schema; knows only the keywords that our schema uses and refuses others.</summary>
+/// <remarks>JsonSchema.Net reads numbers as decimals: it takes 1e-200 for 0 and fails on 1e40, and our limits are ±1e100.</remarks>
 internal sealed class SchemaValidator(string schema)
 {
     public static readonly JsonDocumentOptions Lenient = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };

@@ -46,22 +46,6 @@ public sealed class WrittenFilesTests : IDisposable
     public void AnErrorOfTheWriterStaysWhatItIs() => Assert.Throws<ArgumentOutOfRangeException>(
         () => WrittenFiles.Write(folder["room.png"], _ => throw new ArgumentOutOfRangeException("width")));
 
-    [Fact]
-    public void APictureIsWrittenAndReadByItsName()
-    {
-        var picture = new Picture(2, 1);
-        picture[1, 0] = (1, 2, 3);
-        PictureFile.Write(folder["room.png"], picture);
-        Assert.Equal([0, 0, 0, 1, 2, 3], PictureFile.Read(folder["room.png"]).Rgb);
-    }
-
-    [Fact]
-    public void AFolderIsNotReplaced()
-    {
-        Directory.CreateDirectory(folder["room.png"]);
-        Refused(folder["room.png"], $"cannot write {folder["room.png"]}: it is a folder; name a file in it");
-    }
-
     [Theory(Skip = "needs special rights there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     [InlineData("real/precious", "real/precious")]
     [InlineData("real/precious", "real/new")] // the link leads nowhere: what it names is made
@@ -231,13 +215,6 @@ public sealed class WrittenFilesTests : IDisposable
         var name = string.Concat(Enumerable.Repeat(letter, (bytes - 4) / System.Text.Encoding.UTF8.GetByteCount(letter))) + ".png";
         Write(name);
         Assert.Equal([name], folder.Names);
-    }
-
-    [Fact]
-    public void AFolderThatIsNotThereIsNotMade()
-    {
-        var path = folder["a/room.png"];
-        Refused(path, $"cannot write {path}: its folder does not exist\n  make the folder {folder["a"]} first", left: []);
     }
 
     [Fact]

@@ -41,7 +41,7 @@ public class ConfusionTests(ITestOutputHelper output)
 
     /// <summary>The table of src/RayCaster.Teaching/Diagnoses/README.md.</summary>
     [Fact(Explicit = true)]
-    [Trait("when", "weekly")]
+    [Trait("runs", "weekly")]
     public void TheWholeTableIsThatOfThePage()
     {
         string[] made = [.. SceneFolder.Files("scenes/mistakes").Select(SceneFolder.NameOf)];

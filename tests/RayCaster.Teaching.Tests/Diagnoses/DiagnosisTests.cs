@@ -100,7 +100,7 @@ public class DiagnosisTests
     public void AModelThatIsMissingIsNamed(string name)
     {
         var without = scene with { Models = [.. scene.Models.Where(model => model.Name != name)] };
-        Assert.Equal($"`{name}`", Diagnosis.Of(scene, ScalarRenderer.Render(without), new(TimeSpan.Zero)).MissingModel); // told without a search
+        Assert.Equal($"`{name}`", Diagnosis.Of(scene, ScalarRenderer.Render(without), new(0)).MissingModel); // told without a search
     }
 
     [Fact]

@@ -174,7 +174,7 @@ public class PixelExplanationTests
         Assert.Throws<ArgumentOutOfRangeException>(() => new PixelExplanation(Scene([]), 0, -1));
     }
 
-    /// <summary>An explanation as people read it; <c>dotnet run --project tests/Generator</c> writes it again.</summary>
+    /// <summary>An explanation as people read it; <c>dotnet run --project tests/Tools/Generator</c> writes it again.</summary>
     internal static string TextFile => ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Explanations/room.txt");
 
     internal static string Text() =>

@@ -15,7 +15,7 @@ public class UnseenSlipsTests
     public static IEnumerable<TheoryDataRow<int, string>> Rows => UnseenSlips.All.Select((slip, i) => new TheoryDataRow<int, string>(i, slip.What));
 
     [Theory(Explicit = true)]
-    [Trait("when", "weekly")]
+    [Trait("runs", "weekly")]
     [MemberData(nameof(Rows))]
     public void ASlipIsNamedInItsStepOrNotAtAll(int place, string what)
     {

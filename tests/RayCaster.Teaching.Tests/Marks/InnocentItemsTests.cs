@@ -38,7 +38,7 @@ public class InnocentItemsTests
     };
 
     [Fact(Explicit = true)]
-    [Trait("when", "weekly")]
+    [Trait("runs", "weekly")]
     public void AtMostOneOfAHundredItemsIsBlamedInnocently()
     {
         var planted = slips.Select(slip => (What: slip.New, slip.Items, Mistake: PlantedMistake.Of(new SourceEdit(slip.File, slip.Old, slip.New))))

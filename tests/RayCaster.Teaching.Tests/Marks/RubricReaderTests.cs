@@ -38,7 +38,7 @@ public sealed class RubricReaderTests : IDisposable
     {
         var (file, schema) = (RubricSchema.File, RubricSchema.Write());
         Assert.True(File.Exists(file) && File.ReadAllText(file).ReplaceLineEndings("\n") == schema,
-            $"{file} is not what the reader says; dotnet run --project tests/Generator writes it anew");
+            $"{file} is not what the reader says; dotnet run --project tests/Tools/Generator writes it anew");
     }
 
     [Theory]

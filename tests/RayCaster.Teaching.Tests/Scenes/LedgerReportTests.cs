@@ -29,6 +29,11 @@ public class LedgerReportTests
     public void NothingOddIsSaidToo() =>
         Assert.EndsWith("Nothing odd: every model shows.\n", Report(View(10, 0)));
 
+    [Fact]
+    public void AMeshOfWhichNothingIsLeftIsNotLookedPast() =>
+        Assert.EndsWith("\nNothing of the mesh is left: none of its triangles has an area.\n",
+            HitLedger.Take(new Scene(View(10, 0), [new Mesh([], [])])).Report());
+
     public static TheoryData<Camera, string> Odd => new()
     {
         { View(-10, -20), "0 of 600 rays hit anything: models[0] (sphere) lies behind the camera." },

@@ -227,19 +227,18 @@ SHAPES = {"plane": plane, "sphere": sphere, "aabb": aabb, "circle": circle, "tri
 
 
 def judge(job):
-    """A file: the line of the table, and its worst cases."""
+    """A file of rays and one of our crossings with them: the line of the table, and its worst cases."""
     path, keep = job
     shape, regime = os.path.basename(path)[:-5].split("-")
     exact, count = SHAPES[shape], NUMBERS[shape]
-    row_bytes = struct.Struct(f"<{count + 2}d")
+    row_bytes = struct.Struct(f"<{count}d")
     errors, worst, wrong = array.array("d"), [], []
     rays = hits = false_hits = false_misses = zeros = 0
     most_off = most_size = most_pixels = 0.0
-    with open(path, "rb") as file:
-        data = file.read()
-    for row in row_bytes.iter_unpack(data):
+    with open(path, "rb") as file, open(path[:-5] + ".crossings", "rb") as crossings:
+        data, answers = file.read(), crossings.read()
+    for row, ours in zip(row_bytes.iter_unpack(data), struct.iter_unpack("<2d", answers), strict=True):
         rays += 1
-        ours = row[count:]
         near, far, reach, miss = exact(row)
         is_hit = not isnan(ours[0]) and not isinf(ours[0])
         if is_hit != (near is not None):

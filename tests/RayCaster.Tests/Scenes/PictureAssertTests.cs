@@ -56,6 +56,8 @@ public sealed class PictureAssertTests : IDisposable
     [InlineData(10, 100, 100, true)] // the left neighbour's colour
     [InlineData(10, 200, 0, true)]   // the right one's
     [InlineData(10, 90, 0, false)]   // neither
+    [InlineData(10, 150, 50, false)] // each channel is between theirs
+    [InlineData(10, 200, 100, false)] // each channel is of one of them
     [InlineData(11, 100, 100, false)] // not on the outline
     public void OnAnOutlineAPixelMayShowEitherNeighbour(int x, byte red, byte green, bool passes)
     {

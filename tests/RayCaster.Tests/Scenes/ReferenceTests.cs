@@ -27,7 +27,7 @@ public class ReferenceTests
     [MemberData(nameof(References))]
     public void OutlinesAreAtMostTwoPixelsInAHundred(string name)
     {
-        var reference = Reference.Read(Reference.Folder, name);
+        var reference = Reference.Of(name);
         var (width, height) = (reference.Picture.Width, reference.Picture.Height);
         Assert.InRange(Enumerable.Range(0, width * height).Count(i => reference.IsOutline(i % width, i / width)), 0, width * height / 50);
     }

@@ -63,7 +63,7 @@ public class InvarianceTests
             (sphere, k) => new(k * sphere.Center, k * sphere.Radius),
             (sphere, X) => Math.Abs((X - sphere.Center).Length - sphere.Radius)),
         ["aabb"] = new Kind<Aabb>(
-            random => Between(Some.GridPoint(random), Some.GridPoint(random)),
+            random => Some.Box(Some.GridPoint(random), Some.GridPoint(random)),
             (box, by) => new(box.Min + by, box.Max + by),
             (box, k) => new(k * box.Min, k * box.Max),
             (box, X) => Math.Abs(Outside(box, X))),
@@ -103,9 +103,6 @@ public class InvarianceTests
         var random = new Random(seed);
         for (var i = 0; i < Cases; i++) check(kinds[shape], random);
     }
-
-    private static Aabb Between(Vector3 a, Vector3 b) => new(
-        new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)), new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z)));
 
     /// <summary>How far a point is outside the nearest face; negative inside.</summary>
     private static double Outside(Aabb box, Vector3 X)

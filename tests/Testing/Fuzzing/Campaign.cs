@@ -61,7 +61,7 @@ internal static class Campaign
             var path = Path.Combine(Corpus.Kept, $"{name}-{Seed}-{count}.received{input.Extension}");
             File.WriteAllBytes(path, input.Bytes);
             return new InvalidOperationException(
-                $"{e.GetType().Name}: {e.Message}\nThe input is {path}; " +
+                $"{e.GetType().Name}: {e.Message}\nThe input is {path}, of RAYCASTER_SEED={Seed}; " +
                     $"without \".received\" in its name it is a test for good.\n{e.StackTrace}", e);
         }
     }

@@ -4,9 +4,12 @@ namespace RayCaster.Engine.Tests.Rendering.Meshes;
 public class FineMeshTests
 {
     [Theory]
+    [InlineData(1, Explicit = true)]
     [InlineData(2)]
     [InlineData(3)]
+    [InlineData(4, Explicit = true)]
     [InlineData(5)]
+    [InlineData(6, Explicit = true)]
     public void SmallTrianglesComeOutToTheBit(int seed)
     {
         var random = new Random(seed);
@@ -16,7 +19,7 @@ public class FineMeshTests
         var camera = new Camera(position, new(0.1, 0.2, 0), width: random.Next(150, 400), height: random.Next(150, 300), zNear: seed % 2);
         var scene = new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
         var hits = new Renderer(scene, 2).CastHits();
-        for (var i = 0; i < 150; i++)
+        for (var i = 0; i < 60; i++)
         {
             var (column, row) = (random.Next(camera.Width), random.Next(camera.Height));
             Assert.Equal(ScalarRenderer.Cast(scene, column, row).HitParameter, hits.T[(camera.Height - 1 - row) * camera.Width + column]);
@@ -27,11 +30,11 @@ public class FineMeshTests
     [Fact]
     public void SomeLinesOfAMeshAreThoseOfTheWholePicture()
     {
-        var mesh = MeshGenerator.BumpySphere(6);
+        var mesh = MeshGenerator.BumpySphere(5);
         var scene = new Scene(new(new(3, 2, 1), Vector3.Zero, width: 300, height: 200), [new Mesh(mesh.Vertices, mesh.Indices)]);
         var whole = Renderer.Render(scene).Rgb;
         var random = new Random(1);
-        for (var i = 0; i < 20; i++)
+        for (var i = 0; i < 12; i++)
         {
             var first = random.Next(199);
             var end = random.Next(first, 200) + 1;

@@ -1,98 +1,32 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine.Tests.Rendering.Meshes;
 
-/// <summary>Each margin of the filter is needed: without it pixels of these scenes come out wrong, with it none.</summary>
+/// <summary>Meshes with rays so near to their edges, corners and clip planes that a filter without its margins gets pixels wrong.</summary>
 public class MarginTests
 {
-    [Fact]
-    public void WithoutTheMarginOfCornersRaysThroughEdgesGetTheWrongTriangle() =>
-        AssertNeeded(OnEdges, camera => new(camera) { Margin = 0 });
-
-    [Fact]
-    public void WithoutTheNearBoundOfSureHitsTrianglesHideOthersWhereTheNearPlaneCutsThem() =>
-        AssertNeeded(random => CutBy(2 + 0.03 * random.NextDouble(), 100), camera => new(camera) { MaxSureInverseDepth = float.MaxValue });
-
-    [Fact]
-    public void WithoutTheFarBoundOfSureHitsTrianglesCoverWhereTheFarPlaneCutsThem() =>
-        AssertNeeded(random => CutBy(0.01, 2.02 + 0.04 * random.NextDouble()), camera => new(camera) { MinSureInverseDepth = 0 });
-
-    [Fact]
-    public void WithoutTheLeastWidthNeedlesAreTakenToLieWhereTheyDoNot() =>
-        AssertNeeded(random => Needles(random, thinnest: -6, 1000), camera => new(camera) { MinWidth = 0 });
-
-    [Fact]
-    public void WithoutTheMarginOfRoundingNeedlesAreTakenToLieWhereTheyDoNot() =>
-        AssertNeeded(random => Needles(random, thinnest: -3, 100), camera => new(camera) { Roundings = 0 });
-
-    /// <summary>So flat, across the view, that what floats make of w is off by more than the corners' margin moves it.</summary>
-    [Fact]
-    public void WithoutTheMarginOfRoundingTheWrongOneOfTwoFlatTrianglesIsInFront() =>
-        AssertNeeded(random => Sheets(random, slope: 1e-6, gap: 1e-9), camera => new(camera) { Roundings = 0 });
-
-    /// <summary>Up is so near the view direction that the camera's axes are hardly at right angles, and rays pass beside their pixels.</summary>
-    [Fact]
-    public void WithoutTheMarginOfSkewRaysThroughEdgesGetTheWrongTriangle() =>
-        AssertNeeded(Skewed, camera => new(camera) { Margin = new ScreenSpace(Upright(camera)).Margin });
-
-    [Fact]
-    public void WithoutTheMarginOfCornersGroupsAreMissingInTilesToWhichTheyReach() =>
-        AssertNeeded(UpToATile, camera => new(camera) { Margin = 0 });
-
-    [Fact]
-    public void WithoutTheMarginOfCornersTheWrongOneOfTwoSteepTrianglesIsInFront() =>
-        AssertNeeded(Steep, camera => new(camera) { Margin = 0 });
-
-    /// <summary>A triangle is dropped where the one sample in its box is surely beside it.</summary>
-    [Fact]
-    public void WithoutTheMarginOfCornersTrianglesAreDroppedWhoseSampleTheyCover()
+    private static readonly Dictionary<string, Func<Random, (Camera Camera, MeshData Mesh)>> scenes = new()
     {
-        var (camera, mesh) = OnEdges(new Random(1));
-        var screen = new ScreenSpace(camera);
-        var corners = new MeshCorners<Packet>(screen, mesh.Vertices, mesh.Indices);
-        var missing = 0;
-        for (var i = 0; i < corners.Count; i++)
-        {
-            corners.Project([i, i, i, i, i, i, i, i], out var t);
-            var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
-            var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
-            for (var column = MathF.Floor(left[0]); column <= MathF.Ceiling(right[0]); column++)
-            {
-                for (var row = MathF.Floor(bottom[0]); row <= MathF.Ceiling(top[0]); row++)
-                {
-                    var hit = new Mesh(mesh.Vertices, mesh.Indices[(3 * i)..(3 * i + 3)]).Intersect(camera.RayThrough((int)column, (int)row));
-                    if (hit is null) continue;
-                    bool Passes(float margin) => 0 != TriangleSetUp.IsOutside(
-                        t, Vector256.Create(column), Vector256.Create(row), right - left + (top - bottom), Vector256.Create(margin))[0];
-                    Assert.False(Passes(screen.Margin), $"triangle {i} at {column}, {row}");
-                    if (Passes(0)) missing++;
-                }
-            }
-        }
-        Assert.NotEqual(0, missing);
-    }
+        ["rays through edges"] = OnEdges,
+        ["cut by the near plane"] = random => CutBy(2 + 0.03 * random.NextDouble(), 100),
+        ["cut by the far plane"] = random => CutBy(0.01, 2.02 + 0.04 * random.NextDouble()),
+        ["thinnest needles"] = random => Needles(random, thinnest: -6, 1000),
+        ["thin needles"] = random => Needles(random, thinnest: -3, 100),
+        ["flat sheets"] = random => Sheets(random, slope: 1e-6, gap: 1e-9), // across the view; what floats make of w does not tell them apart
+        ["hardly upright"] = Skewed, // the camera's axes are hardly at right angles, and rays pass beside their pixels
+        ["up to a tile"] = UpToATile,
+        ["steep"] = Steep,
+    };
 
-    [Fact]
-    public void ProjectedCornersAreOffByALargePartOfTheirMargin()
+    public static TheoryData<string> Scenes => [.. scenes.Keys];
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void TheseComeOutToTheBit(string name)
     {
-        var camera = new Camera(new(3, 1, 2), Vector3.Zero, width: 1920, height: 1080);
-        var screen = new ScreenSpace(camera);
-        var random = new Random(1);
-        var vertices = new Vector3[100_000];
-        for (var i = 0; i < vertices.Length; i++) vertices[i] = new(random.NextDouble(), random.NextDouble(), random.NextDouble());
-        var corners = new MeshCorners<Packet>(screen, vertices, [.. Enumerable.Range(0, vertices.Length / 3 * 3)]);
-        var worst = 0.0;
-        for (var i = 0; i < corners.Count; i += 8)
+        for (var seed = 0; seed < 3; seed++)
         {
-            corners.Project([.. Enumerable.Range(i, 8).Select(triangle => Math.Min(triangle, corners.Count - 1))], out var seen);
-            for (var lane = 0; lane < Math.Min(8, corners.Count - i); lane++)
-            {
-                var p = screen.ToCamera(vertices[3 * (i + lane)]);
-                var (x, y, _) = screen.Project<Scalar>(p.X, p.Y, p.Z);
-                worst = Math.Max(worst, Math.Max(Math.Abs(seen.A.X[lane] - x), Math.Abs(seen.A.Y[lane] - y)));
-            }
+            var (camera, mesh) = scenes[name](new Random(seed));
+            RendererTests.AssertEqual(new(camera, [new Mesh(mesh.Vertices, mesh.Indices)]), $"{name}, seed {seed}");
         }
-        Assert.InRange(worst, screen.Margin / 16, screen.Margin);
     }
 
     /// <summary>Small triangles with a side that passes a sample by less than floats can distinguish, on either side of it.</summary>
@@ -218,10 +152,6 @@ public class MarginTests
         }
     }
 
-    /// <summary>The same camera with its axes at right angles.</summary>
-    private static Camera Upright(Camera camera) =>
-        camera.With(up: new(0, 0, 1));
-
     /// <summary>The point of a w that is seen at a place of the picture.</summary>
     private static Vector3 At(Camera camera, double column, double row, double w) => camera.Position + 3 / w
         * (camera.PlaneWidth * (column / camera.Width - 0.5) * camera.U + camera.PlaneHeight * (row / camera.Height - 0.5) * camera.V - camera.W);
@@ -230,49 +160,4 @@ public class MarginTests
     private static (Camera Camera, MeshData Mesh) CutBy(double zNear, double zFar) => (
         new(new(3, 0.013, 0.017), Vector3.Zero, fovY: 12, width: 64, height: 64, zNear: zNear, zFar: zFar),
         MeshGenerator.Icosphere(2));
-
-    private static void AssertNeeded(Func<Random, (Camera Camera, MeshData Mesh)> make, Func<Camera, ScreenSpace> without)
-    {
-        var wrong = 0;
-        for (var seed = 0; seed < 3 && wrong == 0; seed++)
-        {
-            var (camera, mesh) = make(new Random(seed));
-            var scene = new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
-            var definition = new double[camera.Height, camera.Width];
-            for (var row = 0; row < camera.Height; row++)
-                for (var column = 0; column < camera.Width; column++)
-                    definition[row, column] = ScalarRenderer.Cast(scene, column, row).HitParameter;
-            Assert.Equal(0, WrongPixels(scene, definition, new(camera)));
-            wrong += WrongPixels(scene, definition, without(camera));
-        }
-        Assert.NotEqual(0, wrong);
-    }
-
-    private static int WrongPixels(Scene scene, double[,] definition, ScreenSpace screen)
-    {
-        var camera = scene.Camera;
-        object? shared = null;
-        var view = new MeshView<Packet>((Mesh)scene.Models[0], screen, default).ForThread(ref shared);
-        var (span, wrong) = (new RayStream(camera), 0);
-        for (var column = 0; column < camera.Width; column += Tile.MaxSide)
-        {
-            for (var row = 0; row < camera.Height; row += Tile.MaxSide)
-            {
-                var tile = new PixelRect(column, row, Math.Min(Tile.MaxSide, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row));
-                var range = view.Enter(tile, new(0, double.PositiveInfinity));
-                span.Enter<Packet>(column, tile.Width);
-                for (var r = row; r < tile.EndRow; r++)
-                {
-                    span.Aim<Packet>(r);
-                    view.Intersect(span, 0);
-                    for (var i = 0; i < tile.Width; i++)
-                    {
-                        var t = definition[r, column + i];
-                        if (!span.T[i].Equals(t) || t < range.NearestT || t > range.FarthestT) wrong++;
-                    }
-                }
-            }
-        }
-        return wrong;
-    }
 }

@@ -4,7 +4,7 @@ namespace RayCaster.Engine.Tests.Rendering.Meshes;
 /// sizes.</summary>
 internal static class RandomMesh
 {
-    public static Scene Make(Random random) => Testing.Some.SceneThatShows(random, random =>
+    public static Scene Make(Random random) => Some.SceneThatShows(random, random =>
     {
         var (camera, mesh) = MakeParts(random);
         return new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
@@ -18,15 +18,15 @@ internal static class RandomMesh
         {
             0 => mesh.Vertices[random.Next(mesh.Vertices.Length)],
             1 => new(random.Next(-2, 3), random.Next(-2, 3), random.Next(-2, 3)),
-            2 => Point(random, 0.8),
-            _ => Point(random, 6),
+            2 => Some.Point(random, 0.8),
+            _ => Some.Point(random, 6),
         };
         var target = random.Next(4) switch
         {
             0 => position + new Vector3(random.Next(-1, 2), random.Next(-1, 2), 0),
             1 => mesh.Vertices[random.Next(mesh.Vertices.Length)],
             2 => Vector3.Zero,
-            _ => Point(random, 1),
+            _ => Some.Point(random, 1),
         };
         if (!((target - position).Length > 1e-9)) target = position + new Vector3(1, 0, 0);
         var up = Math.Abs((target - position).Normalized.Z) > 0.99 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
@@ -55,19 +55,19 @@ internal static class RandomMesh
             case 1: return MeshGenerator.BumpySphere(random.Next(2, 4), 0.2, 5);
             case 2: return MeshGenerator.Cube(1);
             case 3: return MeshGenerator.TorusKnot(2, 3, 1, 0.4, 0.2, 40, 6);
-            case 4: return Crowd(random, 200, Point);
+            case 4: return Crowd(random, 200, Some.Point);
             // coplanar ones, edge-on ones, duplicates, no area
             case 5: return Crowd(random, 200, (r, _) => new(r.Next(-3, 4), r.Next(-3, 4), r.Next(-3, 4)));
             case 6:
                 // Needles: two corners next to each other, the third far off.
-                var needles = Crowd(random, 100, Point);
+                var needles = Crowd(random, 100, Some.Point);
                 for (var i = 0; i < needles.Indices.Length; i += 3)
                     needles.Vertices[needles.Indices[i + 1]] = needles.Vertices[needles.Indices[i]] +
-                        Point(random, Math.Pow(10, -12 * random.NextDouble()));
+                        Some.Point(random, Math.Pow(10, -12 * random.NextDouble()));
                 return needles;
             default:
                 // From tiny to huge, in one mesh.
-                return Crowd(random, 200, (r, reach) => Math.Pow(10, 8 * r.NextDouble() - 4) * Point(r, reach));
+                return Crowd(random, 200, (r, reach) => Math.Pow(10, 8 * r.NextDouble() - 4) * Some.Point(r, reach));
         }
     }
 
@@ -83,7 +83,4 @@ internal static class RandomMesh
                     vertices[i + k] = vertices[i] + 0.1 * (vertices[i + k] - vertices[i]);
         return new(vertices, indices);
     }
-
-    private static Vector3 Point(Random random, double reach) =>
-        new(reach * (2 * random.NextDouble() - 1), reach * (2 * random.NextDouble() - 1), reach * (2 * random.NextDouble() - 1));
 }

@@ -40,18 +40,6 @@ public class SpatialOrderTests
     }
 
     [Fact]
-    public void NoVertexIsLost() => Assert.Equal(
-        shuffled.Vertices.OrderBy(p => p.X).ThenBy(p => p.Y), Sorted(shuffled).Vertices.OrderBy(p => p.X).ThenBy(p => p.Y));
-
-    [Fact]
-    public void ThenMostTrianglesAreNextToTheOneBefore()
-    {
-        var mesh = Sorted(shuffled);
-        var near = Enumerable.Range(1, mesh.TriangleCount - 1).Count(i => (mesh[i].A - mesh[i - 1].A).Length < 6.0 / Side);
-        Assert.InRange(near, 0.9 * mesh.TriangleCount, mesh.TriangleCount);
-    }
-
-    [Fact]
     public void NameColourAndTheOtherModelsStay()
     {
         var mesh = new Mesh(shuffled.Vertices, shuffled.Indices) { Name = "scan", Color = new(0.1, 0.2, 0.3) };

@@ -1,0 +1,64 @@
+namespace RayCaster.Browser.Tests;
+
+/// <summary>One browser for all tests of a collection.</summary>
+public sealed class Chromium : IAsyncLifetime
+{
+    public const string Program = "/usr/bin/chromium";
+
+    private static readonly string[] flags =
+    [
+        "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+        "--disable-component-update", "--disable-sync", "--disable-features=AutofillServerCommunication",
+    ];
+
+    private IBrowser? browser;
+
+    public async ValueTask InitializeAsync()
+    {
+        if (File.Exists(Program)) browser = await Puppeteer.LaunchAsync(new() { ExecutablePath = Program, Args = flags });
+    }
+
+    /// <summary>A tab with a cache, a storage and workers of its own.</summary>
+    /// <param name="proxy">Where its requests go, also those for this machine; null for no such place.</param>
+    internal async Task<Tab> OpenAsync(string? proxy = null)
+    {
+        var context = await browser!.CreateBrowserContextAsync(
+            proxy is null ? null : new() { ProxyServer = proxy, ProxyBypassList = ["<-loopback>"] });
+        var page = await context.NewPageAsync();
+        await page.SetViewportAsync(new() { Width = 1300, Height = 900 });
+        page.DefaultTimeout = 120_000; // beside other work
+        return new(context, page);
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        if (browser is not null) await browser.DisposeAsync();
+    }
+}
+
+/// <summary>A tab of the browser.</summary>
+internal sealed class Tab : IAsyncDisposable
+{
+    public Tab(IBrowserContext context, IPage page)
+    {
+        (Context, Page) = (context, page);
+        page.Console += (_, e) => Complaints.Add(e.Message.Text);
+        page.PageError += (_, e) => Complaints.Add(e.Message);
+    }
+
+    public IBrowserContext Context { get; }
+
+    public IPage Page { get; }
+
+    /// <summary>What the page has written to the console, and its errors.</summary>
+    public List<string> Complaints { get; } = [];
+
+    /// <summary>Opens a page of RayCaster and waits for its first picture.</summary>
+    public async Task ShowAsync(string address)
+    {
+        await Page.GoToAsync(address);
+        await Page.ShowsAsync("#picture[data-final=true]");
+    }
+
+    public async ValueTask DisposeAsync() => await Context.CloseAsync();
+}

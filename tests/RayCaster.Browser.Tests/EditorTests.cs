@@ -1,0 +1,102 @@
+using static RayCaster.Browser.Tests.HostedPage;
+
+namespace RayCaster.Browser.Tests;
+
+/// <summary>The scene's text on the page: changed, opened, saved, and shared as a link that holds it.</summary>
+[Collection("folder"), Trait("waits", "yes")]
+public class EditorTests(Chromium chromium, Site site)
+{
+    [BrowserFact]
+    public async Task KeysThatAreTypedAreDrawn()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball));
+        await web.Page.EvaluateExpressionAsync("""
+            { const e = document.getElementById('scene-text'); e.focus(); e.selectionStart = e.selectionEnd = e.value.indexOf('40,') + 1; }
+            """);
+        await web.Page.PressAsync("Delete");
+        await web.Page.Keyboard.TypeAsync("4");
+        await web.Page.ShowsPictureOfAsync(Ball.Replace("40", "44"));
+        Assert.Empty(web.Complaints);
+    }
+
+    [BrowserFact]
+    public async Task AnErrorIsToldWithItsPlaceAndGoesWithItsCorrection()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await web.WriteSceneAsync(Ball.Replace("\"radius\": 1", "\"radius\": 0"));
+        await web.Page.SaysAsync("models[0].radius must be greater than 0");
+        await web.Page.ClickOnAsync("aria/Go to line 4[role=\"button\"]");
+        Assert.Equal(Ball.IndexOf("1, \"color\"", StringComparison.Ordinal), await web.Page.EvaluateExpressionAsync<int>(
+            "document.activeElement.selectionStart"));
+        Assert.DoesNotContain("VS Code", await web.Page.TextOfAsync("body"));
+        await web.WriteSceneAsync(Ball);
+        await web.Page.HidesAsync("#problems");
+        Assert.Empty(web.Complaints);
+    }
+
+    [BrowserFact]
+    public async Task ASceneThatIsOpenedIsDrawnAndEdited()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site);
+        using var folder = new TemporaryFolder();
+        await (await web.Page.ShowsAsync("#open-scene")).UploadFileAsync(folder.Write("ball.json", Ball));
+        await web.Page.ShowsPictureOfAsync(Ball);
+        Assert.Equal(Ball, await web.SceneTextAsync());
+        await web.Page.SaysAsync("ball.json");
+        Assert.Empty(web.Complaints);
+    }
+
+    [BrowserFact]
+    public async Task TheTextIsSavedByteByByte()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site);
+        using var folder = new TemporaryFolder();
+        var devTools = await web.Page.CreateCDPSessionAsync();
+        await devTools.SendAsync("Page.setDownloadBehavior", new { behavior = "allow", downloadPath = folder.Path });
+        await web.WriteSceneAsync(Ball);
+        await web.Page.ClickOnAsync("#save-scene");
+        await PageExtensions.UntilAsync(() => Task.FromResult(folder.Names.Any(name => name.EndsWith(".json", StringComparison.Ordinal))));
+        Assert.Equal(Ball, File.ReadAllText(folder[folder.Names.Single()]));
+        Assert.Empty(web.Complaints);
+    }
+
+    /// <summary>The name of a model that looks like markup is text, like all the rest.</summary>
+    [BrowserFact]
+    public async Task ALinkHoldsTheSceneAndShowsItElsewhereAsText()
+    {
+        string link;
+        await using (var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball)))
+        {
+            await web.Page.ClickOnAsync("#share-scene");
+            await web.Page.WaitForFunctionAsync("() => /#scene=./.test(document.getElementById('share-link').value ?? '')");
+            link = await web.Page.EvaluateExpressionAsync<string>("document.getElementById('share-link').value");
+            Assert.StartsWith(web.Server.Address + "#scene=", link);
+        }
+
+        await using var other = await FolderPage.OpenAsync(chromium, site, fragment: link[link.IndexOf('#')..]);
+        await other.Page.ShowsPictureOfAsync(Ball);
+        Assert.Equal(Ball, await other.SceneTextAsync());
+        await other.Page.SaysAsync("<img src=x onerror=alert(1)>");
+        Assert.Null(await other.Page.QuerySelectorAsync("img"));
+        Assert.Empty(other.Complaints);
+    }
+
+    [BrowserFact]
+    public async Task ALinkThatIsBrokenIsToldAndTheFirstSceneShown()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site, fragment: "#scene=%00<b>no");
+        await web.Page.ShowsPictureOfAsync(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!);
+        await web.Page.WaitForFunctionAsync("() => /link/i.test(document.getElementById('scene-said').innerText)");
+        Assert.Empty(web.Complaints);
+    }
+
+    [BrowserFact]
+    public async Task TheTextIsThereAgainAfterThePageWasLoadedAgain()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball));
+        await web.Page.ReloadAsync();
+        await web.Page.ShowsPictureOfAsync(Ball);
+        Assert.Equal(Ball, await web.SceneTextAsync());
+        Assert.Empty(web.Complaints);
+    }
+}

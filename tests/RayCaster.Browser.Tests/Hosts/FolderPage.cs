@@ -1,0 +1,47 @@
+using System.IO.Compression;
+using System.Text;
+
+namespace RayCaster.Browser.Tests;
+
+/// <summary>The page of the folder, which holds the scene's text itself.</summary>
+internal sealed class FolderPage(Tab tab, FileServer server) : HostedPage(tab)
+{
+    public FileServer Server => server;
+
+    /// <param name="fragment">What follows the address, beginning with #; nothing for the first scene.</param>
+    /// <param name="below">The folder of the host that the site is in.</param>
+    /// <param name="isProxied">Whether requests for other hosts reach the file server, too.</param>
+    public static async Task<FolderPage> OpenAsync(
+        Chromium chromium, Site site, string fragment = "", string below = "", bool isProxied = false)
+    {
+        var server = await site.ServeAsync(below);
+        var tab = await chromium.OpenAsync(isProxied ? server.Root : null);
+        await tab.ShowAsync(server.Address + fragment);
+        return new(tab, server);
+    }
+
+    /// <summary>A link's part that holds a scene.</summary>
+    public static string Link(string scene)
+    {
+        using var packed = new MemoryStream();
+        using (var deflate = new DeflateStream(packed, CompressionLevel.Optimal, leaveOpen: true)) deflate.Write(Encoding.UTF8.GetBytes(scene));
+        return "#scene=" + Convert.ToBase64String(packed.ToArray()).Replace('+', '-').Replace('/', '_').TrimEnd('=');
+    }
+
+    public override Task<string> SceneTextAsync() => Page.EvaluateExpressionAsync<string>("document.getElementById('scene-text').value");
+
+    /// <summary>Puts a text into the editor, as if it were pasted.</summary>
+    public override Task WriteSceneAsync(string text) => Page.EvaluateFunctionAsync("""
+        text => {
+            const editor = document.getElementById('scene-text');
+            editor.value = text;
+            editor.dispatchEvent(new Event('input', { bubbles: true }));
+        }
+        """, text);
+
+    public override async ValueTask DisposeAsync()
+    {
+        await base.DisposeAsync();
+        await server.DisposeAsync();
+    }
+}

@@ -1,0 +1,55 @@
+using System.Diagnostics;
+
+namespace RayCaster.Benchmarks;
+
+/// <summary>The ways of the engine.</summary>
+internal static class OwnWays
+{
+    /// <summary>
+    /// All ways. As the first of many frames, exact (the map is kept from run to run, as Embree's is) or only the bytes: all that is prepared for a
+    /// scene is counted. As a later frame: the scene's models have been drawn before, from another side. As the program draws a single picture:
+    /// in bands, which it writes one after another.
+    /// </summary>
+    public static IEnumerable<Way> All(BenchmarkScene scene, int width, int height)
+    {
+        var (map, picture) = (new Lazy<HitMap>(() => new(width, height)), new Lazy<Picture>(() => new(width, height)));
+        var frames = new[] { ("", (Func<Scene>)Fresh, (Func<Scene, Scene>)SpatialOrder.Of), (", later frame", Moving(scene, width, height), frame => frame) };
+        foreach (var (suffix, next, ordered) in frames)
+        {
+            yield return new($"exact t{suffix}", Answer.Hits, threads => Time(next(), threads,
+                frame => new Renderer(ordered(frame), threads) { ManyFrames = true }.CastHits(map.Value)));
+            yield return new($"bytes{suffix}", Answer.Bytes, threads => Time(next(), threads,
+                frame => new Renderer(ordered(frame), threads) { ManyFrames = true }.DrawInto(picture.Value)));
+        }
+        yield return new("bytes of a single picture", Answer.Bytes, threads => Time(Fresh(), threads,
+            frame => new Renderer(SpatialOrder.Of(frame), threads).Draw(.., _ => { })));
+
+        Scene Fresh()
+        {
+            var fresh = scene.Create(width, height);
+            GC.Collect();
+            return fresh;
+        }
+    }
+
+    /// <summary>The same models in each frame, and a camera that swings by some degrees.</summary>
+    private static Func<Scene> Moving(BenchmarkScene scene, int width, int height)
+    {
+        const int Frames = 16, OfOrbit = 720;
+        var (kept, frame) = (new Lazy<Scene>(() => SpatialOrder.Of(scene.Create(width, height))), 0);
+        return () => kept.Value with { Camera = CameraMotion.Orbit(kept.Value.Camera, frame++ % Frames, OfOrbit) };
+    }
+
+    /// <summary>The milliseconds that work takes: on one thread its processor time, which other work of the machine hardly changes.</summary>
+    private static double Time(Scene scene, int threads, Action<Scene> work)
+    {
+        if (threads == 1 && Workshop.ProcessorTimeOfThread() is var before && !double.IsNaN(before))
+        {
+            work(scene);
+            return Workshop.ProcessorTimeOfThread() - before;
+        }
+        var start = Stopwatch.GetTimestamp();
+        work(scene);
+        return Stopwatch.GetElapsedTime(start).TotalMilliseconds;
+    }
+}
