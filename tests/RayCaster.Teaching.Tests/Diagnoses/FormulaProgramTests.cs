@@ -67,7 +67,7 @@ public class FormulaProgramTests
     public void AMeshIsHitAsItsTrianglesAre()
     {
         var scene = SceneFolder.Small("mesh", 16);
-        foreach (var id in new[] { "tri-cull", "tri-uv", "no-t0", "dir-unnorm" })
+        foreach (var id in new[] { "tri-uv", "dir-unnorm" })
         {
             var triangles = scene.Models.SelectMany<Model, Model>(model => model is not Mesh mesh
                 ? [model]
