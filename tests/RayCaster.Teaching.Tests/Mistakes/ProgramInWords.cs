@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RayCaster.Teaching.Tests.Mistakes;
 
-/// <summary>What a wrong program draws. The tables of tests write programs as parts with " & " between them.</summary>
+/// <summary>What a wrong program draws. The tables of tests write programs as parts with an ampersand between them.</summary>
 internal static class ProgramInWords
 {
     /// <summary>A length without its root, in a program that uses it where the slides do not.</summary>
@@ -14,9 +14,10 @@ internal static class ProgramInWords
 
     /// <param name="scene">The scene that the program reads.</param>
     /// <param name="words">
-    /// Each part is a planted mistake's id; an edit of the lab's source ("Circle: X - C → C - X", or another body "triangle: …");
-    /// shapes that are not drawn ("without plane aabb"); another number of the camera ("fovY 52"); a manner ("truncates"); or of formulas: another right style ("style sphere abc"), a mistake of the
-    /// catalogue ("formulas rows"), or one that is written out ("formula plane t = Q·n / den"). Then the formulas draw, otherwise the lab.
+    /// Each part is a planted mistake's id; an edit of the lab's source ("Circle: X - C → C - X", or another body "triangle: …"); shapes that are
+    /// not drawn ("without plane aabb"); another number of the camera ("fovY 52"); a manner ("truncates"); or of formulas: another right style
+    /// ("style sphere abc"), a mistake of the catalogue ("formulas rows"), or one that is written out ("formula plane t = Q·n / den"). Then the
+    /// formulas draw, otherwise the lab.
     /// </param>
     public static Picture Draw(Scene scene, string words)
     {
@@ -36,7 +37,7 @@ internal static class ProgramInWords
             else if (part == "truncates") manner = manner with { Truncates = true };
             else if (part == "float") manner = manner with { Float = true };
             else if (part == "other formulas") manner = manner with { OtherFormulas = true };
-            else mistakes.Add(part == lengthInAll.Id ? lengthInAll : PlantedMistake.Named(part));
+            else if (part != "ok") mistakes.Add(part == lengthInAll.Id ? lengthInAll : PlantedMistake.Named(part));
         }
         if (style is [var step, var way])
             return FormulaProgram.For(scene.Camera).With(FormulaBook.Slides[Enum.Parse<SectionKind>(step, ignoreCase: true), way]).Draw(scene);
