@@ -12,22 +12,18 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
     /// <summary>Where references are kept.</summary>
     public static string Folder => ProjectFolder.PathOf("tests/References");
 
-    /// <summary>Where scenes are kept.</summary>
-    public static string SceneFolder => ProjectFolder.PathOf("scenes");
-
     /// <summary>All references by name; a name may hold a folder.</summary>
-    public static IEnumerable<string> Names => NamesIn(Folder, "*.png").Where(name => !Path.GetFileName(name).Contains('.'));
+    public static IEnumerable<string> Names => Directory.EnumerateFiles(Folder, "*.png", SearchOption.AllDirectories)
+        .Select(file => Path.ChangeExtension(Path.GetRelativePath(Folder, file), null).Replace('\\', '/'))
+        .Where(name => !Path.GetFileName(name).Contains('.')).Order(StringComparer.Ordinal);
 
     /// <summary>Those without a mesh, of which the definition would ask every triangle in every pixel.</summary>
-    public static IEnumerable<string> WithoutMeshes => Names.Where(name => !File.ReadAllText(SceneFile(name)).Contains("\"mesh\""));
-
-    /// <summary>The scenes by name.</summary>
-    public static IEnumerable<string> Scenes => NamesIn(SceneFolder, "*.json").Where(name => name != "scene.schema");
+    public static IEnumerable<string> WithoutMeshes => Names.Where(name => !File.ReadAllText(SceneFolder.FileOf(name)).Contains("\"mesh\""));
 
     /// <summary>A reference's scene, in the reference's size.</summary>
     public static Scene SceneOf(string name)
     {
-        var scene = SceneReader.Read(SceneFile(name)).Scene!;
+        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
         var picture = Of(name).Picture;
         return scene.WithSize(picture.Width, picture.Height);
     }
@@ -51,13 +47,4 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
 
     /// <summary>Whether a pixel lies on an outline.</summary>
     public bool IsOutline(int x, int y) => Outline is not null && Outline[x, y].R != 0;
-
-    private static string SceneFile(string name) => Path.Combine(SceneFolder, name + ".json");
-
-    /// <summary>Paths below a folder, with / and without the extension, in order.</summary>
-    private static IEnumerable<string> NamesIn(string folder, string pattern) => Directory
-        .EnumerateFiles(folder, pattern, SearchOption.AllDirectories)
-        .Where(file => !ProjectFolder.IsOwnScene(file))
-        .Select(file => Path.ChangeExtension(Path.GetRelativePath(folder, file), null).Replace('\\', '/'))
-        .Order(StringComparer.Ordinal);
 }

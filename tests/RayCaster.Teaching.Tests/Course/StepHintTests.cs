@@ -1,5 +1,3 @@
-using RayCaster.Teaching.Tests.Diagnoses;
-
 namespace RayCaster.Teaching.Tests.Course;
 
 /// <summary>Hints of the lab's picture tests, for programs with a mistake in the code of a step.</summary>
@@ -113,7 +111,8 @@ public class StepHintTests
     [Fact]
     public void ANormalisedNormalIsAVariantOfTheTriangles()
     {
-        var (hint, _) = Hint("mistakes/generic", 10, ProgramInWords.Written("triangle/shares u = n·((A - C) × (X - C)) / |n|; v = n·((B - A) × (X - A)) / |n|"));
+        var (hint, _) = Hint(
+            "mistakes/generic", 10, ProgramInWords.Written("triangle/shares u = n·((A - C) × (X - C)) / |n|; v = n·((B - A) × (X - A)) / |n|"));
         Assert.Contains(MistakeCatalog.Named("tri-uv")!.Hint.Question, hint);
     }
 

@@ -1,9 +1,9 @@
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
 /// <summary>
-/// How well the diagnosis names what <see cref="EditedLab"/> drew, so that it does not get worse. A mistake is named if it or its twin is in the first
-/// suspect; a single one only if it is alone there. What changes fewer than <see cref="MutationCoverage.LeastPixels"/> pixels beyond rounding is not
-/// visible, and not counted.
+/// How well the diagnosis names what <see cref="EditedLab"/> drew, so that it does not get worse. A mistake is named if it or its twin is in the
+/// first suspect; a single one only if it is alone there. What changes fewer than <see cref="MutationCoverage.LeastPixels"/> pixels beyond rounding is
+/// not visible, and not counted.
 /// </summary>
 public class ConfusionTests(ITestOutputHelper output)
 {
@@ -36,12 +36,12 @@ public class ConfusionTests(ITestOutputHelper output)
                 PlantedMistake.Named(partners[i]), PlantedMistake.Named(partners[^(i + 1)]));
         foreach (var name in others) Plant(SceneFolder.Small(name, 3), new(Truncates: true, Float: true));
         // One may be lost to another machine's last bits; a name for a right picture, none.
-        AssertNamed(singles: 58, first: 57, firstThree: 57, pairs: 5, oneOfPair: 4);
+        AssertNamed(singles: 58, missed: 1, missedByThree: 1, pairs: 5, missedPairs: 1);
     }
 
-    /// <summary>The table of src/RayCaster.Teaching/Diagnoses/README.md.</summary>
+    /// <summary>The table of src/RayCaster.Teaching/Hypotheses/README.md.</summary>
     [Fact(Explicit = true)]
-    [Trait("when", "weekly")]
+    [Trait("runs", "weekly")]
     public void TheWholeTableIsThatOfThePage()
     {
         string[] made = [.. SceneFolder.Files("scenes/mistakes").Select(SceneFolder.NameOf)];
@@ -59,7 +59,7 @@ public class ConfusionTests(ITestOutputHelper output)
         foreach (var name in SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Select(SceneFolder.NameOf)
             .Except(["mesh", "mesh-formats"]))
             foreach (var manner in manners.Where(manner => !manner.OtherSample)) Plant(SceneFolder.Small(name, 2), manner);
-        AssertNamed(singles: 520, first: 518, firstThree: 520, pairs: 116, oneOfPair: 113);
+        AssertNamed(singles: 520, missed: 2, missedByThree: 0, pairs: 116, missedPairs: 3);
         Assert.Equal((53, 72), (plain, rights));
         Assert.InRange(pairs.Count(named => named == 2), 96, 116);
     }
@@ -94,12 +94,14 @@ public class ConfusionTests(ITestOutputHelper output)
         output.WriteLine($"{string.Join(" + ", planted.Select(one => one.Id))} ({manner}): {diagnosis.Kind} {named}");
     }
 
-    private void AssertNamed(int singles, int first, int firstThree, int pairs, int oneOfPair)
+    private void AssertNamed(int singles, int missed, int missedByThree, int pairs, int missedPairs)
     {
-        Assert.Equal((0, singles, pairs), (falseNames, this.singles.Count, this.pairs.Count));
-        Assert.InRange(this.singles.Count(single => single.First), first, singles);
-        Assert.InRange(this.singles.Count(single => single.FirstThree), firstThree, singles);
-        Assert.InRange(this.pairs.Count(named => named > 0), oneOfPair, pairs);
+        Assert.Equal(0, falseNames);
+        Assert.True(this.singles.Count >= singles, $"only {this.singles.Count} single mistakes are visible");
+        Assert.InRange(this.singles.Count(single => !single.First), 0, missed);
+        Assert.InRange(this.singles.Count(single => !single.FirstThree), 0, missedByThree);
+        Assert.Equal(pairs, this.pairs.Count);
+        Assert.InRange(this.pairs.Count(named => named == 0), 0, missedPairs);
     }
 
     private static bool AreAlike(Picture a, Picture b) =>

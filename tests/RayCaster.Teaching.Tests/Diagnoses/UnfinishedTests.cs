@@ -23,7 +23,7 @@ public class UnfinishedTests
     public void WhatIsNotWrittenYetIsNotListedAsAMistakeBesideAnother()
     {
         var plane = SceneFolder.Small("plane", 8);
-        var picture = ProgramInWords.Draw(plane, "formulas w-sign; formulas att-none; formulas no-znear; formulas no-zfar");
+        var picture = ProgramInWords.Draw(plane, "formulas w-sign & formulas att-none & formulas no-znear & formulas no-zfar");
         var text = DiagnosisReport.Text(Diagnosis.Of(plane, picture), "mine.png", "scene.json").ReplaceLineEndings("\n");
         Assert.Contains("Not drawn yet: attenuation, clipping.\nMost likely: w-sign\n  Symptom:", text);
         Assert.DoesNotContain("zNear", text);
@@ -53,7 +53,7 @@ public class UnfinishedTests
     [Fact(Explicit = true)]
     public void AMistakeThatLosesAShapeIsListedBesideAnother()
     {
-        var diagnosis = Diagnosis.Of(scene, ProgramInWords.Draw(scene, "formulas aspect-none; formulas box-size"));
+        var diagnosis = Diagnosis.Of(scene, ProgramInWords.Draw(scene, "formulas aspect-none & formulas box-size"));
         Assert.Equal((DiagnosisKind.Mistake, "aspect-none"), (diagnosis.Kind, diagnosis.Suspects[0].Mistakes[0].Id));
         Assert.Contains(diagnosis.Suspects, suspect => suspect.SamePicture
             && suspect.Mistakes.Select(mistake => mistake.Id).Order().SequenceEqual(["aspect-none", "box-size"]));

@@ -1,51 +1,43 @@
-using System.Text.RegularExpressions;
-
 namespace RayCaster.Teaching.Tests.Formulas;
 
-/// <summary>Slips that the catalogue does not have: the diagnosis says in which formula they are, or names none.</summary>
+/// <summary>Slips that the catalogue does not have (UnseenSlips.txt): the diagnosis says in which formula they are, or names none.</summary>
 public class UnseenSlipsTests
 {
     private static readonly string[] scenes = ["mistakes/generic", "mistakes/portrait", "mistakes/inside"];
 
-    /// <summary>The slips that are not named.</summary>
-    private static readonly string[] unnamed =
-    [
-    ];
-
-    public static IEnumerable<TheoryDataRow<int, string>> Rows => UnseenSlips.All.Select((slip, i) => new TheoryDataRow<int, string>(i, slip.What));
+    public static ITheoryDataRow[] Rows { get; } = [.. TestTable.Read("Formulas/UnseenSlips.txt")];
 
     [Theory(Explicit = true)]
-    [Trait("when", "weekly")]
+    [Trait("runs", "weekly")]
     [MemberData(nameof(Rows))]
-    public void ASlipIsNamedInItsStepOrNotAtAll(int place, string what)
+    public void ASlipIsNamedInItsStepOrNotAtAll(string section, string formulas, string whether, string program)
     {
-        var slip = UnseenSlips.All[place];
-        var (scene, picture) = Shown(slip, place);
+        var (scene, picture) = Shown(program, Array.FindIndex(Rows, row => row.GetData()[3] is string other && other == program));
         var diagnosis = Diagnosis.Of(scene, picture);
-        var named = diagnosis.Kind == DiagnosisKind.Mistake ? diagnosis.Suspects[0].Mistakes : [];
-        var step = Enum.Parse<StepKind>(slip.Section, ignoreCase: true);
-        Assert.All(named, mistake => Assert.Contains(mistake.Steps, own => own == step || (own.IsOfRays() && step.IsOfRays())
-            || (own.IsOfHits() && step.IsOfHits()) || (own.IsOfColors() && step.IsOfColors())));
-        Assert.Equal(unnamed.Contains(what) ? 0 : 1, named.Count);
+        Change[] named = diagnosis.Kind == DiagnosisKind.Mistake ? [.. diagnosis.Suspects[0].Mistakes] : [];
+        Assert.Equal((whether, named.Length), (named.Length > 0 ? "named" : "-", Math.Min(1, named.Length)));
+        var step = Enum.Parse<StepKind>(section, ignoreCase: true);
+        Assert.All(named, mistake => Assert.True(mistake.Steps.Any(own => own == step || (own.IsOfRays() && step.IsOfRays())
+            || (own.IsOfHits() && step.IsOfHits()) || (own.IsOfColors() && step.IsOfColors())) && (mistake.Place is not { } place
+            || formulas.Split(' ').Contains(place.Step)), $"{mistake.Id}: {mistake.Place} {mistake.Cause}"));
     }
 
     [Fact]
     public void ThePageSaysHowManyAreNamed()
     {
         var page = File.ReadAllText(ProjectFolder.PathOf("src/RayCaster.Teaching/Hypotheses/README.md")).ReplaceLineEndings(" ");
-        var (all, not) = (UnseenSlips.All.Length, unnamed.Length);
-        Assert.Equal(60, all);
-        Assert.Matches(@$"sixty slips [^:]*: {all - not} are named by their formula or their mistake, none by another, {not} not at all", page);
+        var named = Rows.Count(row => row.GetData()[2] is "named");
+        Assert.Equal(60, Rows.Length);
+        Assert.Contains($"{named} are named by their formula or their mistake, none by another, {60 - named} not at all", page);
     }
 
     [Theory]
-    [InlineData("plane", "Camera", "Width - w / 2", "Width - w / 4", "pixel", "uc", "uc = w·c / width − w / 2")]
-    [InlineData("first", "Sphere", "Sqrt(R * R - D * D)", "Sqrt(2 * R * R - D * D)", "sphere", "t_hc", "t_hc = √(R² − D²)", Explicit = true)]
-    public void OnlyTheAnswerTellsTheFormulaOfASlip(
-        string name, string file, string old, string @new, string section, string step, string formula)
+    [InlineData("plane", "Camera: Width - w / 2 → Width - w / 4", "pixel", "uc", "uc = w·c / width − w / 2")]
+    [InlineData("first", "Sphere: Sqrt(R * R - D * D) → Sqrt(2 * R * R - D * D)", "sphere", "t_hc", "t_hc = √(R² − D²)", Explicit = true)]
+    public void OnlyTheAnswerTellsTheFormulaOfASlip(string name, string program, string section, string step, string formula)
     {
         var scene = SceneFolder.Small(name, 16);
-        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, PlantedMistake.Of(new SourceEdit(file, old, @new))));
+        var diagnosis = Diagnosis.Of(scene, ProgramInWords.Draw(scene, program));
         var mistake = Assert.Single(Assert.Single(diagnosis.Suspects).Mistakes);
         Assert.Equal(("edit", section, step, formula), (mistake.Id, mistake.Place?.Section, mistake.Place?.Step, mistake.Place?.Formula));
         Assert.DoesNotContain(formula, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"), StringComparison.Ordinal);
@@ -53,12 +45,12 @@ public class UnseenSlipsTests
     }
 
     /// <summary>A scene that shows a slip, and the picture; they take turns.</summary>
-    private static (Scene Scene, Picture Picture) Shown(UnseenSlips.Slip slip, int turn)
+    private static (Scene Scene, Picture Picture) Shown(string program, int turn)
     {
         for (var k = 0; ; k++)
         {
             var scene = SceneFolder.Small(scenes[(turn + k) % scenes.Length]);
-            var picture = EditedLab.Render(scene, PlantedMistake.Of(slip.Edits));
+            var picture = ProgramInWords.Draw(scene, program);
             if (k == scenes.Length || ChangedPixels.Count(picture, EditedLab.Render(scene), levels: 2) >= MutationCoverage.LeastPixels)
                 return (scene, picture);
         }

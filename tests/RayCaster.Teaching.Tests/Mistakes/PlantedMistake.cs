@@ -20,8 +20,7 @@ internal sealed record PlantedMistake(string Id, string What, params SourceEdit[
     private static readonly SourceEdit zNearOther = new("Ray", "ZNear <= z", "ZNear <= t * OtherPerT");
     private static readonly SourceEdit zFarOther = new("Ray", "z <= ZFar", "t * OtherPerT <= ZFar");
     private static readonly SourceEdit noZNear = new("Ray", "ZNear <= z", "true"), noZFar = new("Ray", "z <= ZFar", "true");
-    /// <summary>No mistake: the sphere by the other solution of the slides.</summary>
-    public static readonly SourceEdit Analytical = new("Sphere", "=> GeometricSolution", "=> AnalyticalSolution");
+    private static readonly SourceEdit analytical = new("Sphere", "=> GeometricSolution", "=> AnalyticalSolution");
     private static readonly SourceEdit unnormalised = new("Camera", "* V - W).Normalized", "* V - W)");
 
     /// <summary>All of them, without <see cref="None"/>.</summary>
@@ -57,7 +56,7 @@ internal sealed record PlantedMistake(string Id, string What, params SourceEdit[
         new("len-nosqrt", "length without the square root", new SourceEdit("Vector3", "Math.Sqrt(this * this)", "this * this")),
         new("cross-y", "cross product: sign of y", new SourceEdit("Vector3", "a.Z * b.X - a.X * b.Z", "a.X * b.Z - a.Z * b.X")),
         new("cross-z", "cross product: z = ax by − ay by", new SourceEdit("Vector3", "a.X * b.Y - a.Y * b.X", "a.X * b.Y - a.Y * b.Y")),
-        new("dir-unnorm", "d not normalised", unnormalised, Analytical),
+        new("dir-unnorm", "d not normalised", unnormalised, analytical),
         new("dir-unnorm-a1", "d not normalised, and the sphere takes |d| = 1", unnormalised),
 
         // Which hit shows.
@@ -82,7 +81,7 @@ internal sealed record PlantedMistake(string Id, string What, params SourceEdit[
         new("far-root", "sphere: the far root", new SourceEdit("Sphere", "ray.Hit(t_ca - t_hc, this);", "")),
         new("near-root-only", "sphere: the near root or none", new SourceEdit("Sphere", "ray.Hit(t_ca + t_hc, this);", "")),
         new("oc-sign", "sphere: C − P for P − C", new SourceEdit("Sphere", "C - ray.Origin", "ray.Origin - C")),
-        new("disc-2", "sphere: b² − ac with b = 2 …", Analytical, new("Sphere", "b * b - 4 * a * c", "b * b - a * c")),
+        new("disc-2", "sphere: b² − ac with b = 2 …", analytical, new("Sphere", "b * b - 4 * a * c", "b * b - a * c")),
         new("plane-sign", "plane: (P − Q)·n", new SourceEdit("Plane", "Q - ray.Origin", "ray.Origin - Q")),
         new("plane-cull", "plane: back side left out", new SourceEdit("Plane", "n == 0", "n >= 0")),
         new("slab-noswap", "box: t0 and t1 not sorted", new SourceEdit("Aabb", "t0 <= t1 ? (t0, t1) : (t1, t0)", "(t0, t1)")),

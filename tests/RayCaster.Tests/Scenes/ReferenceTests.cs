@@ -15,10 +15,10 @@ public class ReferenceTests
     [Fact]
     public void EverySceneHasAReference()
     {
-        foreach (var name in Reference.Scenes.Except(Reference.Names))
+        foreach (var name in SceneFolder.Names.Except(Reference.Names))
             Assert.Fail($"scenes/{name}.json has no reference picture. If the scene is your own, move it to scenes/my. Otherwise draw "
                 + $"tests/References/{name}.png with POV-Ray: tests/References/remake.sh {name}");
-        foreach (var name in Reference.Names.Except(Reference.Scenes))
+        foreach (var name in Reference.Names.Except(SceneFolder.Names))
             Assert.Fail($"tests/References/{name}.png has no scene: scenes/{name}.json is missing");
     }
 

@@ -44,7 +44,7 @@ internal static class Program
             ["RAYCASTER_SEED"] = seed,
             ["LAB_SEED"] = seed,
             ["WHOLE"] = week ? "yes" : "",
-            ["NOT_WEEKLY"] = week ? "" : "--filter-not-trait when=weekly",
+            ["NOT_WEEKLY"] = week ? "" : "--filter-not-trait runs=weekly",
         };
         foreach (var job in names.Length > 0 ? [] : table.Except(jobs)) Console.WriteLine($"not in this run: {job.Name}");
 
