@@ -67,7 +67,8 @@ internal sealed class LiveServer : IAsyncDisposable
     /// <param name="clock">By which the files are followed; null for the system's.</param>
     /// <param name="silence">How many seconds a browser may be silent.</param>
     /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>
-    public static async Task<LiveServer> StartAsync(string scene, string? mine = null, int? port = null, TimeProvider? clock = null, int silence = 20)
+    public static async Task<LiveServer> StartAsync(
+        string scene, string? mine = null, int? port = null, TimeProvider? clock = null, int silence = 20)
     {
         for (var attempt = 1; ; attempt++)
         {

@@ -209,7 +209,7 @@ public abstract class PageTests : IAsyncLifetime
         await Page.FocusAsync("#stage");
         for (var i = 0; i < 8; i++) await Page.PressAsync("ArrowLeft");
         await Page.ShowsAsync("#camera-reset:not([disabled])");
-        await Page.SaysAsync("column 20, line 14 (row 15): nothing");
+        await Page.SaysAsync("column 20, line 14 (row 15): the background");
     }
 
     [BrowserFact]

@@ -185,7 +185,7 @@ public class FollowingTests
         Assert.Equal(["scene.json"], folder.Names);
     }
 
-    /// <summary>Saves a text as editors do. Between two steps the server sees the file as it is, for less time than it waits with an error.</summary>
+    /// <summary>Saves a text as editors do. Between two steps less time passes than the server waits before it tells an error.</summary>
     private static void Save(LivePage page, string text, string how)
     {
         switch (how)

@@ -62,7 +62,8 @@ internal sealed class LivePage : IAsyncDisposable
         await socket.ConnectAsync(new($"ws://127.0.0.1:{Server.Port}/live"), new CancellationTokenSource(TimeSpan.FromSeconds(60)).Token);
     }
 
-    public Task AskAsync(string requests) => socket!.SendAsync(Encoding.UTF8.GetBytes(requests), WebSocketMessageType.Text, true, CancellationToken.None);
+    public Task AskAsync(string requests) =>
+        socket!.SendAsync(Encoding.UTF8.GetBytes(requests), WebSocketMessageType.Text, true, CancellationToken.None);
 
     /// <summary>The next message of a kind that suits. Confirms frames that come before it, and drops other messages.</summary>
     public async Task<JsonElement> MessageAsync(string kind, Func<JsonElement, bool>? suits = null)

@@ -19,7 +19,8 @@ export function connect(listener) {
   socket.binaryType = "arraybuffer";
   socket.addEventListener("open", listener.open);
   socket.addEventListener("message", event => listener.message(event.data));
-  socket.addEventListener("close", () => token === "none" ? listener.closed("Open the address that the terminal shows: this one lacks its secret.", true)
+  socket.addEventListener("close", () => token === "none"
+    ? listener.closed("Open the address that the terminal shows: this one lacks its secret.", true)
     : listener.closed("The program has ended or is being built again. This page continues by itself when the program runs again under the same " +
       "address; otherwise open the address that the terminal shows."));
 }
