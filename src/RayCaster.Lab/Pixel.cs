@@ -1,4 +1,3 @@
-using RayCaster.Teaching;
 using RayCaster.Teaching.Course;
 
 namespace Lab;

@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using RayCaster;
 using RayCaster.Files;
-using RayCaster.Teaching;
 using RayCaster.Teaching.Comparison;
 using RayCaster.Teaching.Course;
 using RayCaster.Teaching.Hypotheses;

@@ -1,6 +1,3 @@
-using RayCaster.Teaching;
-using RayCaster.Teaching.Comparison;
-using RayCaster.Teaching.Course;
 using RayCaster.Teaching.Hypotheses;
 
 namespace Lab.Tests;
