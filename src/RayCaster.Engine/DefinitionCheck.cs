@@ -121,7 +121,7 @@ internal sealed class DefinitionCheck
         static bool IsOutside(in Pyramid rays, Bounds bounds) => rays.IsOutside<Scalar>(bounds.Min, bounds.Max).Holds;
     }
 
-    /// <summary>The pyramid of the rays from one pixel to another below it and to its right; null if rounding makes that unsafe.</summary>
+    /// <summary>The pyramid of the rays from one pixel to another below it and to its right; null if rounding may leave one out.</summary>
     private Pyramid? PyramidOf(int first, int last)
     {
         if (!screen.IsFine) return null;
