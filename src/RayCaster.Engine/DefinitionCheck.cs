@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>Compares pixels of a drawn picture with the definition (<see cref="ScalarRenderer"/>): of each picture 20 to some 600, in squares that are
-/// spread over its models and their outlines.</summary>
+/// <summary>Compares pixels of a drawn picture with the definition (<see cref="ScalarRenderer"/>): of each picture 20 to some 600, in squares that
+/// are spread over its models and their outlines.</summary>
 /// <remarks>A mesh's triangles, and thousands of models, are left out where their boxes are certainly beside the rays; the nearer the rays of a
 /// square are to each other, the fewer boxes must be asked.</remarks>
 internal sealed class DefinitionCheck

@@ -27,7 +27,8 @@ public sealed class SystemCallTests : CommandTests
             { "title": "A room", "scenes": ["{{Room.Replace('\\', '/')}}"], "items": [ { "name": "all", "points": 1, "mistakes": ["rows"] } ] }
             """);
         Directory.CreateDirectory(raycaster.PathOf("class/anna"));
-        foreach (var (file, text) in ((string, string)[])[("room.png", "no picture"), ("room.sh", "#!/bin/sh\ntouch executed\n"), ("results.xml", "")])
+        foreach (var (file, text) in ((string, string)[])
+            [("room.png", "no picture"), ("room.sh", "#!/bin/sh\ntouch executed\n"), ("results.xml", "")])
             raycaster.Write($"class/anna/{file}", text);
         // Without the runtime's own debugging socket, and its code in a file without a name.
         raycaster.RunInShell("command -v strace >/dev/null || exit 77; export DOTNET_EnableDiagnostics=0 DOTNET_EnableWriteXorExecute=0; " +

@@ -63,7 +63,8 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         if (budget?.UsedUp is { } limit) line.Warn($"Not everything was tried within {limit}; --all tries everything.");
         StandardStreams.WriteOutput(json
             ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
-            : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden) + MoreHelp(diagnosis, level));
+            : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level)
+                + (diagnosis.Kind == DiagnosisKind.Matches ? DiagnosisReport.HiddenText(prepared) : "") + MoreHelp(diagnosis, level));
         return diagnosis.Kind == DiagnosisKind.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
     }
 

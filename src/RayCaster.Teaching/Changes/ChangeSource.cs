@@ -93,7 +93,10 @@ internal static class ChangeSource
            let triangle = Alike(mutant, FormulaBook.Slides[StepKind.Triangle, "shares"], "A")
            where circle is not null
            from both in triangle is null ? [mutant with { Beside = [circle] }] : (Mutant[])
-               [mutant with { Beside = [circle] }, mutant with { Beside = [circle, triangle] }, mutant with { Section = circle, Beside = [triangle] }]
+           [
+               mutant with { Beside = [circle] }, mutant with { Beside = [circle, triangle] },
+               mutant with { Section = circle, Beside = [triangle] },
+           ]
            select both with { Cost = mutant.Cost + 0.1 },
     ]);
 

@@ -8,6 +8,9 @@ public static class MistakeCatalog
     /// <summary>All of them; a pair's picture does not depend on it.</summary>
     public static IReadOnlyList<Mistake> All => MistakeBook.Mistakes;
 
+    /// <summary>Those that may change a pixel by more than rounding does.</summary>
+    internal static IReadOnlyList<Mistake> Visible { get; } = [.. All.Where(mistake => !mistake.IsWithinRounding)];
+
     /// <summary>The mistake of an id; null where there is none.</summary>
     public static Mistake? Named(string id) => byId.GetValueOrDefault(id);
 
@@ -20,6 +23,7 @@ public static class MistakeCatalog
     /// <returns>The picture; two of the mistakes swap its width and height.</returns>
     /// <exception cref="ArgumentException">Two mistakes are in the same part of a formula.</exception>
     public static Picture Draw(Scene scene, IReadOnlyList<Change> mistakes, int? threads = null) =>
-        Hypothesis.Of([scene], mistakes) is { Programs: [var program] } ? program.Draw(scene, threads)
+        mistakes.Aggregate((FormulaProgram?)FormulaProgram.For(scene.Camera), (program, mistake) => program is null ? null : mistake.In(program))
+            is { } wrong ? wrong.Draw(scene, threads)
             : throw new ArgumentException("two of these mistakes are in the same part of a formula, so no program has both", nameof(mistakes));
 }

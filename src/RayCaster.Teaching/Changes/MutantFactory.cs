@@ -39,7 +39,8 @@ internal sealed class MutantFactory
     {
         var factory = new MutantFactory(section);
         var ids = factory.AddNamed();
-        return factory.mutants.Select(mutant => mutant.Label is null ? mutant with { Label = ids.GetValueOrDefault(TextOf(mutant.Section)) } : mutant)
+        return factory.mutants
+            .Select(mutant => mutant.Label is null ? mutant with { Label = ids.GetValueOrDefault(TextOf(mutant.Section)) } : mutant)
             .Where(mutant => mutant.Label is not null);
     }
 

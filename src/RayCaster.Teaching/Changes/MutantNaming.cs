@@ -49,7 +49,8 @@ internal static class MutantNaming
             Hint = new(
                 isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
                 formula is not null ? $"Look at {formula.Computed}. {MutationOperators.QuestionOf(mutant.Operator)}"
-                    : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Section}\"; this scene cannot tell {NamesOf(formulas)} apart."
+                    : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Section}\"; " +
+                        $"this scene cannot tell {NamesOf(formulas)} apart."
                     : $"Something is wrong in one of these steps: {place.Section}. This scene cannot tell them apart.",
                 $"{(formula is null ? "For example, it" : "It")} looks as if {Describe(mutant)}."),
         };

@@ -71,7 +71,8 @@ internal sealed record PictureTransform(
 internal readonly struct PixelMapping(PictureTransform transform, Picture mine, Picture reference)
 {
     private readonly TurnedIndices indices = TurnedIndices.Of(transform.Turn, mine.Width, mine.Height);
-    private readonly (int R, int G, int B) order = (transform.Channels.IndexOf('R'), transform.Channels.IndexOf('G'), transform.Channels.IndexOf('B'));
+    private readonly (int R, int G, int B) order =
+        (transform.Channels.IndexOf('R'), transform.Channels.IndexOf('G'), transform.Channels.IndexOf('B'));
     private readonly byte[] rgb = mine.Rgb;
     private readonly (int Right, int Down, int Width, int Height) area = (transform.Right, transform.Down, reference.Width, reference.Height);
 

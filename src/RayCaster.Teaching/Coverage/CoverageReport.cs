@@ -48,7 +48,10 @@ public static class CoverageReport
         var text = new StringBuilder();
         var one = fitness.Scenes.Count == 1;
         text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {fitness.Scenes.Count} scenes together show")} " +
-            $"{Shown(fitness)} of the {fitness.Tested.Count} known mistakes.");
+            (fitness.IsCut && fitness.NotTried.Count > 0
+                ? $"{Shown(fitness)} of the {fitness.Tested.Count - fitness.NotTried.Count} known mistakes that were tried; " +
+                    $"{fitness.NotTried.Count} were not (--all tries them)."
+                : $"{Shown(fitness)} of the {fitness.Tested.Count} known mistakes."));
         if (fitness.IsReduced) text.AppendLine("A large picture was judged by a smaller one of the same shape.");
         var hidden = fitness.Hidden.Except(fitness.WithinRounding).ToArray();
         if (hidden.Length > 0)
@@ -75,8 +78,10 @@ public static class CoverageReport
             if (fitness.Scenes.All(scene => scene.Background == Color.Black))
                 text.AppendLine("  The background is black: another colour tells a black model from none.");
         }
+        else if (fitness.IsCut) text.AppendLine("Not all were compared with each other (--all does): some may not be told apart.");
         if (fitness.NotTried.Count > 0)
-            text.AppendLine($"Not tried, since {(fitness.IsCut ? "the time is over (--all tries them)" : "there are too many triangles")}: " +
+            text.AppendLine(
+                $"Not tried, since {(fitness.IsCut ? "the usual amount of work is done (--all tries them)" : "there are too many triangles")}: " +
                 $"{string.Join(", ", fitness.NotTried.Select(mistake => mistake.Id))}.");
         text.AppendLine(fitness.FragilePixels == 0
             ? "No pixel depends on the last bits of the camera's numbers."

@@ -54,10 +54,10 @@ public sealed class MutationCoverage
     /// <summary>The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</summary>
     public required IReadOnlyList<Mistake> WithinRounding { get; init; }
 
-    /// <summary>The mistakes that take too long to try, because a scene has too many triangles or the time is over.</summary>
+    /// <summary>The mistakes that take too long to try, because a scene has too many triangles or the work is done.</summary>
     public required IReadOnlyList<Mistake> NotTried { get; init; }
 
-    /// <summary>Whether the time was over before all mistakes were tried.</summary>
+    /// <summary>Whether the work was done before all mistakes were tried.</summary>
     public required bool IsCut { get; init; }
 
     /// <summary>Groups of visible mistakes that draw the same pictures.</summary>
@@ -118,11 +118,12 @@ public sealed class MutationCoverage
     private static Mistake[] HiddenOf(Mistake[] known, View[] views) => [.. known.Where(mistake => !views.Any(view => view.Shows(mistake)))];
 
     /// <summary>The mistakes of the catalogue that a scene's picture cannot show.</summary>
-    internal static IReadOnlyList<Mistake> HiddenIn(
+    /// <returns>These, and how many mistakes were tried.</returns>
+    internal static (IReadOnlyList<Mistake> Hidden, int Tried) HiddenIn(
         Scene scene, int? threads, SearchBudget? budget = null, IReadOnlyList<Mistake>? tested = null)
     {
-        var (known, views) = TryAll([Judged(scene)], tested ?? [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads, budget);
-        return HiddenOf(known, views);
+        var (known, views) = TryAll([Judged(scene)], tested ?? MistakeCatalog.Visible, threads, budget);
+        return (HiddenOf(known, views), known.Length);
     }
 
     /// <summary>Whether a scene has so few models that mistakes can be tried on it.</summary>

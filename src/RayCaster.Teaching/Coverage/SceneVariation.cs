@@ -72,7 +72,7 @@ public sealed class SceneVariation
     }
 
     private static bool Shows(Scene scene, Mistake[] mistakes) =>
-        mistakes.Length == 0 || MutationCoverage.HiddenIn(scene, null, tested: mistakes).Count == 0;
+        mistakes.Length == 0 || MutationCoverage.HiddenIn(scene, null, tested: mistakes).Hidden.Count == 0;
 
     private void MoveSchema(string folder, string newFolder)
     {

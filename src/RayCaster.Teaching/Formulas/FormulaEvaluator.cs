@@ -25,7 +25,11 @@ internal sealed class FormulaEvaluator
     private readonly Part[] parts;
     private readonly Group[] groups;
     private readonly Dictionary<(int Part, Step Section), PixelValues[]>? rightFrames; // null for many pixels: they would take much memory
-    private readonly PixelValues[] ofPixel = new PixelValues[Symbol.Max], ofShape = new PixelValues[Symbol.Max], ofRule = new PixelValues[Symbol.Max]; // used again and again
+
+    // used again and again
+    private readonly PixelValues[] ofPixel = new PixelValues[Symbol.Max];
+    private readonly PixelValues[] ofShape = new PixelValues[Symbol.Max];
+    private readonly PixelValues[] ofRule = new PixelValues[Symbol.Max];
     private readonly FormulaProgram? right;
 
     /// <param name="pixels">Columns from the left and lines from the top of the file.</param>
@@ -283,7 +287,8 @@ internal sealed class FormulaEvaluator
         var frame = Copied(camera, ofRule);
         frame[parameter.Place] = crossing;
         Define(rule, frame);
-        return (frame[Formula.Near.Place], rule.Has(Formula.When) ? frame[Formula.When.Place] : PixelValues.Of(1), Of(Formula.Ends), Of(Formula.Second));
+        var counts = rule.Has(Formula.When) ? frame[Formula.When.Place] : PixelValues.Of(1);
+        return (frame[Formula.Near.Place], counts, Of(Formula.Ends), Of(Formula.Second));
 
         PixelValues? Of(Symbol name) => rule.Has(name) ? frame[name.Place] : null;
     }
@@ -517,9 +522,11 @@ internal sealed class FormulaEvaluator
     private static readonly Symbol Q = Symbol.Of("Q"), n = Symbol.Of("n"), C = Symbol.Of("C"), R = Symbol.Of("R"), B0 = Symbol.Of("B0"),
         B1 = Symbol.Of("B1"), A = Symbol.Of("A"), B = Symbol.Of("B");
 
-    private static (Symbol Name, PixelValues Value)[] NumbersOf(Plane plane) => [(Q, PixelValues.Of(plane.Point)), (n, PixelValues.Of(plane.Normal))];
+    private static (Symbol Name, PixelValues Value)[] NumbersOf(Plane plane) =>
+        [(Q, PixelValues.Of(plane.Point)), (n, PixelValues.Of(plane.Normal))];
 
-    private static (Symbol Name, PixelValues Value)[] NumbersOf(Sphere sphere) => [(C, PixelValues.Of(sphere.Center)), (R, PixelValues.Of(sphere.Radius))];
+    private static (Symbol Name, PixelValues Value)[] NumbersOf(Sphere sphere) =>
+        [(C, PixelValues.Of(sphere.Center)), (R, PixelValues.Of(sphere.Radius))];
 
     private static (Symbol Name, PixelValues Value)[] NumbersOf(Circle circle) =>
         [(C, PixelValues.Of(circle.Center)), (n, PixelValues.Of(circle.Normal)), (R, PixelValues.Of(circle.Radius))];

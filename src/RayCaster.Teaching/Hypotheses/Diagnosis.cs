@@ -33,7 +33,8 @@ public sealed record Diagnosis
     /// <summary>The name of the model without which the scene gives the picture; null if there is none.</summary>
     public string? MissingModel { get; internal init; }
 
-    /// <summary>The lines and columns without which the scene's picture is this one, with <see cref="DiagnosisKind.Cropped"/>; otherwise null.</summary>
+    /// <summary>The lines and columns without which the scene's picture is this one, with <see cref="DiagnosisKind.Cropped"/>; otherwise null.
+    /// </summary>
     public string? Missing { get; internal init; }
 
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>

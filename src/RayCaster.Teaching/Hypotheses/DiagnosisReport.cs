@@ -68,12 +68,15 @@ public static class DiagnosisReport
     }
 
     /// <summary>After "matches": the mistakes that the scene cannot show, because a right picture does not prove a right program.</summary>
-    public static string HiddenText(IReadOnlyList<Mistake> hidden)
+    public static string HiddenText(SceneDiagnosis prepared)
     {
+        var hidden = prepared.Hidden;
         if (hidden.Count == 0) return "";
         var text = new StringBuilder();
+        var tried = prepared.TriedForHidden;
         text.Wrap("",
-            $"This scene cannot show {hidden.Count} of the {MistakeCatalog.All.Count} known mistakes: " +
+            $"This scene cannot show {hidden.Count} of the " + (tried == MistakeCatalog.Visible.Count
+                ? $"{MistakeCatalog.All.Count} known mistakes: " : $"{tried} known mistakes that were tried (of {MistakeCatalog.All.Count}): ") +
             $"{string.Join(", ", hidden.Select(mistake => mistake.Id))}. \"check\" says why.");
         return text.ToString();
     }

@@ -61,8 +61,9 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         {
         }
         var alike = found.Where(of => of.Changes is [{ Mutant: not null }]).ToLookup(of => of.Left);
+        // in the order in which it is told, too
         return [.. found.OrderBy(of => of.Total).Select(of => Named(of, alike[of.Left]))
-            .Where(of => of.Changes.All(change => change.Place is null || possible?.Invoke(change) != false))]; // in the order in which it is told, too
+            .Where(of => of.Changes.All(change => change.Place is null || possible?.Invoke(change) != false))];
     }
 
     /// <summary>Without each of its changes.</summary>

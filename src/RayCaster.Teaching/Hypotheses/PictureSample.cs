@@ -156,7 +156,8 @@ internal sealed class PictureSample
     /// The bits of the pixels that are left unexplained. Their share is unknown before, from all that is wrong down to what other last bits may
     /// leave: each time that it halves is worth the same.
     /// </summary>
-    public double BitsOf(Residual residual) => Priors.PerHalf * Math.Log2(1 + Math.Min(1, residual.Weight / Math.Max(1, allWrong)) / Priors.Rounding);
+    public double BitsOf(Residual residual) =>
+        Priors.PerHalf * Math.Log2(1 + Math.Min(1, residual.Weight / Math.Max(1, allWrong)) / Priors.Rounding);
 
     /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
     public bool IsExplainedBy(FormulaProgram program) => Residual(program).Weight <= Math.Min(0.5 * WrongCount,

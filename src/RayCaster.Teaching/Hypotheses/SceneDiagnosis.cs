@@ -7,7 +7,7 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <remarks>For a single picture <see cref="Diagnosis.Of"/> does.</remarks>
 public sealed class SceneDiagnosis
 {
-    private readonly Lazy<IReadOnlyList<Mistake>> hidden;
+    private readonly Lazy<(IReadOnlyList<Mistake> Hidden, int Tried)> hidden;
     private readonly (int Width, int Height)? size;
 
     /// <summary>Draws the scene.</summary>
@@ -29,7 +29,7 @@ public sealed class SceneDiagnosis
             && possible?.Invoke(mistake.Usual) != false).ToArray();
         Known = [.. visible.Where(mistake => mistake.Changes.All(change => MutationCoverage.CanTry(scene, change)))];
         NotTried = [.. visible.Except(Known)];
-        hidden = new(() => TooManyModels ? [] : MutationCoverage.HiddenIn(scene, threads, budget));
+        hidden = new(() => TooManyModels ? ([], 0) : MutationCoverage.HiddenIn(scene, threads, budget));
     }
 
     /// <summary>The scene.</summary>
@@ -39,7 +39,10 @@ public sealed class SceneDiagnosis
     public Picture Right { get; }
 
     /// <summary>The mistakes of the catalogue that the scene's picture cannot show. The first use takes longer than a diagnosis.</summary>
-    public IReadOnlyList<Mistake> Hidden => hidden.Value;
+    public IReadOnlyList<Mistake> Hidden => hidden.Value.Hidden;
+
+    /// <summary>How many mistakes were tried for <see cref="Hidden"/>: all that change a pixel, unless the work was limited.</summary>
+    public int TriedForHidden => hidden.Value.Tried;
 
     internal bool TooManyModels => Scene.Models.Count > MutationCoverage.MaxModels;
 

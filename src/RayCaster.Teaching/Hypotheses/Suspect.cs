@@ -8,8 +8,8 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <param name="NotYet">What is also not drawn yet, as in <see cref="Diagnosis.NotYet"/>.</param>
 /// <param name="SamePicture">Whether it draws the same picture of this scene as the first suspect; true of that one, too.</param>
 /// <param name="AsLikely">Whether its explanation of the picture is about as short as the first suspect's, or draws the same.</param>
-/// <param name="HasSymptoms">Whether the picture certainly shows the mistakes' symptoms: each is made in the way that its symptom describes, and they
-/// explain the picture.</param>
+/// <param name="HasSymptoms">Whether the picture certainly shows the mistakes' symptoms: each is made in the way that its symptom describes, and
+/// they explain the picture.</param>
 public sealed record Suspect(
     IReadOnlyList<Change> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet,
     bool SamePicture, bool AsLikely, bool HasSymptoms);

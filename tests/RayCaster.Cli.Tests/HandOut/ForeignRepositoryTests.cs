@@ -62,7 +62,8 @@ public sealed class ForeignRepositoryTests : CommandTests
         }
         DotnetDoes("clone", "restore -warnaserror"); // of the solution
         DotnetDoes("clone", "run --project src/RayCaster.Cli -- scenes/room.json -q");
-        Assert.Equal(PictureFile.Read(ProjectFolder.PathOf("docs/room.png")).Rgb, PictureFile.Read(raycaster.PathOf($"{Folder}/clone/room.png")).Rgb);
+        Assert.Equal(PictureFile.Read(ProjectFolder.PathOf("docs/room.png")).Rgb,
+            PictureFile.Read(raycaster.PathOf($"{Folder}/clone/room.png")).Rgb);
         DotnetDoes("clone", "test --project tests/RayCaster.Lab.Tests -c Release");
         DotnetDoes(".", "clone/src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll handout -q lab"); // which builds the live page
     }

@@ -19,7 +19,8 @@ public class PacketTests
             p => [p.Center, p.Center + new Vector3(p.Radius, 0, 0), p.Center - new Vector3(0, 0, p.Radius)]);
 
     [Fact]
-    public void BoxOverAPacketIsBoxOverADouble() => HoldsFor(3, s => Some.Box(s.Vector(), s.Vector()), p => [p.Min, p.Max, new(p.Min.X, p.Max.Y, p.Min.Z)]);
+    public void BoxOverAPacketIsBoxOverADouble() =>
+        HoldsFor(3, s => Some.Box(s.Vector(), s.Vector()), p => [p.Min, p.Max, new(p.Min.X, p.Max.Y, p.Min.Z)]);
 
     [Fact]
     public void CircleOverAPacketIsCircleOverADouble() =>
@@ -49,7 +50,8 @@ public class PacketTests
                 }
                 var packet = primitive.Intersect(new Ray<Packet>(Pack(origins), Pack(directions)));
                 var wide = primitive.Intersect(new Ray<WidePacket>(Twice(Pack(origins)), Twice(Pack(directions))));
-                Assert.True(AreTwice(packet.Near, wide.Near) && AreTwice(packet.Far, wide.Far), $"{primitive}: the wide packet differs (RAYCASTER_SEED={Campaign.Seed})");
+                Assert.True(AreTwice(packet.Near, wide.Near) && AreTwice(packet.Far, wide.Far),
+                    $"{primitive}: the wide packet differs (RAYCASTER_SEED={Campaign.Seed})");
                 for (var lane = 0; lane < Packet.Count; lane++)
                 {
                     var scalar = primitive.Intersect(new Ray<Scalar>(origins[lane], directions[lane]));
@@ -58,7 +60,8 @@ public class PacketTests
                         if (!double.IsNaN(scalar.Near)) hits++;
                         continue;
                     }
-                    Assert.Fail($"RAYCASTER_SEED={Campaign.Seed}: {primitive}, ray from {origins[lane]} along {directions[lane]}: one double gives {scalar.Near.Value:R}, " +
+                    Assert.Fail($"RAYCASTER_SEED={Campaign.Seed}: {primitive}, ray from {origins[lane]} along {directions[lane]}: " +
+                        $"one double gives {scalar.Near.Value:R}, " +
                         $"{scalar.Far.Value:R}, the packet {packet.Near.Lanes[lane]:R}, {packet.Far.Lanes[lane]:R}");
                 }
             }

@@ -66,7 +66,8 @@ public class ScreenBoundsTests
             var fast = new Renderer(scene, threads: 1).CastHits();
             var ray = ScalarRenderer.Cast(scene, column, row);
             var t = fast.T[(height - 1 - row) * width + column];
-            Assert.True(t.Equals(ray.HitParameter), $"{shape} (RAYCASTER_SEED={Campaign.Seed}) from {position}, look {look}, up {tilt}, fovY {fovY:R}, {width} x {height}, "
+            Assert.True(t.Equals(ray.HitParameter), $"{shape} (RAYCASTER_SEED={Campaign.Seed}) from {position}, look {look}, up {tilt}, "
+                + $"fovY {fovY:R}, {width} x {height}, "
                 + $"column {column}, row {row}: the definition's t is {ray.HitParameter:R}, the renderer's {t:R}");
             if (ray.HitModel is not null) hits++;
         }

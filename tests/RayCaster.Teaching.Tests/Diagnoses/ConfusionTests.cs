@@ -2,8 +2,8 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 
 /// <summary>
 /// How well the diagnosis names what <see cref="EditedLab"/> drew, so that it does not get worse. A mistake is named if it or its twin is in the
-/// first suspect; a single one only if it is alone there. What changes fewer than <see cref="MutationCoverage.LeastPixels"/> pixels beyond rounding is
-/// not visible, and not counted.
+/// first suspect; a single one only if it is alone there. What changes fewer than <see cref="MutationCoverage.LeastPixels"/> pixels beyond rounding
+/// is not visible, and not counted.
 /// </summary>
 public class ConfusionTests(ITestOutputHelper output)
 {

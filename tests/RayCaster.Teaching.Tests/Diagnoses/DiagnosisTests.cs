@@ -84,7 +84,8 @@ public class DiagnosisTests
         var picture = ScalarRenderer.Render(open with { Models = [] });
         foreach (var model in open.Models) // each covers the ones before it, with its far side
         {
-            var alone = MistakeCatalog.Draw(open with { Models = [model] }, [MistakeCatalog.Named("far-root")!.Usual, MistakeCatalog.Named("slab-tmax")!.Usual]);
+            var alone = MistakeCatalog.Draw(open with { Models = [model] },
+                [MistakeCatalog.Named("far-root")!.Usual, MistakeCatalog.Named("slab-tmax")!.Usual]);
             for (var y = 0; y < alone.Height; y++)
                 for (var x = 0; x < alone.Width; x++)
                     if (alone[x, y] != open.Background.ToBytes()) picture[x, y] = alone[x, y];
@@ -251,5 +252,6 @@ public class DiagnosisTests
         Assert.StartsWith("This is another picture", Assert.Single(diagnosis.Likely));
     }
 
-    internal static IEnumerable<string> Named(Suspect suspect) => suspect.Mistakes.Select(mistake => mistake.Id).Concat(suspect.Twins.Select(twin => twin.Id));
+    internal static IEnumerable<string> Named(Suspect suspect) =>
+        suspect.Mistakes.Select(mistake => mistake.Id).Concat(suspect.Twins.Select(twin => twin.Id));
 }

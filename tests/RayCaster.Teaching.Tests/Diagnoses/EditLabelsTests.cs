@@ -22,7 +22,8 @@ public class EditLabelsTests
     public void LabelledEditsAreDrawnAndNamedAsTheirMistake(string id, int count)
     {
         var scene = DiagnosisTests.scene;
-        foreach (var edit in edits.Where(edit => edit.Label == id && edit.Operator == MutationOperator.OtherLaw && edit.Place is not null).Take(count))
+        foreach (var edit in edits
+            .Where(edit => edit.Label == id && edit.Operator == MutationOperator.OtherLaw && edit.Place is not null).Take(count))
         {
             var mistake = MutantNaming.Named([ChangeSource.Of(edit)]);
             Assert.Equal(id, mistake.Id);

@@ -85,7 +85,8 @@ public class FormulaProgramTests
         Assert.Equal(((byte)0, (byte)128, (byte)255), Draw(scene, "bgr", "att-none")[4, 4]);
     }
 
-    private static Picture Draw(Scene scene, params string[] ids) => MistakeCatalog.Draw(scene, [.. ids.Select(id => MistakeCatalog.Named(id)!.Usual)]);
+    private static Picture Draw(Scene scene, params string[] ids) =>
+        MistakeCatalog.Draw(scene, [.. ids.Select(id => MistakeCatalog.Named(id)!.Usual)]);
 
     /// <summary>y = 0, in plain doubles and ifs.</summary>
     private sealed class Wall : Model

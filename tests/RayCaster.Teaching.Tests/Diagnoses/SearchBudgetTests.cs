@@ -61,14 +61,24 @@ public class SearchBudgetTests
         var fitness = MutationCoverage.Of([room], budget: new(0));
         Assert.True(fitness.IsCut);
         Assert.NotEmpty(fitness.NotTried);
-        Assert.Contains("Not tried, since the time is over (--all tries them): ", CoverageReport.Text(fitness));
+        Assert.Contains("shows 0 of the 0 known mistakes that were tried; 95 were not (--all tries them).", CoverageReport.Text(fitness));
+        Assert.Contains("Not tried, since the usual amount of work is done (--all tries them): ", CoverageReport.Text(fitness));
+    }
+
+    [Fact]
+    public void WhatARightPictureCannotProveIsCountedAmongWhatWasTried()
+    {
+        Assert.Matches("cannot show [0-9]+ of the 95 known mistakes: ", DiagnosisReport.HiddenText(new(room)));
+        Assert.Matches(@"cannot show [0-9]+ of the [0-9]+ known mistakes that were tried \(of 95\): ",
+            DiagnosisReport.HiddenText(new(room, budget: new(30_000_000))));
     }
 
     [Fact]
     public void WithWorkEnoughNothingIsLeftOut()
     {
         var budget = new SearchBudget(long.MaxValue, TimeSpan.FromHours(1));
-        Assert.Equal("bgr", Diagnosis.Of(room, MistakeCatalog.Draw(room, [MistakeCatalog.Named("bgr")!.Usual]), budget).Suspects[0].Mistakes.Single().Id);
+        var picture = MistakeCatalog.Draw(room, [MistakeCatalog.Named("bgr")!.Usual]);
+        Assert.Equal("bgr", Diagnosis.Of(room, picture, budget).Suspects[0].Mistakes.Single().Id);
         Assert.Null(budget.UsedUp);
     }
 

@@ -104,7 +104,8 @@ public class RecognitionTests
     {
         var mine = Picture.Of(96, 64, (x, y) => still[x, 63 - y]).With(p => p[3, 3] = p[4, 4] = (9, 9, 9));
         var recognition = Recognise(mine, still)!;
-        Assert.Equal((new PictureTransform(Turn.TopBottom), Likeness.Wrong, 2), (recognition.Transform, recognition.Likeness, recognition.Difference.Wrong));
+        Assert.Equal((new PictureTransform(Turn.TopBottom), Likeness.Wrong, 2),
+            (recognition.Transform, recognition.Likeness, recognition.Difference.Wrong));
     }
 
     [Fact]

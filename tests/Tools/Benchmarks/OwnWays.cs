@@ -13,7 +13,10 @@ internal static class OwnWays
     public static IEnumerable<Way> All(BenchmarkScene scene, int width, int height)
     {
         var (map, picture) = (new Lazy<HitMap>(() => new(width, height)), new Lazy<Picture>(() => new(width, height)));
-        var frames = new[] { ("", (Func<Scene>)Fresh, (Func<Scene, Scene>)SpatialOrder.Of), (", later frame", Moving(scene, width, height), frame => frame) };
+        var frames = new[]
+        {
+            ("", (Func<Scene>)Fresh, (Func<Scene, Scene>)SpatialOrder.Of), (", later frame", Moving(scene, width, height), frame => frame),
+        };
         foreach (var (suffix, next, ordered) in frames)
         {
             yield return new($"exact t{suffix}", Answer.Hits, threads => Time(next(), threads,
