@@ -18,7 +18,7 @@ internal sealed class DefinitionCheck
     private readonly List<(int Column, int Line)> pixels = []; // square by square; lines count from the picture's top
     private readonly int side, step; // pixels along a square, and from one to the next
     private readonly byte[] drawn;
-    private Ray[]? right;
+    private (byte R, byte G, byte B)[]? right; // as the definition draws them
     private int nextLine;
 
     /// <summary>Chooses the pixels.</summary>
@@ -31,8 +31,10 @@ internal sealed class DefinitionCheck
         models = new Model[scene.Models.Count];
         for (var i = 0; i < models.Length; i++)
         {
-            if (scene.Models[i] is Mesh mesh) (models[i], triangles) = (new MeshPart(mesh, screen, threads), triangles + mesh.TriangleCount);
-            else (models[i], others) = (scene.Models[i], others + 1);
+            var model = scene.Models[i];
+            models[i] = model is Mesh mesh ? new MeshPart(mesh, screen, threads) { Color = mesh.Color } : model;
+            if (model is Mesh { TriangleCount: var count }) triangles += count;
+            else others++;
         }
 
         // Each costs some percent of the drawing at most.
@@ -84,30 +86,28 @@ internal sealed class DefinitionCheck
     /// <summary>Draws while another thread, if there is one, casts the pixels by the definition.</summary>
     public void Beside(Action draw, int threads)
     {
-        if (threads > 1) ThreadTeam.Help(1, () => right = Cast(), draw);
+        if (threads > 1) ThreadTeam.Help(1, () => right = Defined(ScalarRenderer.Pixel), draw);
         else draw();
-        right ??= Cast();
+        right ??= Defined(ScalarRenderer.Pixel);
     }
 
-    /// <summary>The rays of all pixels, and what they hit.</summary>
-    private Ray[] Cast()
+    /// <summary>What the definition gives for each pixel, from a scene of the models that its ray may meet.</summary>
+    /// <param name="define">Of a scene, a column, and a line from the top.</param>
+    private T[] Defined<T>(Func<Scene, int, int, T> define)
     {
-        var rays = new Ray[pixels.Count];
-        for (var first = 0; first < rays.Length; first += side * side)
+        var defined = new T[pixels.Count];
+        for (var first = 0; first < defined.Length; first += side * side)
         {
             var near = ModelsNear(first);
+            var part = scene with { Models = near };
             for (var i = first; i < first + side * side; i++)
             {
-                rays[i] = camera.RayThrough(pixels[i].Column, camera.Height - 1 - pixels[i].Line);
                 var pyramid = PyramidOf(i, i);
-                foreach (var model in near)
-                {
-                    (model as MeshPart)?.EnterPixel(pyramid);
-                    rays[i].Intersect(model);
-                }
+                foreach (var model in near) (model as MeshPart)?.EnterPixel(pyramid);
+                defined[i] = define(part, pixels[i].Column, pixels[i].Line);
             }
         }
-        return rays;
+        return defined;
     }
 
     /// <summary>The models that the rays of a square may meet.</summary>
@@ -135,7 +135,7 @@ internal sealed class DefinitionCheck
         var part = new Picture(1, 1); // through the picture's own code, too
         for (var i = 0; i < pixels.Count; i++)
         {
-            part[0, 0] = scene.Shade(right![i].HitParameter, ModelOf(right[i])).ToBytes();
+            part[0, 0] = right![i];
             var fast = (drawn[3 * i], drawn[3 * i + 1], drawn[3 * i + 2]);
             if (fast != part[0, 0]) return $"{PlaceOf(i)}: the engine gives {fast}, ScalarRenderer {part[0, 0]}";
         }
@@ -145,7 +145,7 @@ internal sealed class DefinitionCheck
     /// <summary>The first pixel whose hit differs from the definition's, as a message; null if all are equal.</summary>
     public string? Difference(HitMap hits)
     {
-        var rays = Cast();
+        var rays = Defined((part, column, line) => ScalarRenderer.Cast(part, column, camera.Height - 1 - line));
         for (var i = 0; i < rays.Length; i++)
         {
             var (t, index) = hits[pixels[i].Column, pixels[i].Line];
