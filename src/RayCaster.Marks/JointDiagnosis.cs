@@ -76,7 +76,7 @@ internal sealed record JointDiagnosis
     /// <summary>Whether a kind of shape shows in the pictures that the verdict draws.</summary>
     public bool Draws(string kind, IReadOnlyList<SubmittedPicture> pictures)
     {
-        var without = Verdict.Plus(ChangeSource.Missing(kind))!;
+        if (Verdict.Plus(ChangeSource.Missing(kind)) is not { } without) return false; // it is missing
         return pictures.Index().Any(picture => picture.Item.Scene.Scene.Models.Any(model => model.Kind == kind)
             && Weight(without.Programs[picture.Index], picture.Item)
                 > Weight(Verdict.Programs[picture.Index], picture.Item) + picture.Item.Sample.LeastPixels);
