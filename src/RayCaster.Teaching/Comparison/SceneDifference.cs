@@ -51,6 +51,9 @@ internal sealed class SceneDifference
     /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
     public IReadOnlyList<int> ModelAt => hits.Model;
 
+    /// <summary>Which kinds of shape are wrong by themselves, and what proves that the rays are right.</summary>
+    public WrongKinds WrongKinds => field ??= new(scene, hits, difference, threads);
+
     private ILookup<int, int> PixelsOf => field ??= Enumerable.Range(0, difference.Pixels).ToLookup(i => hits.Model[i]);
 
     private static bool IsOwn(PictureDifference d) => d.Wrong <= d.Pixels / 50;

@@ -83,7 +83,7 @@ internal sealed class PictureSample
         return new(this, [.. Enumerable.Range(0, 2 * most).SelectMany(k => colors.Where(color => k < color.Length).Select(color => color[k]))]);
 
         int ColorOf((byte, byte, byte) shown) => shown == Scene.Background.ToBytes() ? -1
-            : Scene.Models.TakeWhile(model => !ShownColors.IsShadeOf(shown, model.Color)).Count();
+            : Scene.Models.TakeWhile(model => !Shade.IsOf(shown, model.Color)).Count();
     }
 
     public Scene Scene { get; }

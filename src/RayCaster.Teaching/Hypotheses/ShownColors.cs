@@ -50,21 +50,12 @@ internal static class ShownColors
             var several = false;
             foreach (var model in scene.Models)
             {
-                if (!IsShadeOf((r, g, b), model.Color)) continue;
+                if (!Shade.IsOf((r, g, b), model.Color)) continue;
                 var kind = Array.IndexOf(kinds, model.Kind);
                 several |= only >= 0 && only != kind;
                 only = kind;
             }
             if (only >= 0 && !several) seen[only]++;
         }
-    }
-
-    /// <summary>Whether bytes are a colour in some light.</summary>
-    internal static bool IsShadeOf((byte R, byte G, byte B) bytes, Color color)
-    {
-        var most = Math.Max(color.R, Math.Max(color.G, color.B));
-        if (most == 0) return bytes == default;
-        var light = Math.Max(bytes.R, Math.Max(bytes.G, bytes.B)) / most;
-        return Math.Abs(bytes.R - light * color.R) < 3 && Math.Abs(bytes.G - light * color.G) < 3 && Math.Abs(bytes.B - light * color.B) < 3;
     }
 }
