@@ -72,6 +72,9 @@ internal sealed class WrongKinds
     /// <summary>Whether a model is of one of the kinds.</summary>
     public bool Has(int model) => model >= 0 && Kinds.Contains(scene.Models[model].Kind);
 
+    /// <summary>Whether bytes are the colour of a model of one of the kinds.</summary>
+    public bool ShowsColor((byte, byte, byte) shown) => ModelsOf(Kinds).Any(model => Shade.IsOf(shown, scene.Models[model].Color));
+
     /// <summary>The one set of kinds that may be wrong alone; none if several may.</summary>
     private IReadOnlyList<string> Only(IEnumerable<string[]> sets, int? threads)
     {
@@ -118,7 +121,7 @@ internal sealed class WrongKinds
         int[] pixels = [.. Enumerable.Range(0, difference.Pixels).Where(i => !IsWrong(i) && models.Contains(hits.Model[i]))];
         return IsOther((x, y) => right[right.Width - 1 - x, y]) && IsOther((x, y) => right[x, right.Height - 1 - y])
             && IsOther((x, y) => right[right.Width - 1 - x, right.Height - 1 - y])
-            ? [.. models.OrderBy(model => scene.Models[model] is Model<Plane>).ThenByDescending(CountRight)] : [];
+            ? [.. models.OrderBy(model => !AgreesWholly(model)).ThenBy(model => scene.Models[model] is Model<Plane>).ThenByDescending(CountRight)] : [];
 
         bool IsOther(Func<int, int, (byte, byte, byte)> turned) =>
             pixels.Where(i => !PictureJudge.IsNear(right.At(i), turned(i % right.Width, i / right.Width))).Skip(LeastTurned - 1).Any();
@@ -131,7 +134,7 @@ internal sealed class WrongKinds
     private bool IsBad(int model) => wrong.Any(i => hits.Model[i] == model) || ShowsElsewhere(model);
 
     /// <summary>Whether wrong pixels that should show something else show a model's colour, which no other model has.</summary>
-    private bool ShowsElsewhere(int model) => wrong.Where(i => hits.Model[i] != model && Shade.IsOf(difference.Mine.At(i), scene.Models[model].Color)
+    public bool ShowsElsewhere(int model) => wrong.Where(i => hits.Model[i] != model && Shade.IsOf(difference.Mine.At(i), scene.Models[model].Color)
         && Enumerable.Range(0, scene.Models.Count).All(other => other == model || !Shade.IsOf(difference.Mine.At(i), scene.Models[other].Color))
         && !PictureJudge.IsNear(difference.Mine.At(i), scene.Background.ToBytes())).Skip(LeastShown - 1).Any();
 

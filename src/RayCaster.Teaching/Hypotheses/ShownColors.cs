@@ -43,19 +43,20 @@ internal static class ShownColors
     {
         var places = new GoldenRatioSequence(picture.Count);
         for (var k = 0; k < Math.Min(8000, picture.Count); k++)
+            if (OnlyKindOf(scene, picture.At(places[k])) is { } only) seen[Array.IndexOf(kinds, only)]++;
+    }
+
+    /// <summary>The only kind of shape that has a colour in some light; null if none or several have it.</summary>
+    public static string? OnlyKindOf(Scene scene, (byte R, byte G, byte B) shown)
+    {
+        if (Math.Max(shown.R, Math.Max(shown.G, shown.B)) < Dark || shown == scene.Background.ToBytes()) return null;
+        string? only = null;
+        foreach (var model in scene.Models)
         {
-            var (r, g, b) = picture.At(places[k]);
-            if (Math.Max(r, Math.Max(g, b)) < Dark || (r, g, b) == scene.Background.ToBytes()) continue;
-            var only = -1;
-            var several = false;
-            foreach (var model in scene.Models)
-            {
-                if (!Shade.IsOf((r, g, b), model.Color)) continue;
-                var kind = Array.IndexOf(kinds, model.Kind);
-                several |= only >= 0 && only != kind;
-                only = kind;
-            }
-            if (only >= 0 && !several) seen[only]++;
+            if (!Shade.IsOf(shown, model.Color)) continue;
+            if (only is not null && only != model.Kind) return null;
+            only = model.Kind;
         }
+        return only;
     }
 }
