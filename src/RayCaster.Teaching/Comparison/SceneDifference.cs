@@ -111,7 +111,9 @@ internal sealed class SceneDifference
     {
         var without = scene with { Models = [.. scene.Models.Where((_, i) => i != model.Model)] };
         new Renderer(without, threads).CastHits(others);
-        return IsExplained(model, pixel => without.BytesAt(others, pixel));
+        return IsExplained(model, pixel => without.BytesAt(others, pixel)) && !Enumerable.Range(0, difference.Pixels).Where(pixel =>
+            Shade.ModelsOf(scene, difference.Mine.At(pixel)).Take(2).SequenceEqual([model.Model]) && !Shows(pixel, without.BytesAt(others, pixel)))
+            .Skip(WrongKinds.LeastShown - 1).Any(); // what shows, at any place, is not missing
     }
 
     /// <summary>The colour that gives the bytes of the model's pixels if it is multiplied by their attenuation; null if none does.</summary>

@@ -134,9 +134,8 @@ internal sealed class WrongKinds
     private bool IsBad(int model) => wrong.Any(i => hits.Model[i] == model) || ShowsElsewhere(model);
 
     /// <summary>Whether wrong pixels that should show something else show a model's colour, which no other model has.</summary>
-    public bool ShowsElsewhere(int model) => wrong.Where(i => hits.Model[i] != model && Shade.IsOf(difference.Mine.At(i), scene.Models[model].Color)
-        && Enumerable.Range(0, scene.Models.Count).All(other => other == model || !Shade.IsOf(difference.Mine.At(i), scene.Models[other].Color))
-        && !PictureJudge.IsNear(difference.Mine.At(i), scene.Background.ToBytes())).Skip(LeastShown - 1).Any();
+    public bool ShowsElsewhere(int model) => wrong.Where(i => hits.Model[i] != model
+        && Shade.ModelsOf(scene, difference.Mine.At(i)).Take(2).SequenceEqual([model])).Skip(LeastShown - 1).Any();
 
     private IEnumerable<int> ModelsOf(IReadOnlyCollection<string> kinds) =>
         Enumerable.Range(0, scene.Models.Count).Where(model => kinds.Contains(scene.Models[model].Kind));

@@ -175,16 +175,19 @@ internal sealed class PictureSample
     public bool Denies(FormulaProgram program, Predicate<string> isAbout)
     {
         if (!CanDraw(program)) return false;
-        foreach (var (kind, places) in shownKinds.Value)
-        {
-            var drawn = FormulaEvaluator.Draw(Scene, program, places, budget);
-            if (Enumerable.Range(0, places.Length).Any(i => PictureJudge.IsNear(At(drawn, i), Picture[places[i].X, places[i].Y]))) continue;
-            if (isAbout(kind) || ColorsOf(Draw(program)).All(color => ShownColors.OnlyKindOf(Scene, color) != kind)) return true;
-        }
-        return false;
+        return Lost(Scene, program).Any(kind =>
+            isAbout(kind) || ColorsOf(Draw(program)).All(color => ShownColors.OnlyKindOf(Scene, color) != kind));
 
         static IEnumerable<(byte, byte, byte)> ColorsOf(Drawn drawn) => Enumerable.Range(0, drawn.Wrong + drawn.Other).Select(drawn.ColorAt);
     }
+
+    /// <summary>The kinds of shape that the picture shows, but a program does not draw at any of these places, of this scene or a similar one.
+    /// </summary>
+    public IEnumerable<string> Lost(Scene scene, FormulaProgram program) =>
+        from shown in shownKinds.Value
+        let drawn = FormulaEvaluator.Draw(scene, program, shown.Value, budget)
+        where !Enumerable.Range(0, shown.Value.Length).Any(i => PictureJudge.IsNear(At(drawn, i), Picture[shown.Value[i].X, shown.Value[i].Y]))
+        select shown.Key;
 
     /// <summary>The share that a program explains of those wrong pixels that show certain colours; 0 if none does.</summary>
     public double ShareExplained(FormulaProgram program, Predicate<(byte, byte, byte)> ofColor)

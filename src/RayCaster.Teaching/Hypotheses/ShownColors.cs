@@ -3,9 +3,6 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <summary>Which kinds of shape a picture shows by their colours: what it shows, at any place, is drawn.</summary>
 internal static class ShownColors
 {
-    /// <summary>A darker pixel does not show a model's colour.</summary>
-    private const int Dark = 24;
-
     /// <summary>
     /// The ways in which only such kinds are missing whose colours the picture does not show: a colour shows what is drawn, at any place. The ways
     /// without the most kinds come first. Clipping may be the only missing part.
@@ -47,16 +44,6 @@ internal static class ShownColors
     }
 
     /// <summary>The only kind of shape that has a colour in some light; null if none or several have it.</summary>
-    public static string? OnlyKindOf(Scene scene, (byte R, byte G, byte B) shown)
-    {
-        if (Math.Max(shown.R, Math.Max(shown.G, shown.B)) < Dark || shown == scene.Background.ToBytes()) return null;
-        string? only = null;
-        foreach (var model in scene.Models)
-        {
-            if (!Shade.IsOf(shown, model.Color)) continue;
-            if (only is not null && only != model.Kind) return null;
-            only = model.Kind;
-        }
-        return only;
-    }
+    public static string? OnlyKindOf(Scene scene, (byte R, byte G, byte B) shown) =>
+        Shade.ModelsOf(scene, shown).Select(model => scene.Models[model].Kind).Distinct().Take(2).ToArray() is [var only] ? only : null;
 }
