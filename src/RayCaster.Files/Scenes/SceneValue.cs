@@ -1,7 +1,8 @@
 namespace RayCaster.Files;
 
-/// <summary>The value of a key, or an element of one. A wrong value is reported, and NaN or null returned.</summary>
-internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, int? element = null)
+/// <summary>A value that knows its path. A wrong one is reported, and NaN or null returned.</summary>
+/// <param name="path">The path of the value, or of the array whose element it is.</param>
+internal readonly struct SceneValue(SceneDocument document, JsonValue json, string path, int? element = null)
 {
     public const string VectorForm = "an array of three numbers [x, y, z]";
 
@@ -17,13 +18,14 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     {
         get
         {
-            var owner = o; // a lambda of a struct cannot use "this"
-            var name = Name;
-            return json.Content.Select((value, i) => new SceneValue(owner, value, name, i));
+            var file = document; // a lambda of a struct cannot use "this"
+            var array = Path;
+            return json.Content.Select((value, i) => new SceneValue(file, value, array, i));
         }
     }
 
-    private string Name => element is null ? key : $"{key}[{element}]";
+    /// <summary>As messages name it: <c>models[3].min[1]</c>.</summary>
+    public string Path => element is null ? path : $"{path}[{element}]";
 
     public double Number(Limits limits)
     {
@@ -111,7 +113,7 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     public bool IsArray(string elements) => Is(JsonTokenType.StartArray, $"an array of {elements} in brackets [ ]");
 
     /// <param name="message">Follows the value's path.</param>
-    public void Report(bool isError, string message) => o.Report(isError, json, key, message, element);
+    public void Report(bool isError, string message) => document.Add(isError, json.Start, json.End, Path + message);
 
     /// <summary><c>"corner" or "center"</c>.</summary>
     public static string Quoted(string[] words)
