@@ -55,7 +55,7 @@ internal sealed class JsonTree
     /// <param name="takesText">Whether the value of a key may be a text: then a word without quotes gets that advice.</param>
     public static JsonTree? Parse(SourceText text, out JsonMistake? mistake, Predicate<string>? takesText = null)
     {
-        mistake = FileKind.MistakeIn(text.Utf8);
+        mistake = FileKind.NotUtf8(text.Utf8) is var (at, message) ? new(at, at, message) : null;
         if (mistake is not null) return null;
         var tree = new JsonTree(text);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
