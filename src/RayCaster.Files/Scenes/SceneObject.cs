@@ -139,8 +139,12 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
     }
 
     /// <summary>The objects of an array; elements that are something else are reported and left out.</summary>
-    public IEnumerable<SceneObject> Objects(string key, string meaning) =>
-        Elements(new(key, KeyKind.Objects, meaning, true), "objects").Select(element => AsObject(document, element.Json, element.Path)).OfType<SceneObject>();
+    public IEnumerable<SceneObject> Objects(string key, string meaning)
+    {
+        foreach (var element in Elements(new(key, KeyKind.Objects, meaning, true), "objects"))
+            if (AsObject(document, element.Json, element.Path) is { } o)
+                yield return o;
+    }
 
     /// <summary>Refuses a value that was read, or one of its elements: <paramref name="message"/> follows the path.</summary>
     public void Refuse(string key, FormattableString message, int? element = null) =>
@@ -152,7 +156,7 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
     /// <param name="allowed">Keys that are right although they were not read.</param>
     public void Close(params IEnumerable<string> allowed)
     {
-        if (found == json.Keys.Count()) return; // fewer were read if one is unknown or there twice
+        if (2 * found == json.Count) return; // fewer were read if one is unknown or there twice
         keysRead.AddRange(allowed);
         var places = new Dictionary<string, JsonValue>(); // each key once, though it may be there twice
         foreach (var key in json.Keys)
@@ -205,13 +209,13 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
     private Vector3 Vector(string key, KeyKind kind, string meaning, Limits limits, Vector3? orElse) =>
         Take(new(key, kind, meaning, orElse is null, orElse))?.Vector(limits) ?? orElse ?? SceneValue.NoVector;
 
-    /// <summary>The elements of an array, until there are too many errors; none where it is left out or something else.</summary>
+    /// <summary>The elements of an array; none where it is left out or something else.</summary>
     private IEnumerable<SceneValue> Elements(SceneKey key, string name) =>
-        Take(key) is { } value && value.IsArray(name) ? value.Elements.TakeWhile(_ => !document.HasTooManyErrors) : [];
+        Take(key) is { } value && value.IsArray(name) ? value.Elements : [];
 
     private JsonValue? Place(string key, int? element)
     {
         if (json.Find(key) is not { } value) return null;
-        return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content.ElementAt(i) : value;
+        return element is { } i && value.Kind == JsonTokenType.StartArray ? value[i] : value;
     }
 }

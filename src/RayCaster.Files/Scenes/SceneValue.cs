@@ -14,13 +14,18 @@ internal readonly struct SceneValue(SceneDocument document, JsonValue json, stri
 
     public string Text => json.Text;
 
+    /// <summary>The elements of an array, until there are too many errors.</summary>
     public IEnumerable<SceneValue> Elements
     {
         get
         {
-            var file = document; // a lambda of a struct cannot use "this"
             var array = Path;
-            return json.Content.Select((value, i) => new SceneValue(file, value, array, i));
+            var count = 0;
+            foreach (var value in json.Content)
+            {
+                if (document.HasTooManyErrors) yield break;
+                yield return new(document, value, array, count++);
+            }
         }
     }
 
@@ -48,10 +53,10 @@ internal readonly struct SceneValue(SceneDocument document, JsonValue json, stri
 
     public Vector3 Vector(Limits limits, string form = VectorForm)
     {
-        if (json.Kind == JsonTokenType.StartArray && Elements.Take(4).ToArray() is [var x, var y, var z])
-            return new(x.Number(limits), y.Number(limits), z.Number(limits));
+        if (json.Kind == JsonTokenType.StartArray && json.Count == 3)
+            return new(Element(0).Number(limits), Element(1).Number(limits), Element(2).Number(limits));
         var found = json.Kind == JsonTokenType.StartArray
-            ? $"has {Plural.Of(json.Content.Count(), "element")}{DecimalComma.Hint([.. json.Content.Take(7)])}"
+            ? $"has {Plural.Of(json.Count, "element")}{DecimalComma.Hint([.. json.Content.Take(7)])}"
             : $"is {json.InWords}";
         Report(true, $" must be {form}, but {found}");
         return NoVector;
@@ -121,6 +126,8 @@ internal readonly struct SceneValue(SceneDocument document, JsonValue json, stri
         var quoted = Array.ConvertAll(words, word => $"\"{word}\"");
         return quoted.Length == 1 ? quoted[0] : $"{string.Join(", ", quoted[..^1])} or {quoted[^1]}";
     }
+
+    private SceneValue Element(int index) => new(document, json[index], Path, index);
 
     private bool Is(JsonTokenType kind, string form)
     {
