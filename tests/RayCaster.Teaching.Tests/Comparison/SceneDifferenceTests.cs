@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Pictures;
+namespace RayCaster.Teaching.Tests.Comparison;
 
 /// <summary>With the scene, a comparison speaks of models.</summary>
 public class SceneDifferenceTests

@@ -1,7 +1,7 @@
-namespace RayCaster.Teaching.Tests.Scenes;
+namespace RayCaster.Teaching.Tests.Visibility;
 
 /// <summary>What is odd is said in words, with what to change.</summary>
-public class LedgerReportTests
+public class LedgerTableTests
 {
     private static readonly Model Ball = Model.Of(new Sphere(Vector3.Zero, 2));
 

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Hypotheses;
 
 /// <summary>A search that has done its work tells what it has found, and that it has left something out; how much it does is the same everywhere.
 /// </summary>

@@ -1,13 +1,13 @@
 using System.Text;
 
-namespace RayCaster.Teaching.Tests.Scenes;
+namespace RayCaster.Teaching.Tests.Visibility;
 
 public class PfmFileTests
 {
     [Fact]
     public void AMapIsWrittenAsNetpbmWritesIt()
     {
-        var foreign = ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Scenes/Data/grey-little.netpbm.pfm");
+        var foreign = ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Visibility/Data/grey-little.netpbm.pfm");
         Assert.Equal(Encoding.Latin1.GetString(File.ReadAllBytes(foreign)).Replace("-1.000000", "-1.0"),
             Encoding.Latin1.GetString(Written(new(3, 2), [0, 0.25f, 0.5f, 0.75f, 1, 0.5f])));
     }

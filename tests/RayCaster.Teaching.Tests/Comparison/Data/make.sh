@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes measures.txt, the measures of pictures as ImageMagick's "compare" has them (6.9.11 was used). Needs
 # convert and compare. The pictures are a scene's and what ImageMagick makes of it.
-#   tests/RayCaster.Teaching.Tests/Pictures/Data/make.sh
+#   tests/RayCaster.Teaching.Tests/Comparison/Data/make.sh
 set -e
 cd "$(dirname "$0")"
 convert ../../../References/mistakes/generic.png -crop 96x64+100+60 +repage -strip reference.ppm

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Pictures;
+namespace RayCaster.Teaching.Tests.Comparison;
 
 /// <summary>What another program draws is the same, and what half a pixel changes is not, with the scene and without it.</summary>
 public class ReferencesComparedTests

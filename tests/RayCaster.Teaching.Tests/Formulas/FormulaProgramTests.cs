@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Formulas;
 
 /// <summary>What a program draws: the definition's picture, and with mistakes what they say, one on top of the other.</summary>
 public class FormulaProgramTests

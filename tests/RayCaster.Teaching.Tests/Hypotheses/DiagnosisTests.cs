@@ -1,6 +1,6 @@
 using System.Collections.Concurrent;
 
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Hypotheses;
 
 /// <summary>The wrong pictures are <see cref="EditedLab"/>'s.</summary>
 public class DiagnosisTests

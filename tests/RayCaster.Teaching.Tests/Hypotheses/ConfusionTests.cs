@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Hypotheses;
 
 /// <summary>
 /// How well the diagnosis names what <see cref="EditedLab"/> drew, so that it does not get worse. A mistake is named if it or its twin is in the

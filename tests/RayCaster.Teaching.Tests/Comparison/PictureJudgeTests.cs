@@ -1,6 +1,6 @@
-namespace RayCaster.Teaching.Tests.Pictures;
+namespace RayCaster.Teaching.Tests.Comparison;
 
-public class VerdictTests
+public class PictureJudgeTests
 {
     private static readonly Picture still = SomePictures.Still(); // 6144 pixels
 

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Pictures;
+namespace RayCaster.Teaching.Tests.Comparison;
 
 public class PictureDifferenceTests
 {

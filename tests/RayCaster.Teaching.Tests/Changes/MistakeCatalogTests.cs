@@ -1,8 +1,8 @@
 
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Changes;
 
 /// <summary>The catalogue, against the lab, whose source is edited to have the same mistakes.</summary>
-public class CatalogTests
+public class MistakeCatalogTests
 {
     private static readonly Dictionary<string, Scene> scenes =
         SceneFolder.Files("scenes/mistakes").Select(SceneFolder.NameOf).ToDictionary(name => name, name => SceneFolder.Small(name, 4));

@@ -1,9 +1,9 @@
 
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Changes;
 
 /// <summary>Programs that do not draw everything yet: the pictures are <see cref="EditedLab"/>'s, of scenes from which models were
 /// taken.</summary>
-public class UnfinishedTests
+public class MissingPartsTests
 {
     private static readonly Scene scene = DiagnosisTests.scene;
 

@@ -1,11 +1,11 @@
 using System.Globalization;
 
-namespace RayCaster.Teaching.Tests.Pictures;
+namespace RayCaster.Teaching.Tests.Comparison;
 
 /// <summary>The measures are those that ImageMagick gives (Data/make.sh).</summary>
-public class MeasuresTests
+public class PictureDifferenceMeasuresTests
 {
-    private static readonly string folder = ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Pictures/Data");
+    private static readonly string folder = ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Comparison/Data");
     private static readonly Dictionary<string, double[]> expected = File.ReadLines(Path.Combine(folder, "measures.txt"))
         .Select(line => line.Split(' '))
         .ToDictionary(words => words[0], words => words[1..].Select(word => double.Parse(word, CultureInfo.InvariantCulture)).ToArray());

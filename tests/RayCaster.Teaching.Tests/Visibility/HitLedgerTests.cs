@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Scenes;
+namespace RayCaster.Teaching.Tests.Visibility;
 
 /// <summary>The ledger counts what the pictures show, and says why the rest is refused.</summary>
 public class HitLedgerTests

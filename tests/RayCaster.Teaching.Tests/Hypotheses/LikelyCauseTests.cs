@@ -1,5 +1,5 @@
 
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Hypotheses;
 
 /// <summary>Pictures that no mistake of the program makes: none may be accused.</summary>
 public class LikelyCauseTests

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Hypotheses;
 
 public class HypothesisSearchTests
 {

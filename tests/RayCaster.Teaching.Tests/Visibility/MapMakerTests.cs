@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Scenes;
+namespace RayCaster.Teaching.Tests.Visibility;
 
 /// <summary>What maps say of a pixel is what the definition finds there.</summary>
 public class MapMakerTests

@@ -1,13 +1,13 @@
 using System.Collections.Concurrent;
 
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Hypotheses;
 
 /// <summary>What is said of programs' pictures, case by case: Diagnoses.txt.</summary>
 public class DiagnosisTableTests
 {
     private static readonly ConcurrentDictionary<string, SceneDiagnosis> prepared = [];
 
-    public static IEnumerable<ITheoryDataRow> Rows => TestTable.Read("Diagnoses/Diagnoses.txt");
+    public static IEnumerable<ITheoryDataRow> Rows => TestTable.Read("Hypotheses/Diagnoses.txt");
 
     [Theory]
     [MemberData(nameof(Rows))]

@@ -1,7 +1,7 @@
-namespace RayCaster.Teaching.Tests.Pictures;
+namespace RayCaster.Teaching.Tests.Comparison;
 
 /// <summary>What was done to a whole picture is found, and nothing is claimed that is not so.</summary>
-public class RecognitionTests
+public class TransformFinderTests
 {
     private static readonly Picture still = SomePictures.Still();
     private static readonly Picture square = SomePictures.Still(64, 64);

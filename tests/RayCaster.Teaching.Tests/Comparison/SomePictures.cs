@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Pictures;
+namespace RayCaster.Teaching.Tests.Comparison;
 
 /// <summary>Small pictures made by formula, without any symmetry.</summary>
 internal static class SomePictures

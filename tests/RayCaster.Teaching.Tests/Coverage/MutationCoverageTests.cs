@@ -1,6 +1,6 @@
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Coverage;
 
-public class SceneFitnessTests
+public class MutationCoverageTests
 {
     [Fact]
     public void TheRoomSaysWhatItHides()

@@ -1,7 +1,7 @@
-namespace RayCaster.Teaching.Tests.Diagnoses;
+namespace RayCaster.Teaching.Tests.Changes;
 
 /// <summary>The further wordings of Mistakes.txt: each names a mistake of the catalogue, and edits have it.</summary>
-public class EditLabelsTests
+public class MutantLabelsTests
 {
     private static readonly Mutant[] edits =
         [.. Enum.GetValues<StepKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(MutantFactory.MutantsOf)];

@@ -1,7 +1,7 @@
 using System.Text;
 using System.Text.RegularExpressions;
 
-namespace RayCaster.Teaching.Tests.Scenes;
+namespace RayCaster.Teaching.Tests.Coverage;
 
 public class SceneVariationTests
 {
