@@ -27,7 +27,6 @@ internal sealed class DrawCommand() : Command("draw", "<scene>", "Draws a scene.
         var scene = SceneInput.Read(path, line, cancellation);
 
         var start = Stopwatch.GetTimestamp();
-        scene = SpatialOrder.Of(scene);
         var renderer = new RendererChoice(scene, line.Get(Option.Threads), line.Get(plain));
         var lines = NumberRange.Whole(scene.Camera.Height);
         var isOdd = PictureOutput.Draw(file, format, renderer, lines, part: null, line, cancellation);

@@ -28,7 +28,6 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
             wanted = portion.Of(count) ?? throw new ProblemException($"there are no frames {portion} of {count}, 0..{count - 1}");
         var scene = SceneInput.Read(path, line, cancellation);
 
-        scene = SpatialOrder.Of(scene);
         var folder = line.Get(output) ?? "";
         var models = SceneDigest.OfModels(scene.Models);
         var whole = NumberRange.Whole(scene.Camera.Height);

@@ -43,7 +43,7 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
             line.Tell($"{file}: exists already");
             return ExitCode.Done;
         }
-        var renderer = new RendererChoice(SpatialOrder.Of(scene), line.Get(Option.Threads), plain: false);
+        var renderer = new RendererChoice(scene, line.Get(Option.Threads), plain: false);
         PictureOutput.Draw(file, PictureFormat.Png, renderer, lines, part, line, cancellation);
         line.Tell(PictureOutput.Summary(file, scene, lines, Stopwatch.GetElapsedTime(start)));
         return ExitCode.Done;

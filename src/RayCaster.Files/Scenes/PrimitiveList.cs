@@ -62,7 +62,7 @@ internal static class PrimitiveList
     private static Model Triangle(SceneObject o)
     {
         var (a, b, c) = (o.Vector("a", "A, the first corner."), o.Vector("b", "B, the second corner."), o.Vector("c", "C, the third corner."));
-        if (RayCaster.Triangle.IsOnOneLine(a, b, c))
+        if (MeshPlacement.IsOnOneLine(a, b, c))
             o.Refuse("c", $" must not lie on one line with {o.PathOf("a")} and {o.PathOf("b")}: the triangle has no area");
         return Model.Of(new Triangle(a, b, c));
     }
