@@ -63,7 +63,7 @@ public sealed class InterruptionTests : CommandTests
             ("INT", 130, "compare room.png pipe.png"),
             ("TERM", 143, "compare pipe.png room.png"),
             ("HUP", 129, "diagnose ROOM pipe.png"),
-            ("INT", 130, "explain ROOM 1 1 --reference pipe.png"),
+            ("INT", 130, "explain ROOM 1 1 --mine pipe.png"),
             ("HUP", 129, "stitch pipe.png -o whole.png"),
             ("TERM", 143, "part ROOM 1/1 --resume -o pipe.png"),
             ("INT", 130, "check pipe.png"),

@@ -15,7 +15,7 @@ public class MissingPartsTests
         Assert.Equal((DiagnosisKind.Mistake, "att-none"), (diagnosis.Kind, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
         Assert.Equal([MissingParts.Attenuation], diagnosis.NotYet);
         var text = DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings("\n");
-        Assert.Contains("Not drawn yet: attenuation. The rest is right.\nIf that is written already, most likely: att-none\n", text);
+        Assert.Contains("Not drawn yet: attenuation. The rest is right.\nIf that is written already, most likely:\n", text);
         Assert.DoesNotContain("--done", text);
     }
 
@@ -25,7 +25,7 @@ public class MissingPartsTests
         var plane = SceneFolder.Small("plane", 8);
         var picture = ProgramInWords.Draw(plane, "formulas w-sign & formulas att-none & formulas no-znear & formulas no-zfar");
         var text = DiagnosisReport.Text(Diagnosis.Of(plane, picture), "mine.png", "scene.json").ReplaceLineEndings("\n");
-        Assert.Contains("Not drawn yet: attenuation, clipping.\nMost likely: w-sign\n  Symptom:", text);
+        Assert.Contains("Not drawn yet: attenuation, clipping.\nMost likely:\n  Symptom:", text);
         Assert.DoesNotContain("zNear", text);
     }
 

@@ -1,19 +1,9 @@
-using RayCaster.Teaching.Course;
-
 namespace Lab;
 
-/// <summary>What --pixel asks your bodies for. You need not read this.</summary>
+/// <summary>What --pixel asks your methods for. You need not read this.</summary>
 public static class Pixel
 {
-    /// <summary>Prints what the bodies compute for a pixel, beside the right numbers; returns the program's exit code.</summary>
-    /// <param name="pixel">What follows --pixel.</param>
-    public static int Print(RayCaster.Scene from, string[] pixel)
-    {
-        Todo.Listen();
-        return PixelNumbers.Print(from, pixel, (c, r) => Calls(from, c, r), () => Todo.NotWritten);
-    }
-
-    /// <summary>The calls of the bodies for a pixel, by the names of their results.</summary>
+    /// <summary>The calls of your methods for a pixel, by the names of their results.</summary>
     public static IEnumerable<(string, Func<object>)> Calls(RayCaster.Scene from, int c, int r)
     {
         Scene scene = null;

@@ -1,6 +1,6 @@
 namespace Lab;
 
-/// <summary>Calls the bodies that are to be written, so that each that is not written yet makes its note.</summary>
+/// <summary>Calls each method that students write: one that is not written yet makes its note. You need not read this.</summary>
 public static class BodyCalls
 {
     private static readonly Vector3 v = new(1, 2, 3);

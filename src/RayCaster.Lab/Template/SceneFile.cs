@@ -2,7 +2,7 @@ using RayCaster;
 
 namespace Lab;
 
-/// <summary>Turns what the library has read from a scene file into the lab's own classes.</summary>
+/// <summary>Turns what the library has read from a scene file into the lab's own classes. You need not read this.</summary>
 public static class SceneFile
 {
     /// <summary>The same scene. A mesh becomes its triangles.</summary>

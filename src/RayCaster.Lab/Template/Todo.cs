@@ -2,7 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace Lab;
 
-/// <summary>Knows what is not written yet: each body that is to be written begins with a note, which is deleted when the body is written.</summary>
+/// <summary>
+/// Knows what is not written yet. In the hand-out each method that you write begins with a call of Todo.Note: delete that line when you have
+/// written the method. You need not read this.
+/// </summary>
 public static class Todo
 {
     /// <summary>All bodies, in the order in which they are to be written.</summary>
