@@ -107,13 +107,13 @@ internal static class MutantNaming
 
     private static string SymptomOf(StepKind kind) => kind switch
     {
-        StepKind.Vectors => "All that is computed with products and lengths of vectors is wrong.",
+        StepKind.Vectors => "Everything that is computed with products and lengths of vectors is wrong.",
         StepKind.Camera or StepKind.File or StepKind.Sample or StepKind.Pixel =>
             "Everything stands elsewhere or is deformed: the rays are wrong.",
         StepKind.Rule or StepKind.Nearest =>
             "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
         StepKind.Light => "All outlines are right, only the light is not.",
         StepKind.Bytes => "All outlines are right, only the colours are not.",
-        _ => $"Only {ShapeKind.Of(kind).Many} are wrong; all else is right.",
+        _ => $"Only {ShapeKind.Of(kind).Many} are wrong; everything else is right.",
     };
 }

@@ -99,7 +99,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
 
         if (sample.IsOnlyOutlines) return none with { Kind = DiagnosisKind.Matches };
         if (missing is not null) return none;
-        if (byNumber < best.Total) return none with { Likely = sentences };
+        if (byNumber < best.Total) return none with { Likely = sentences, IsOfScene = true };
         if (sentences.Count == 0 && LikelyCause.OfTheWhole(sample) is { } whole) sentences = [whole];
         return none with { Likely = sentences, Nearest = NearestOf(ranked, best, byModels?.WrongKinds), IsOpen = true };
     }
@@ -117,13 +117,14 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         return (isEnough ? [] : [.. LikelyCause.Hints(byModels, sample)], double.PositiveInfinity);
     }
 
-    /// <summary>The mistakes that explain a part of what is drawn wrong.</summary>
+    /// <summary>The known mistakes that explain a part of what is drawn wrong; one of thousands of slips would, by chance.</summary>
     private IReadOnlyList<Suspect> NearestOf(List<Hypothesis> ranked, Hypothesis best, WrongKinds? wrong)
     {
         var background = prepared.Scene.Background.ToBytes();
         return
         [
-            .. ranked.Where(candidate => candidate.Mistakes.Count > 0 && candidate.Total < Mentioned && IsOfTheseKinds(candidate)
+            .. ranked.Where(candidate => candidate.Mistakes.Count > 0 && candidate.Mistakes.All(mistake => mistake.Mutant is null)
+                    && candidate.Total < Mentioned && IsOfTheseKinds(candidate)
                     && sample.ShareExplained(candidate.Programs[0], IsDrawnWrong) >= LeastExplained && candidate.Changes.All(IsNeeded(candidate)))
                 .DistinctBy(candidate => IdsOf(candidate.Mistakes)).Take(Shown)
                 .OrderBy(candidate => candidate.Residual.Unexplained).Select(candidate => Suspects.Of(candidate, best)),

@@ -229,7 +229,7 @@ public static class DiagnosisReport
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
                 (level == HintLevel.Answer ? $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))}"
-                    : $"on this scene {Digits.Count(suspect.Twins.Count, "other mistake")}")
+                    : suspect.Twins.Count == 1 ? "on this scene another mistake" : $"on this scene {suspect.Twins.Count} other mistakes")
                 + $" {(suspect.Twins.Count == 1 ? "gives" : "give")} the same picture; \"check\" shows which scene would distinguish them.");
     }
 

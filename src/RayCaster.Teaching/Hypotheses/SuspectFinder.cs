@@ -38,11 +38,14 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, PictureSample sampl
                select hiding with { Residuals = best.Residuals, Total = best.Total };
     }
 
-    /// <summary>Whether the question of a mistake fits a slip that has its name: the picture is also that of what people write who make it. Only
-    /// another law of the light or of a shape has the same question in any wording.</summary>
+    /// <summary>Whether the question of a mistake fits a slip that has its name. A question about a size fits only if the picture is also that of
+    /// what people write who make the mistake: "half of the height" is no question about one that is twice too large.</summary>
     private bool Fits(Change slip, Hypothesis hypothesis, PictureSample.Drawn drawn) => slip is not { Mutant: { } mutant, Mistake: { } mistake }
-        || (mutant.Operator == MutationOperator.OtherLaw && !mutant.Section.Kind.IsOfRays())
+        || !IsOfSize(mutant)
         || mistake.Changes.Any(change => AreAlike(drawn, With(hypothesis.Changes.Select(own => own == slip ? change : own))));
+
+    private static bool IsOfSize(Mutant mutant) => mutant.Operator is MutationOperator.Constant or MutationOperator.Halved or MutationOperator.Doubled
+        || mutant is { Section.Kind: StepKind.Camera, Formula.Right.Dimension.Kind: ValueKind.Number };
 
     private bool AreAlike(PictureSample.Drawn drawn, Hypothesis? other) => other is not null && sample.AreAlike(drawn, other.Programs[0]);
 
