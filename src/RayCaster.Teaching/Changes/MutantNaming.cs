@@ -48,7 +48,7 @@ internal static class MutantNaming
             Cause = $"{place.Section}: {Describe(mutant)}",
             Hint = new(
                 isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
-                formula is not null ? $"Look at {formula.Computed}. {MutationOperators.QuestionOf(mutant.Operator)}"
+                formula is not null ? $"Look at {formula.Computed}. {mutant.Operator.Question}"
                     : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Section}\"; " +
                         $"this scene cannot tell {NamesOf(formulas)} apart."
                     : $"Something is wrong in one of these steps: {place.Section}. This scene cannot tell them apart.",
@@ -58,16 +58,8 @@ internal static class MutantNaming
 
     internal static string SectionOf(StepKind kind) => kind.ToString().ToLowerInvariant();
 
-    private static string Describe(Mutant mutant)
-    {
-        var where = mutant.Formula is { } formula ? $"in {formula}" : "in the whole formula";
-        return mutant.Operator switch
-        {
-            MutationOperator.MissingCondition => $"{mutant.Meant} was not tested {where}",
-            MutationOperator.ExtraCondition => $"{mutant.Written} was tested {where}",
-            _ => $"{mutant.Written} was written instead of {mutant.Meant} {where}",
-        };
-    }
+    private static string Describe(Mutant mutant) => mutant.Operator.Tell(mutant.Meant, mutant.Written)
+        + (mutant.Formula is { } formula ? $" in {formula}" : " in the whole formula");
 
     private static string NamesOf(IEnumerable<Formula?> formulas)
     {
