@@ -53,7 +53,8 @@ internal sealed record RewriteRule(MutationOperator Mutation, Expression Left, E
             var letter = pattern.Symbol!.Text;
             if (parts.TryGetValue(letter, out var same)) return same.ToString() == e.ToString();
             parts[letter] = e;
-            return e.Dimension.Kind == pattern.Dimension.Kind && (letter != OneName || e.Operator == Operator.Name);
+            return e.Dimension.Kind == pattern.Dimension.Kind
+                && letter switch { OneName => e.Operator == Operator.Name, OneNumber => e.Operator == Operator.Number, _ => true };
         }
         if ((pattern.Operator, pattern.Symbol, pattern.Value) != (e.Operator, e.Symbol, e.Value)) return false;
         for (var i = 0; i < pattern.Operands.Length; i++)
