@@ -26,10 +26,12 @@ public sealed class DiagnoseTests : CommandTests
         Assert.Equal((1, ""), (raycaster.ExitCode, raycaster.Error));
         Assert.StartsWith("wrong.png is not the picture of scene.json: ", raycaster.OutputText);
         Assert.Contains(" differ by more than 1 level.\n", raycaster.OutputText);
-        Assert.Contains("Most likely: rows", raycaster.OutputText);
+        Assert.Contains("Most likely:\n  Symptom:  ", raycaster.OutputText);
+        Assert.DoesNotContain("rows\n", raycaster.OutputText); // the mistake's name is its answer
         Assert.EndsWith("\n\nMore help: --hint answer\n", raycaster.OutputText);
 
         raycaster.Run("diagnose", scene, "wrong.png", "--hint", "answer");
+        Assert.Contains("Most likely: rows\n", raycaster.OutputText);
         Assert.DoesNotContain("--hint", raycaster.OutputText);
 
         raycaster.Run("diagnose", scene, "wrong.png", "--json");

@@ -26,6 +26,19 @@ internal static class MutantNaming
     /// <summary>Most names that are listed where a picture cannot tell formulas apart.</summary>
     private const int MaxNames = 5;
 
+    /// <summary>What the names mean that stand on no slide.</summary>
+    private static readonly Dictionary<string, string> words = new()
+    {
+        ["den"] = "the divisor of t", ["D2"] = "D²", ["O"] = "the vector between C and P", ["S"] = "the sum of the areas",
+        ["e1"] = "the edge at A and B", ["e2"] = "the edge at A and C", ["v0"] = "the edge at A and B", ["v1"] = "the edge at A and C",
+        ["lo"] = "where the ray enters each slab", ["hi"] = "where the ray leaves each slab", ["det"] = "the determinant",
+        ["tmin"] = "t_min", ["tmax"] = "t_max", ["tmin1"] = "t_min of two slabs", ["tmax1"] = "t_max of two slabs",
+        ["start"] = "the t with which the first hit is compared", ["better"] = "the test whether a hit is nearer",
+        ["replaces"] = "the place where a nearer hit is kept", ["lights"] = "the place where a hit gets its colour",
+        ["kept"] = "the test whether a hit counts", ["both"] = "which of two hits shows", ["hit"] = "the test for a hit",
+        ["att"] = "the attenuation", ["level"] = "the way from a colour to its bytes", ["rgb"] = "the order of the bytes",
+    };
+
     /// <summary>The likeliest slip, with the known mistake whose label it has, or with words of its own.</summary>
     /// <param name="slips">All that draw the same, the likeliest first.</param>
     public static Change Named(IReadOnlyList<Change> slips)
@@ -48,13 +61,15 @@ internal static class MutantNaming
             Cause = $"{place.Section}: {Describe(mutant)}",
             Hint = new(
                 isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
-                formula is not null ? $"Look at {formula.Computed}. {mutant.Operator.Question}"
+                formula is not null ? $"Look at {InWords(formula.Computed)}. {mutant.Operator.Question}"
                     : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Section}\"; " +
                         $"this scene cannot tell {NamesOf(formulas)} apart."
                     : $"Something is wrong in one of these steps: {place.Section}. This scene cannot tell them apart.",
                 $"{(formula is null ? "For example, it" : "It")} looks as if {Describe(mutant)}."),
         };
     }
+
+    private static string InWords(string name) => words.GetValueOrDefault(name, name);
 
     internal static string SectionOf(StepKind kind) => kind.ToString().ToLowerInvariant();
 
@@ -63,7 +78,7 @@ internal static class MutantNaming
 
     private static string NamesOf(IEnumerable<Formula?> formulas)
     {
-        string[] names = [.. formulas.Select(formula => formula?.Computed ?? "all of them").Distinct()];
+        string[] names = [.. formulas.Select(formula => formula is null ? "all of them" : InWords(formula.Computed)).Distinct()];
         return names.Length > MaxNames ? "its formulas" : string.Join(names.Length == 2 ? " and " : ", ", names);
     }
 

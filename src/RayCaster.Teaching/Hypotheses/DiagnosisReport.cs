@@ -39,7 +39,7 @@ public static class DiagnosisReport
         AppendLost(text, diagnosis);
         foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
         if (diagnosis.Kind == DiagnosisKind.TellsNothing)
-            text.Wrap("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
+            text.Wrap("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how each pixel should get its colour.");
         else if (diagnosis.Kind == DiagnosisKind.NoneOfThese) AppendNone(text, diagnosis);
         else if (diagnosis.Kind == DiagnosisKind.Mistake) AppendSuspects(text, diagnosis, level);
         return text.ToString();
@@ -99,7 +99,7 @@ public static class DiagnosisReport
             : "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
                 "not scaled, cropped or compressed on its way?");
         text.Wrap("", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
-            "colours; \"explain\" shows how a pixel should come about.");
+            "colours; \"explain\" shows how each pixel should get its colour.");
         if (diagnosis.Nearest.Count > 0) text.AppendLine("The nearest mistakes, though none explains the picture:");
         foreach (var nearest in diagnosis.Nearest) text.AppendLine($"  {Names(nearest),-16} would leave {Rest(diagnosis, nearest)}");
         AppendNotTried(text, diagnosis);
@@ -118,7 +118,7 @@ public static class DiagnosisReport
     {
         var suspects = diagnosis.Suspects;
         AppendSuspect(text, diagnosis, suspects[0], level);
-        if (suspects.Count > 1)
+        if (suspects.Count > 1 && level == HintLevel.Answer)
         {
             text.AppendLine();
             text.AppendLine("Less likely:");
@@ -206,11 +206,12 @@ public static class DiagnosisReport
     private static void AppendSuspect(StringBuilder text, Diagnosis diagnosis, Suspect suspect, HintLevel level)
     {
         var shown = Shown(suspect);
-        text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely: " : "Most likely: ") + Names(suspect)
+        text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely:" : "Most likely:")
+            + (level == HintLevel.Answer ? " " + Names(suspect) : shown.Count > 1 ? $" {shown.Count} mistakes" : "") // an id says what is wrong
             + (shown.Count switch { 1 => "", 2 => ", both at once", _ => ", all at once" }));
         foreach (var mistake in shown)
         {
-            if (shown.Count > 1) text.AppendLine($"  {mistake.Id}");
+            if (shown.Count > 1 && level == HintLevel.Answer) text.AppendLine($"  {mistake.Id}");
             if (suspect.HasSymptoms) text.Wrap("  Symptom:  ", mistake.Hint.Symptom);
             if (level >= HintLevel.Question) text.Wrap("  Question: ", mistake.Hint.Question);
             if (level < HintLevel.Answer) continue;
@@ -218,13 +219,14 @@ public static class DiagnosisReport
             text.Wrap("  Answer:   ", mistake.Hint.Answer);
             text.Wrap("  Slide:    ", mistake.Slide);
         }
-        text.AppendLine($"  It would leave {Rest(diagnosis, suspect)}.");
+        text.AppendLine($"  {Explains(diagnosis, suspect)}.");
         if (suspect.OtherSample)
             text.Wrap("  Besides:  ", "the rays pass through another point of each pixel than the scene's \"sample\" says (corner or center).");
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
-                $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} " +
-                "the same picture; \"check\" shows which scene would distinguish them.");
+                (level == HintLevel.Answer ? $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))}"
+                    : $"on this scene {Digits.Count(suspect.Twins.Count, "other mistake")}")
+                + $" {(suspect.Twins.Count == 1 ? "gives" : "give")} the same picture; \"check\" shows which scene would distinguish them.");
     }
 
     private static void AppendNotTried(StringBuilder text, Diagnosis diagnosis)
@@ -241,6 +243,10 @@ public static class DiagnosisReport
     private static string Rest(Diagnosis diagnosis, Suspect suspect) => suspect.Unexplained < 0.5
         ? "nothing unexplained"
         : $"{Share(suspect.Unexplained, diagnosis)} of the pixels unexplained";
+
+    private static string Explains(Diagnosis diagnosis, Suspect suspect) => suspect.Unexplained < 0.5
+        ? "This explains every wrong pixel"
+        : $"This explains all but {Share(suspect.Unexplained, diagnosis)} of the pixels";
 
     private static string Share(double pixels, Diagnosis diagnosis) => Digits.Share((int)Math.Round(pixels), diagnosis.PixelCount);
 }

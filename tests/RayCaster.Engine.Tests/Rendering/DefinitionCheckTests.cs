@@ -8,11 +8,11 @@ public sealed class DefinitionCheckTests
         new(new(5, 0, 0), Vector3.Zero, width: 30, height: 20), [Model.Of(default(NearerInPackets))]);
 
     [Fact]
-    public void ADrawnPictureThatDiffersFromTheDefinitionIsAnError() =>
-        Assert.Throws<EngineDisagreesException>(() => new Renderer(scene).Draw(.., _ => { }));
+    public void WhoDrawsAPictureThatDiffersFromTheDefinitionIsToldWhere() =>
+        Assert.Matches(@"^column \d+, line \d+: the engine gives \(", new Renderer(scene).Draw(.., _ => { }));
 
     [Fact]
-    public void APictureInMemoryIsAnErrorToo() => Assert.Throws<EngineDisagreesException>(() => Renderer.Render(scene));
+    public void APictureInMemoryIsAnError() => Assert.Throws<EngineDisagreesException>(() => Renderer.Render(scene));
 
     [Fact]
     public void AProgramThatListensGetsTheDefinitionsPictureAndHits()
