@@ -4,11 +4,14 @@ namespace RayCaster.Teaching.Changes;
 /// <param name="cost">Orders slips that draw the same: the less, the likelier.</param>
 /// <param name="question">What students are asked about it. It never says what the slip is.</param>
 /// <param name="answer">What is told at last, with MEANT and WRITTEN for the two expressions.</param>
-internal sealed class MutationOperator(string name, double cost, string question, string answer)
+internal sealed class MutationOperator(string name, double cost, string question, string answer, bool isOfSize)
 {
     public double Cost => cost;
 
     public string Question => question;
+
+    /// <summary>Whether it only makes something larger or smaller.</summary>
+    public bool IsOfSize => isOfSize;
 
     /// <summary>What was written instead of what, in words.</summary>
     public string Tell(string meant, string written) =>

@@ -52,7 +52,7 @@ internal sealed class SlipBook
         try
         {
             if (!words.ContainsKey("cost") || !words.ContainsKey("question")) throw new FormatException("a slip has a cost and a question");
-            var slip = new MutationOperator(name, NumberOf(words["cost"]), words["question"], words["answer"]);
+            var slip = new MutationOperator(name, NumberOf(words["cost"]), words["question"], words["answer"], lines.Contains("size"));
             operators.Add(name, slip);
             for (var i = 1; i < lines.Length; i++)
                 if (lines[i].Contains('→', StringComparison.Ordinal)) ReadRules(lines[i], i, slip);
