@@ -92,7 +92,7 @@ internal static class MutantNaming
             Cause = $"{place.Section}: {Describe(mutant)}",
             Hint = new(
                 isOneStep ? SymptomOf(kinds[0]) : "",
-                formula is not null ? $"Look at {InWords(formula.Computed)}. {MutationOperators.QuestionOf(mutant.Operator)}"
+                formula is not null ? $"Look at {InWords(formula.Computed)}. {mutant.Operator.Question}"
                     : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Section}\"; " +
                         $"this scene cannot tell {NamesOf(formulas)} apart."
                     : $"Something is wrong in one of these steps: {place.Section}. This scene cannot tell them apart.",
@@ -105,16 +105,8 @@ internal static class MutantNaming
     /// <summary>What texts call a step.</summary>
     internal static string SectionOf(StepKind kind) => kind.ToString().ToLowerInvariant();
 
-    private static string Describe(Mutant mutant)
-    {
-        var where = mutant.Formula is { } formula ? $"in {formula}" : "in the whole formula";
-        return mutant.Operator switch
-        {
-            MutationOperator.MissingCondition => $"{mutant.Meant} was not tested {where}",
-            MutationOperator.ExtraCondition => $"{mutant.Written} was tested {where}",
-            _ => $"{mutant.Written} was written instead of {mutant.Meant} {where}",
-        };
-    }
+    private static string Describe(Mutant mutant) => mutant.Operator.Tell(mutant.Meant, mutant.Written)
+        + (mutant.Formula is { } formula ? $" in {formula}" : " in the whole formula");
 
     private static string NamesOf(IEnumerable<Formula?> formulas)
     {
