@@ -111,14 +111,8 @@ public sealed class Renderer
 
     private void CastByDefinition(HitMap hits)
     {
-        for (var line = 0; line < hits.Height; line++)
-        {
-            for (var column = 0; column < hits.Width; column++)
-            {
-                var ray = ScalarRenderer.Cast(scene, column, hits.Height - 1 - line);
-                hits[column, line] = (ray.HitParameter, scene.IndexOf(ray.HitModel));
-            }
-        }
+        for (var i = 0; i < hits.T.Length; i++)
+            hits[i] = ScalarRenderer.Cast(scene, i % hits.Width, hits.Height - 1 - i / hits.Width);
     }
 
     /// <summary>Casts all rays, on this thread and others.</summary>

@@ -177,7 +177,7 @@ internal sealed class Marker(Rubric rubric)
         if (!diagnosis.TellsNothing && unexplained.Length > 0)
             yield return $"{string.Join(", ", unexplained)}: " +
                 (diagnosis.Note is { } note ? $"no known mistake explains this, but {note}"
-                    : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
+                    : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $"; the nearest is {Names(near)}, which explains too little" : ""));
         foreach (var cause in Edits(diagnosis).Select(edit => edit.Cause).Distinct())
             yield return $"no known mistake explains the pictures, but a slip in {cause}";
         foreach (var other in diagnosis.Alternatives)
@@ -194,5 +194,6 @@ internal sealed class Marker(Rubric rubric)
         select same.ToArray();
 
     private static string Names(Hypothesis program) => string.Join(" + ",
-        program.Missing.Select(part => $"no {part}").Concat(program.AllMistakes.Select(mistake => mistake.Id)));
+        program.Missing.Select(part => $"no {part}").Concat(program.AllMistakes.Select(mistake =>
+            mistake.Place is null ? mistake.Id : $"a slip in {mistake.Cause}")));
 }

@@ -4,12 +4,9 @@ namespace RayCaster.Engine;
 /// formula.</summary>
 internal sealed class MeshPart(Mesh mesh, ScreenSpace screen, int threads) : Model
 {
-    private readonly Mesh ordered = SpatialOrder.Of(mesh);
-    private readonly TriangleBoxes boxes = TriangleBoxes.Of(SpatialOrder.Of(mesh), default, threads);
+    private readonly TriangleBoxes boxes = TriangleBoxes.Of(mesh, default, threads);
     private readonly List<int> near = []; // the first of each packet of boxes of which one may be met by the rays of a square
     private Pyramid? pixel;
-
-    public Mesh Mesh => mesh;
 
     public override Bounds? Bounds => boxes.Bounds;
 
@@ -57,7 +54,7 @@ internal sealed class MeshPart(Mesh mesh, ScreenSpace screen, int threads) : Mod
                 var (triangle, end) = boxes.TrianglesOf(first + BitOperations.TrailingZeroCount(left));
                 for (; triangle < end; triangle++)
                 {
-                    double t = ordered[triangle].Intersect(along).Near;
+                    double t = mesh[triangle].Intersect(along).Near;
                     if (t < nearest && ray.Counts(t)) nearest = t;
                 }
             }

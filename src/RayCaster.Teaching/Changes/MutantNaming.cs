@@ -44,11 +44,25 @@ internal static class MutantNaming
     public static Change Named(IReadOnlyList<Change> slips)
     {
         var first = slips[0];
-        Mutant[] likely = [.. slips.Select(change => change.Mutant!).Where(mutant => mutant.Cost <= first.Mutant!.Cost + Likely)];
-        var mutant = likely[0];
+        var likely = LikelyOf(slips);
         if (Array.Find(likely, other => other.Label is not null) is { } known)
             return first with { Mistake = MistakeCatalog.Named(known.Label!), Cause = $"{SectionOf(known.Section.Kind)}: {Describe(known)}" };
+        return InOwnWords(first, likely);
+    }
 
+    /// <summary>A slip with a mistake's name, in words of its own.</summary>
+    public static Change Unnamed(Change slip)
+    {
+        var mutant = slip.Mutant! with { Label = null };
+        return InOwnWords(slip with { Mutant = mutant, Mistake = null, Similar = slip.Mistake }, [mutant]);
+    }
+
+    private static Mutant[] LikelyOf(IReadOnlyList<Change> slips) =>
+        [.. slips.Select(change => change.Mutant!).Where(mutant => mutant.Cost <= slips[0].Mutant!.Cost + Likely)];
+
+    private static Change InOwnWords(Change first, Mutant[] likely)
+    {
+        var mutant = likely[0];
         StepKind[] kinds = [.. likely.Select(other => other.Section.Kind).Distinct()];
         var isOneStep = kinds.Length == 1;
         // Other styles have other formulas: the texts use those of the likeliest style.
@@ -60,7 +74,7 @@ internal static class MutantNaming
             Place = place,
             Cause = $"{place.Section}: {Describe(mutant)}",
             Hint = new(
-                isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
+                isOneStep ? SymptomOf(kinds[0]) : "",
                 formula is not null ? $"Look at {InWords(formula.Computed)}. {MutationOperators.QuestionOf(mutant.Operator)}"
                     : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Section}\"; " +
                         $"this scene cannot tell {NamesOf(formulas)} apart."
@@ -71,6 +85,7 @@ internal static class MutantNaming
 
     private static string InWords(string name) => words.GetValueOrDefault(name, name);
 
+    /// <summary>What texts call a step.</summary>
     internal static string SectionOf(StepKind kind) => kind.ToString().ToLowerInvariant();
 
     private static string Describe(Mutant mutant)
@@ -92,13 +107,13 @@ internal static class MutantNaming
 
     private static string SymptomOf(StepKind kind) => kind switch
     {
-        StepKind.Vectors => "All that is computed with products and lengths of vectors is wrong.",
+        StepKind.Vectors => "Everything that is computed with products and lengths of vectors is wrong.",
         StepKind.Camera or StepKind.File or StepKind.Sample or StepKind.Pixel =>
             "Everything stands elsewhere or is deformed: the rays are wrong.",
         StepKind.Rule or StepKind.Nearest =>
             "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
         StepKind.Light => "All outlines are right, only the light is not.",
         StepKind.Bytes => "All outlines are right, only the colours are not.",
-        _ => $"Only {ShapeKind.Of(kind).Many} are wrong; all else is right.",
+        _ => $"Only {ShapeKind.Of(kind).Many} are wrong; everything else is right.",
     };
 }

@@ -79,10 +79,10 @@ public sealed class PictureJudge(Picture reference, Scene? scene = null)
         {
             var d = camera.Direction<Scalar>(column + right, camera.Height - 1 - line + up);
             var ray = new Ray(camera.Position, new(d.X, d.Y, d.Z)) { ClipRange = camera.ClipRange, DepthPerT = camera.DepthPerT(d) };
-            var hits = scene.Models.Select(model => (Model: model, T: model.Intersect(ray) ?? double.PositiveInfinity)).ToList();
+            var hits = scene.Models.Select((model, i) => new Hit(model.Intersect(ray) ?? double.PositiveInfinity, i)).ToList();
             var nearest = hits.Select(hit => hit.T).DefaultIfEmpty(double.PositiveInfinity).Min();
             if (double.IsInfinity(nearest)) yield return scene.Background.ToBytes();
-            else foreach (var hit in hits.Where(hit => hit.T <= nearest * (1 + Tie))) yield return scene.Shade(hit.T, hit.Model).ToBytes();
+            else foreach (var hit in hits.Where(hit => hit.T <= nearest * (1 + Tie))) yield return scene.Shade(hit).ToBytes();
         }
     }
 

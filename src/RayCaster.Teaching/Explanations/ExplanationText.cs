@@ -51,7 +51,7 @@ public sealed class ExplanationText
         var (r, g, b) = pixel.Bytes;
         Line(0, $"Column {pixel.Column}, line {pixel.Line} from the top (row r = {pixel.Row} from the bottom) of {camera.Width} × " +
             $"{camera.Height} pixels:");
-        Line(0, $"{pixel.NameOf(pixel.Winner)}{(pixel.Winner is null ? "" : $" at t = {Digits.Of(pixel.Ray.HitParameter)}")}, bytes {r} {g} {b}");
+        Line(0, $"{pixel.NameOf(pixel.Winner)}{(pixel.Winner is null ? "" : $" at t = {Digits.Of(pixel.Hit.T)}")}, bytes {r} {g} {b}");
         foreach (var note in pixel.Notes) Line(0, $"Note: {note}.");
     }
 

@@ -40,7 +40,7 @@ public static class DiagnosisReport
         foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
         if (diagnosis.Kind == DiagnosisKind.TellsNothing)
             text.Wrap("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how each pixel should get its colour.");
-        else if (diagnosis.Kind == DiagnosisKind.NoneOfThese) AppendNone(text, diagnosis);
+        else if (diagnosis.Kind == DiagnosisKind.NoneOfThese) AppendNone(text, diagnosis, picture, scene, level);
         else if (diagnosis.Kind == DiagnosisKind.Mistake) AppendSuspects(text, diagnosis, level);
         return text.ToString();
     }
@@ -81,7 +81,7 @@ public static class DiagnosisReport
         return text.ToString();
     }
 
-    private static void AppendNone(StringBuilder text, Diagnosis diagnosis)
+    private static void AppendNone(StringBuilder text, Diagnosis diagnosis, string picture, string scene, HintLevel level)
     {
         if (diagnosis.MissingModel is not null)
         {
@@ -94,14 +94,17 @@ public static class DiagnosisReport
                 $"The known mistakes were not tried: the scene has more than {MutationCoverage.MaxModels:N0} models. Make a smaller one."));
             return;
         }
-        text.Wrap("", diagnosis.Likely.Count > 0
-            ? "None of the known mistakes makes this picture. Is it of this scene?"
-            : "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
-                "not scaled, cropped or compressed on its way?");
-        text.Wrap("", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
-            "colours; \"explain\" shows how each pixel should get its colour.");
+        text.Wrap("", "None of the known mistakes makes this picture." + (diagnosis.IsOfScene ? ""
+            : diagnosis.Likely.Count > 0 ? " Is it of this scene?"
+            : " Is it of this scene, with this camera, and as your program wrote it, not scaled, cropped or compressed on its way?"));
+        text.Wrap("", $"\"draw {scene} -o right.png\" draws the right picture; then \"compare {picture} right.png --scene {scene}\" says which " +
+            "models are wrong, and whether the whole is moved or has other colours. \"explain\" shows how each pixel should get its colour.");
         if (diagnosis.Nearest.Count > 0) text.AppendLine("The nearest mistakes, though none explains the picture:");
-        foreach (var nearest in diagnosis.Nearest) text.AppendLine($"  {Names(nearest),-16} would leave {Rest(diagnosis, nearest)}");
+        foreach (var nearest in diagnosis.Nearest)
+        {
+            var question = level >= HintLevel.Question && nearest.Mistakes is [var only] ? $" {only.Hint.Question}" : "";
+            text.Wrap("  ", $"{Names(nearest)} would leave {Rest(diagnosis, nearest)}.{question}", 4);
+        }
         AppendNotTried(text, diagnosis);
     }
 
@@ -181,7 +184,8 @@ public static class DiagnosisReport
     {
         ["id"] = mistake.Id,
         ["cause"] = mistake.Cause,
-        ["symptom"] = hasSymptom ? mistake.Hint.Symptom : null,
+        ["similarTo"] = mistake.Similar?.Id,
+        ["symptom"] = hasSymptom && mistake.Hint.Symptom != "" ? mistake.Hint.Symptom : null,
         ["question"] = mistake.Hint.Question,
         ["answer"] = mistake.Hint.Answer,
         ["slide"] = mistake.Slide,
@@ -211,8 +215,8 @@ public static class DiagnosisReport
             + (shown.Count switch { 1 => "", 2 => ", both at once", _ => ", all at once" }));
         foreach (var mistake in shown)
         {
-            if (shown.Count > 1 && level == HintLevel.Answer) text.AppendLine($"  {mistake.Id}");
-            if (suspect.HasSymptoms) text.Wrap("  Symptom:  ", mistake.Hint.Symptom);
+            if (shown.Count > 1 && level == HintLevel.Answer) text.AppendLine($"  {NameOf(mistake)}");
+            if (suspect.HasSymptoms && mistake.Hint.Symptom != "") text.Wrap("  Symptom:  ", mistake.Hint.Symptom);
             if (level >= HintLevel.Question) text.Wrap("  Question: ", mistake.Hint.Question);
             if (level < HintLevel.Answer) continue;
             text.Wrap("  Cause:    ", mistake.Cause);
@@ -225,7 +229,7 @@ public static class DiagnosisReport
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
                 (level == HintLevel.Answer ? $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))}"
-                    : $"on this scene {Digits.Count(suspect.Twins.Count, "other mistake")}")
+                    : suspect.Twins.Count == 1 ? "on this scene another mistake" : $"on this scene {suspect.Twins.Count} other mistakes")
                 + $" {(suspect.Twins.Count == 1 ? "gives" : "give")} the same picture; \"check\" shows which scene would distinguish them.");
     }
 
@@ -236,7 +240,11 @@ public static class DiagnosisReport
                 $"Not tried, since the scene has too many triangles: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 
-    private static string Names(Suspect suspect) => string.Join(" + ", Shown(suspect).Select(mistake => mistake.Id));
+    private static string Names(Suspect suspect) => string.Join(" + ", Shown(suspect).Select(NameOf));
+
+    /// <summary>An id; a slip that has none in words.</summary>
+    private static string NameOf(Change mistake) => (mistake.Place is { } place ? $"a slip in the step \"{place.Section}\"" : mistake.Id)
+        + (mistake.Similar is { } similar ? $" (similar to {similar.Id})" : "");
 
     private static IReadOnlyList<Change> Shown(Suspect suspect) => IsOnlyUnwritten(suspect) ? suspect.Mistakes : [.. Beside(suspect)];
 

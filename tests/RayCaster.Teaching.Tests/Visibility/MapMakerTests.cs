@@ -8,8 +8,8 @@ public class MapMakerTests
     [Fact]
     public void TAndModelAreTheDefinitions()
     {
-        foreach (var (_, ray, t) in Pixels(MapKind.T)) Assert.Equal((float)ray.HitParameter, t);
-        foreach (var (scene, ray, model) in Pixels(MapKind.Model)) Assert.Equal(ray.HitModel, model < 0 ? null : scene.Models[(int)model]);
+        foreach (var (hit, t) in Pixels(MapKind.T)) Assert.Equal((float)hit.T, t);
+        foreach (var (hit, model) in Pixels(MapKind.Model)) Assert.Equal(hit.Model, model);
     }
 
     [Fact]
@@ -63,14 +63,14 @@ public class MapMakerTests
 
     private static Scene Scene(params Model[] models) => new(Camera, models);
 
-    private static IEnumerable<(Scene Scene, Ray Ray, float Number)> Pixels(MapKind kind)
+    private static IEnumerable<(Hit Hit, float Number)> Pixels(MapKind kind)
     {
         for (var seed = 0; seed < 16; seed++)
         {
             var scene = RandomScene.Make(new Random(seed));
             var map = MapMaker.Make(scene, kind);
             for (var y = 0; y < map.Height; y++)
-                for (var x = 0; x < map.Width; x++) yield return (scene, ScalarRenderer.Cast(scene, x, map.Height - 1 - y), map[x, y]);
+                for (var x = 0; x < map.Width; x++) yield return (ScalarRenderer.Cast(scene, x, map.Height - 1 - y), map[x, y]);
         }
     }
 }
