@@ -29,14 +29,31 @@ internal static class MutantNaming
     /// <summary>What the names mean that stand on no slide.</summary>
     private static readonly Dictionary<string, string> words = new()
     {
-        ["den"] = "the divisor of t", ["D2"] = "D²", ["O"] = "the vector between C and P", ["S"] = "the sum of the areas",
-        ["e1"] = "the edge at A and B", ["e2"] = "the edge at A and C", ["v0"] = "the edge at A and B", ["v1"] = "the edge at A and C",
-        ["lo"] = "where the ray enters each slab", ["hi"] = "where the ray leaves each slab", ["det"] = "the determinant",
-        ["tmin"] = "t_min", ["tmax"] = "t_max", ["tmin1"] = "t_min of two slabs", ["tmax1"] = "t_max of two slabs",
-        ["start"] = "the t with which the first hit is compared", ["better"] = "the test whether a hit is nearer",
-        ["replaces"] = "the place where a nearer hit is kept", ["lights"] = "the place where a hit gets its colour",
-        ["kept"] = "the test whether a hit counts", ["both"] = "which of two hits shows", ["hit"] = "the test for a hit",
-        ["att"] = "the attenuation", ["level"] = "the way from a colour to its bytes", ["rgb"] = "the order of the bytes",
+        ["den"] = "the divisor of t",
+        ["D2"] = "D²",
+        ["O"] = "the vector between C and P",
+        ["S"] = "the sum of the areas",
+        ["e1"] = "the edge at A and B",
+        ["e2"] = "the edge at A and C",
+        ["v0"] = "the edge at A and B",
+        ["v1"] = "the edge at A and C",
+        ["lo"] = "where the ray enters each slab",
+        ["hi"] = "where the ray leaves each slab",
+        ["det"] = "the determinant",
+        ["tmin"] = "t_min",
+        ["tmax"] = "t_max",
+        ["tmin1"] = "t_min of two slabs",
+        ["tmax1"] = "t_max of two slabs",
+        ["start"] = "the t with which the first hit is compared",
+        ["better"] = "the test whether a hit is nearer",
+        ["replaces"] = "the place where a nearer hit is kept",
+        ["lights"] = "the place where a hit gets its colour",
+        ["kept"] = "the test whether a hit counts",
+        ["both"] = "which of two hits shows",
+        ["hit"] = "the test for a hit",
+        ["att"] = "the attenuation",
+        ["level"] = "the way from a colour to its bytes",
+        ["rgb"] = "the order of the bytes",
     };
 
     /// <summary>The likeliest slip, with the known mistake whose label it has, or with words of its own.</summary>
@@ -75,7 +92,7 @@ internal static class MutantNaming
             Cause = $"{place.Section}: {Describe(mutant)}",
             Hint = new(
                 isOneStep ? SymptomOf(kinds[0]) : "",
-                formula is not null ? $"Look at {InWords(formula.Computed)}. {MutationOperators.QuestionOf(mutant.Operator)}"
+                formula is not null ? $"Look at {InWords(formula.Computed)}. {mutant.Operator.Question}"
                     : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Section}\"; " +
                         $"this scene cannot tell {NamesOf(formulas)} apart."
                     : $"Something is wrong in one of these steps: {place.Section}. This scene cannot tell them apart.",
@@ -88,16 +105,8 @@ internal static class MutantNaming
     /// <summary>What texts call a step.</summary>
     internal static string SectionOf(StepKind kind) => kind.ToString().ToLowerInvariant();
 
-    private static string Describe(Mutant mutant)
-    {
-        var where = mutant.Formula is { } formula ? $"in {formula}" : "in the whole formula";
-        return mutant.Operator switch
-        {
-            MutationOperator.MissingCondition => $"{mutant.Meant} was not tested {where}",
-            MutationOperator.ExtraCondition => $"{mutant.Written} was tested {where}",
-            _ => $"{mutant.Written} was written instead of {mutant.Meant} {where}",
-        };
-    }
+    private static string Describe(Mutant mutant) => mutant.Operator.Tell(mutant.Meant, mutant.Written)
+        + (mutant.Formula is { } formula ? $" in {formula}" : " in the whole formula");
 
     private static string NamesOf(IEnumerable<Formula?> formulas)
     {

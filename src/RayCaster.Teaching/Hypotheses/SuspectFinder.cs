@@ -44,7 +44,7 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, PictureSample sampl
         || !IsOfSize(mutant)
         || mistake.Changes.Any(change => AreAlike(drawn, With(hypothesis.Changes.Select(own => own == slip ? change : own))));
 
-    private static bool IsOfSize(Mutant mutant) => mutant.Operator is MutationOperator.Constant or MutationOperator.Halved or MutationOperator.Doubled
+    private static bool IsOfSize(Mutant mutant) => mutant.Operator.IsOfSize
         || mutant is { Section.Kind: StepKind.Camera, Formula.Right.Dimension.Kind: ValueKind.Number };
 
     private bool AreAlike(PictureSample.Drawn drawn, Hypothesis? other) => other is not null && sample.AreAlike(drawn, other.Programs[0]);

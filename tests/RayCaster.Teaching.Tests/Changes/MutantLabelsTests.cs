@@ -23,7 +23,7 @@ public class MutantLabelsTests
     {
         var scene = DiagnosisTests.scene;
         foreach (var edit in edits
-            .Where(edit => edit.Label == id && edit.Operator == MutationOperator.OtherLaw && edit.Place is not null).Take(count))
+            .Where(edit => edit.Label == id && edit.Operator == SlipBook.Slips["OtherLaw"] && edit.Place is not null).Take(count))
         {
             var mistake = MutantNaming.Named([ChangeSource.Of(edit)]);
             Assert.Equal(id, mistake.Id);
