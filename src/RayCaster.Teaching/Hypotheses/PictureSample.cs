@@ -17,6 +17,9 @@ internal sealed class PictureSample
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.05;
 
+    /// <summary>The share of a shape's pixels that lie inside its outline, at least, if last bits decide which of them show.</summary>
+    private const double LeastOfScattered = 0.8;
+
     /// <summary>The share of a picture's pixels that last bits may change.</summary>
     private const double LastBits = 0.002;
 
@@ -174,7 +177,7 @@ internal sealed class PictureSample
     /// <param name="isAbout">Whether a mistake of the program is one of a kind of shape alone.</param>
     public bool Denies(FormulaProgram program, Predicate<string> isAbout)
     {
-        if (!CanDraw(program) || program.Scatters) return false; // where last bits decide, its pixels lie anywhere
+        if (!CanDraw(program)) return false;
         return Lost(Scene, program).Any(kind =>
             isAbout(kind) || ColorsOf(Draw(program)).All(color => ShownColors.OnlyKindOf(Scene, color) != kind));
 
@@ -185,8 +188,11 @@ internal sealed class PictureSample
     /// </summary>
     public IEnumerable<string> Lost(Scene scene, FormulaProgram program) =>
         from shown in shownKinds.Value
-        let drawn = FormulaEvaluator.Draw(scene, program, shown.Value, budget)
-        where !Enumerable.Range(0, shown.Value.Length).Any(i => PictureJudge.IsNear(At(drawn, i), Picture[shown.Value[i].X, shown.Value[i].Y]))
+        let places = shown.Value
+        // a program whose last bits decide draws some of the pixels that it draws without them: nearly all of those that show
+        let drawn = FormulaEvaluator.Draw(scene, program with { Scatters = false }, places, budget)
+        let right = places.Index().Count(place => PictureJudge.IsNear(At(drawn, place.Index), Picture[place.Item.X, place.Item.Y]))
+        where right <= (program.Scatters ? LeastOfScattered * places.Length : 0)
         select shown.Key;
 
     /// <summary>The share that a program explains of those wrong pixels that show certain colours; 0 if none does.</summary>
