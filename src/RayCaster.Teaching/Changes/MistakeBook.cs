@@ -36,7 +36,7 @@ internal static class MistakeBook
                 var (word, rest) = line.Split(' ', 2) is [var first, var second] ? (first, second) : (line, "");
                 switch (word)
                 {
-                    case "slide" or "symptom" or "question" or "answer" or "rounding" or "rare" or "missing": words[word] = rest; break;
+                    case "slide" or "symptom" or "question" or "answer" or "rounding" or "rare" or "missing" or "hidden": words[word] = rest; break;
                     case "cause" or "or": cause = rest; break;
                     case "is":
                         foreach (var way in ChangeReader.Read(rest))

@@ -18,7 +18,7 @@ internal static class Priors
 
     /// <summary>One model that is not drawn; another number in the scene: which one, and its value; the same in place of two mistakes of the
     /// camera, of which some pair draws nearly each angle.</summary>
-    public const double MissingModel = 9, OtherNumber = 16, NumberForTwo = 13.5;
+    public const double MissingModel = 9, NumberOfScene = 16, NumberForTwo = 13.5;
 
     /// <summary>What it is worth to leave half as many pixels unexplained.</summary>
     public const double PerHalf = 8;

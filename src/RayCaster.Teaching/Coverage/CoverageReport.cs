@@ -4,43 +4,44 @@ namespace RayCaster.Teaching.Coverage;
 public static class CoverageReport
 {
     /// <summary>Why a scene hides mistakes.</summary>
+    /// <param name="Name">What Mistakes.txt calls it.</param>
     /// <param name="Why">The reason, and what to change.</param>
-    private sealed record Reason(Func<Scene, bool> Holds, string Why, params string[] Ids);
+    /// <param name="Holds">Whether it holds in a scene; in each if null.</param>
+    private sealed record Reason(string Name, string Why, Func<Scene, bool>? Holds = null);
 
-    /// <summary>A mistake's reason is the first one that holds and names it.</summary>
+    /// <summary>A mistake's reason is the first one that holds and hides it.</summary>
     private static readonly Reason[] reasons =
     [
-        new(scene => scene.Models.Count == 0, "the world is empty: add models"),
-        new(scene => scene.Camera.Width == scene.Camera.Height, "the picture is square: make it 3:2, say 300 x 200",
-            "aspect-inv", "aspect-none", "aspect-int", "fov-horiz", "whswap", "transpose", "size-mixed", "uv-swap"),
-        new(scene => scene.Camera.Width < 2 * scene.Camera.Height && scene.Camera.Width > scene.Camera.Height,
+        new("square picture", "the picture is square: make it 3:2, say 300 x 200", scene => scene.Camera.Width == scene.Camera.Height),
+        new("nearly square picture",
             "width / height in whole numbers is 1",
-            "aspect-int"),
-        new(scene => scene.Camera.W.Z == 0 || scene.Camera.Up * scene.Camera.W == 0,
-            "the camera is level, at right angles to up: raise its position or lower its target", "u-unnorm", "cross-z", "len-nosqrt", "v-up"),
-        new(scene => scene.Models.OfType<Model<Sphere>>().All(model => model.Primitive.Radius == 1),
-            "every sphere has the radius 1: take another", "r-nosq", "d-nosq"),
-        new(scene => scene.Models.OfType<Model<Circle>>().All(model => model.Primitive.Radius == 1),
-            "every circle has the radius 1: take another", "circ-nosq"),
-        new(_ => true, "no camera is inside a sphere: put one there", "near-root-only"),
-        new(_ => true, "no camera is inside a sphere and looks away from its middle: turn it about", "tca-positive"),
-        new(_ => true, "no camera is inside a box: put one there", "slab-inside"),
-        new(_ => true,
-            "no coordinate of the camera lies on a box's face while a ray runs along it: give camera, target and a box one coordinate in common",
-            "slab-inv-nan"),
-        new(_ => true, "nothing near is cut by zNear, or nothing shows behind what is cut: move zNear into the scene",
-            "znear-t", "no-znear", "bias-big", "clip-after", "zboth-t"),
-        new(_ => true, "no sphere or box is cut open by zNear: let the near clip plane pass through one", "clip-root"),
-        new(_ => true, "nothing is cut by zFar: move zFar into the scene", "zfar-t", "no-zfar"),
-        new(_ => true, "nothing lies behind the camera, or what does is hidden: put a model or a plane there", "no-t0"),
-        new(_ => true, "every triangle shows the same side: turn one about by swapping two corners", "tri-cull"),
-        new(_ => true, "every plane shows the side of its normal: turn a normal about", "plane-cull"),
-        new(_ => true, "no colour leaves 0 to 1: let one be brighter than 1 near the camera", "noclamp"),
-        new(_ => true,
-            "the models are in an order, or so far from each other, that it does not matter which hit wins: put the nearest first and last",
-            "last-hit", "far-hit"),
-        new(_ => true, "left and right look alike: put a model to one side", "u-cross", "u-only", "cols", "cross-x", "cross-y", "cross-z"),
+            scene => scene.Camera.Width < 2 * scene.Camera.Height && scene.Camera.Width > scene.Camera.Height),
+        new("level camera",
+            "the camera is level, at right angles to up: raise its position or lower its target",
+            scene => scene.Camera.W.Z == 0 || scene.Camera.Up * scene.Camera.W == 0),
+        new("spheres of radius 1",
+            "every sphere has the radius 1: take another", scene => scene.Models.OfType<Model<Sphere>>().All(model => model.Primitive.Radius == 1)),
+        new("circles of radius 1",
+            "every circle has the radius 1: take another", scene => scene.Models.OfType<Model<Circle>>().All(model => model.Primitive.Radius == 1)),
+        new("no camera in a sphere", "no camera is inside a sphere: put one there"),
+        new("no camera in a sphere that looks outwards", "no camera is inside a sphere and looks away from its middle: turn it about"),
+        new("no camera in a box", "no camera is inside a box: put one there"),
+        new("no ray along a face",
+            "no coordinate of the camera lies on a box's face while a ray runs along it: give camera, target and a box one coordinate in common"),
+        new("nothing cut by zNear", "nothing near is cut by zNear, or nothing shows behind what is cut: move zNear into the scene"),
+        new("nothing cut open by zNear", "no sphere or box is cut open by zNear: let the near clip plane pass through one"),
+        new("nothing cut by zFar", "nothing is cut by zFar: move zFar into the scene"),
+        new("nothing behind the camera", "nothing lies behind the camera, or what does is hidden: put a model or a plane there"),
+        new("one side of triangles", "every triangle shows the same side: turn one about by swapping two corners"),
+        new("one side of planes", "every plane shows the side of its normal: turn a normal about"),
+        new("no colour out of range", "no colour leaves 0 to 1: let one be brighter than 1 near the camera"),
+        new("order without effect",
+            "the models are in an order, or so far from each other, that it does not matter which hit wins: put the nearest first and last"),
+        new("symmetric picture", "left and right look alike: put a model to one side"),
     ];
+
+    /// <summary>What may hide mistakes, as Mistakes.txt calls it.</summary>
+    internal static IEnumerable<string> Reasons => reasons.Select(reason => reason.Name);
 
     /// <summary>Lines of text.</summary>
     public static string Text(MutationCoverage fitness)
@@ -95,13 +96,12 @@ public static class CoverageReport
 
     private static string ReasonFor(Mistake mistake, MutationCoverage fitness)
     {
-        if (fitness.ShowsNothing && !fitness.Scenes.All(scene => scene.Models.Count == 0))
-            return "the picture is of one colour: nothing is to be seen in it";
-        if (fitness.Scenes.Any(scene => scene.Models.Count > 0) && !fitness.Scenes.Any(mistake.Touches)) return $"there is no {Needs(mistake)}";
-        foreach (var reason in reasons)
-            if ((reason.Ids.Length == 0 || reason.Ids.Contains(mistake.Id)) && fitness.Scenes.All(reason.Holds))
-                return reason.Why;
-        return "nothing in the picture depends on it";
+        if (fitness.Scenes.All(scene => scene.Models.Count == 0)) return "the world is empty: add models";
+        if (fitness.ShowsNothing) return "the picture is of one colour: nothing is to be seen in it";
+        if (!fitness.Scenes.Any(mistake.Touches)) return $"there is no {Needs(mistake)}";
+        var hiding = reasons.FirstOrDefault(reason => mistake.HiddenBy.Contains(reason.Name)
+            && fitness.Scenes.All(scene => reason.Holds?.Invoke(scene) != false));
+        return hiding?.Why ?? "nothing in the picture depends on it";
     }
 
     private static string Needs(Mistake mistake) =>

@@ -108,7 +108,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     private (IReadOnlyList<string> Sentences, double Total) OtherCause(Hypothesis best, SceneDifference? byModels, bool isEnough)
     {
         var isOfCamera = best.Told.Count > 1 && best.Told.All(mistake => mistake.Steps.All(step => step.IsOfRays()));
-        var price = isOfCamera ? Priors.NumberForTwo : Priors.OtherNumber;
+        var price = isOfCamera ? Priors.NumberForTwo : Priors.NumberOfScene;
         if (best.Total <= price || sample.IsOnlyOutlines || byModels is null)
             return ([], double.PositiveInfinity);
         var (residual, certain) = LikelyCause.Certain(prepared, byModels, sample);

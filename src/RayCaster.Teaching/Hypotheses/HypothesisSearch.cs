@@ -14,25 +14,30 @@ namespace RayCaster.Teaching.Hypotheses;
 internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
     int? threads, Predicate<Change>? likely, SearchBudget? budget, Predicate<Change>? possible)
 {
-    /// <summary>The share of the evidence that a first and a second look compares.</summary>
-    private const double Few = 0.008, More = 0.05;
+    // How much of the sample is looked at, as a share of it: by all hypotheses, and by the best of these. The last look is at all of it.
+    private const double FirstLook = 0.008, SecondLook = 0.05;
 
-    /// <summary>By how many bits few pixels, and more, may overrate what is left. What is longer than the shortest by more is not looked at again.
-    /// </summary>
-    private const double OfFew = 16, OfMore = 4;
+    // By how many bits such a look may overrate what is left. What is longer than the shortest by more is not looked at again.
+    private const double FirstLookSlack = 16, SecondLookSlack = 4;
 
-    /// <summary>How many explanations get a second look, and a last one at all of the sample.</summary>
-    private const int Closer = 150, Closest = 30, Nearest = 12;
+    // How many hypotheses get each of the next looks.
+    private const int MaxSecondLooks = 150, MaxFullLooks = 30;
 
-    /// <summary>How many explanations are extended by other changes, how many if two mistakes are known that are near, how many because
-    /// they draw the right colours, and how many of their extensions get a closer look.</summary>
-    private const int Extended = 90, Least = 20, ByColors = 30, Extensions = 40, BestExtensions = 8;
+    // How many changes of one's extensions get them.
+    private const int MaxExtensions = 40, MaxFullExtensions = 8;
 
-    /// <summary>How many unfinished programs are extended by all known mistakes.</summary>
-    private const int UnfinishedOnes = 4;
+    // How many of the shortest hypotheses are extended by what costs little.
+    private const int MaxBesideCheap = 12;
 
-    /// <summary>What two known mistakes cost, and two that leave what rays along an edge may leave. A shorter explanation ends the search.</summary>
-    private const double Pair = 2 * (Priors.Known + Priors.Variant), NearPair = Pair + 16;
+    // How many unfinished programs are extended by all known mistakes.
+    private const int MaxUnfinished = 4;
+
+    // How many hypotheses are extended by a second change; how many at least, even if two changes that are near are found before; and how many
+    // stand ready because they draw the right colours.
+    private const int MaxExtended = 90, MinExtended = 20, MaxByColors = 30;
+
+    // What two known mistakes cost, in bits, and two that leave what rays along an edge may leave. A shorter hypothesis ends the search.
+    private const double PairBits = 2 * (Priors.Known + Priors.Variant), NearPairBits = PairBits + 16;
 
     /// <summary>How many explanations are measured between two looks at the budget.</summary>
     private const int Together = 64;
@@ -91,20 +96,20 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         Change[] cheap = [.. missing, .. ChangeSource.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
         // one change, or a program that is not finished
-        var singles = Measured([.. named.Select(right.With)], Few);
-        var ways = Measured([.. Ways(missing, kinds.Length)], Few);
-        Refine([.. singles.Concat(ways).Concat(Measured([.. wordings.Select(right.With)], Few)).OrderBy(of => of.Total)]);
+        var singles = Measured([.. named.Select(right.With)], FirstLook);
+        var ways = Measured([.. Ways(missing, kinds.Length)], FirstLook);
+        Refine([.. singles.Concat(ways).Concat(Measured([.. wordings.Select(right.With)], FirstLook)).OrderBy(of => of.Total)]);
         if (Bound < Priors.Known + Priors.NotYet) return;
 
         // with something that costs little, or in an unfinished program
-        foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(Nearest).ToArray())
-            Extend(one, cheap);
+        var shortest = found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(MaxBesideCheap).ToArray();
+        foreach (var one in shortest) Extend(one, cheap);
         if (Bound < Priors.Unknown) return;
-        var byColors = ShownColors.MissingParts(pictures, done).Take(UnfinishedOnes)
+        var byColors = ShownColors.MissingParts(pictures, done).Take(MaxUnfinished)
             .Select(way => ways.Find(other => other.Changes.Select(change => change.Missing).ToHashSet().SetEquals(way)));
-        Hypothesis[] unfinished = [.. ways.Take(UnfinishedOnes).Concat(byColors.OfType<Hypothesis>()).Distinct()];
+        Hypothesis[] unfinished = [.. ways.Take(MaxUnfinished).Concat(byColors.OfType<Hypothesis>()).Distinct()];
         foreach (var way in unfinished) Extend(way, named);
-        if (Bound < Pair) return;
+        if (Bound < PairBits) return;
 
         // two known changes, in turn beside the shortest so far, and beside one that draws the right colours
         Change[] seconds =
@@ -115,21 +120,21 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
             .. cheap,
         ];
         seconds = [.. seconds.Distinct()];
-        Refine(Measured([.. PairsOfRays()], Few));
+        Refine(Measured([.. PairsOfRays()], FirstLook));
         foreach (var one in singles.Where(IsOfBytes).DistinctBy(of => of.Changes[0].Id)) Extend(one, seconds);
-        if (Bound < Pair) return;
+        if (Bound < PairBits) return;
         var colors = pictures.Select(picture => picture.ByColors()).ToArray();
-        var rest = new Queue<Hypothesis>(Measured([.. singles], Few, colors).DistinctBy(of => of.Left).Take(ByColors));
+        var rest = new Queue<Hypothesis>(Measured([.. singles], FirstLook, colors).DistinctBy(of => of.Left).Take(MaxByColors));
         List<Hypothesis> extended = [];
-        ExtendBest(Extended / 3);
-        if (Bound < NearPair) return;
+        ExtendBest(MaxExtended / 3);
+        if (Bound < NearPairBits) return;
 
         // an edit without a name, and two changes of which one may be such an edit
         Change[] edits = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Mutants(scene, known)];
-        Refine(Measured([.. edits.Select(right.With)], Few));
+        Refine(Measured([.. edits.Select(right.With)], FirstLook));
         if (Bound < Priors.Known + Priors.Unknown) return;
         foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(1).Concat(ways.Take(1))) Extend(one, edits);
-        ExtendBest(Extended);
+        ExtendBest(MaxExtended);
 
         void ExtendBest(int most)
         {
@@ -139,7 +144,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
                     : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => other.Left == of.Left))
                         .MinBy(of => of.Total);
                 if (first is null && !rest.TryDequeue(out first)) return;
-                if (Bound < NearPair && extended.Count >= Least) return;
+                if (Bound < NearPairBits && extended.Count >= MinExtended) return;
                 if (extended.Contains(first)) continue; // two that draw the same alone may differ beside a second change
                 extended.Add(first);
                 if (first.Bits + Priors.Style < Bound) Extend(first, seconds);
@@ -175,18 +180,20 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         PictureSample[] left = [.. pictures.Select((picture, i) => new PictureSample(picture, first.Programs[i]))];
         var bound = Bound;
         var before = left.Sum(picture => (double)picture.WrongCount);
-        var measured = Measured([.. changes.Select(first.With).Where(with => with is not null && with.Bits < bound + Priors.AsLikely)], Few, left);
+        var cheap = changes.Select(first.With).Where(with => with is not null && with.Bits < bound + Priors.AsLikely);
+        var measured = Measured([.. cheap], FirstLook, left);
         var promising = measured.Where(with =>
-            with.Total < bound + OfFew && with.Residuals.Sum(residual => residual.Unexplained) < 0.98 * before).Take(Extensions);
-        var best = Measured([.. promising], More, left).Where((with, i) => i < 2 || with.Total < bound + OfMore).Take(BestExtensions);
+            with.Total < bound + FirstLookSlack && with.Residuals.Sum(residual => residual.Unexplained) < 0.98 * before).Take(MaxExtensions);
+        var best = Measured([.. promising], SecondLook, left).Where((with, i) => i < 2 || with.Total < bound + SecondLookSlack)
+            .Take(MaxFullExtensions);
         Add(Measured([.. best], 1).Select(with => with with { Gain = first.Total - with.Total }));
     }
 
     /// <summary>Looks at the best more closely, and at the best of these at all of the sample.</summary>
     private void Refine(List<Hypothesis> candidates)
     {
-        var closer = Measured([.. candidates.Take(Closer)], More);
-        Add(Measured([.. closer.Take(Closest)], 1));
+        var closer = Measured([.. candidates.Take(MaxSecondLooks)], SecondLook);
+        Add(Measured([.. closer.Take(MaxFullLooks)], 1));
     }
 
     /// <summary>Adds those that were compared with all of the sample. Only the short ones can be named, so only these are held against what the

@@ -9,8 +9,11 @@ internal sealed record OtherNumber(
     /// <summary>A model of another size or place shows, or should show, at least this share of the wrong pixels.</summary>
     private const double Own = 0.3;
 
-    /// <summary>How many numbers are examined closely, and how many steps lead to the best x.</summary>
-    private const int Closer = 6, Steps = 20;
+    /// <summary>How many numbers get a search for the best x.</summary>
+    private const int MaxSearched = 6;
+
+    /// <summary>How many steps that search takes.</summary>
+    private const int Steps = 20;
 
     private static readonly double[] times = [.. Both([0.07, 0.15, 0.25, 0.35, 0.5, 0.7, 1, 1.5, 2, 3])];
 
@@ -27,7 +30,7 @@ internal sealed record OtherNumber(
         var found = new (Residual Residual, double X)[all.Length];
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
         Parallel.For(0, all.Length, options, i => found[i] = all[i].Tries.Select(x => (all[i].ResidualAt(x, sample, 0.03), x)).Min());
-        int[] best = [.. Enumerable.Range(0, all.Length).OrderBy(i => found[i].Residual).Take(Closer)];
+        int[] best = [.. Enumerable.Range(0, all.Length).OrderBy(i => found[i].Residual).Take(MaxSearched)];
         Parallel.ForEach(best, options, i => found[i] = all[i].Closest(found[i].X, sample));
         var first = best.MinBy(i => found[i].Residual);
         var (other, program) = all[first].Draw(found[first].X);

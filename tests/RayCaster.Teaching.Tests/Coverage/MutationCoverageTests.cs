@@ -16,6 +16,11 @@ public class MutationCoverageTests
         Assert.Contains(fitness.Twins, group => group.Any(mistake => mistake.Id == "att-depth") && group.Any(mistake => mistake.Id == "dir-unnorm"));
     }
 
+    /// <summary>A word that no reason has would say "nothing in the picture depends on it".</summary>
+    [Fact]
+    public void WhatHidesMistakesIsSaidInWords() => Assert.Equal(
+        CoverageReport.Reasons.Order(), MistakeCatalog.All.SelectMany(mistake => mistake.HiddenBy).Distinct().Order());
+
     [Fact]
     public void AnEmptyWorldShowsNothing()
     {
