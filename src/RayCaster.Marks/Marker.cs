@@ -177,7 +177,8 @@ internal sealed class Marker(Rubric rubric)
         if (!diagnosis.TellsNothing && unexplained.Length > 0)
             yield return $"{string.Join(", ", unexplained)}: " +
                 (diagnosis.Note is { } note ? $"no known mistake explains this, but {note}"
-                    : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $"; the nearest is {Names(near)}, which explains too little" : ""));
+                    : "no known mistake explains this" +
+                        (diagnosis.Nearest is { } near ? $"; the nearest is {Names(near)}, which explains too little" : ""));
         foreach (var cause in Edits(diagnosis).Select(edit => edit.Cause).Distinct())
             yield return $"no known mistake explains the pictures, but a slip in {cause}";
         foreach (var other in diagnosis.Alternatives)

@@ -55,7 +55,7 @@ public class AttackTests(LiveServerFixture fixture) : IClassFixture<LiveServerFi
     [InlineData("/%2e%2e/%2e%2e/%2e%2e/%2e%2e/etc/passwd")]
     [InlineData("/....//....//etc/passwd")]
     [InlineData("//etc/passwd")]
-    [InlineData("/Page/index.html")]
+    [InlineData("/Site/index.html")]
     [InlineData("/raycaster-live.dll")]
     public async Task NoFileOfTheDiskIsServed(string path)
     {

@@ -39,7 +39,10 @@ internal static class ModelsText
     {
         var meant = Meant(all);
         if (meant is not [{ IsExplained: true }] && all.WrongKinds is { Sentence: { } certain } kinds)
-            return OfModels(scene, all, [.. meant.Where(model => kinds.Has(model.Model) && !(model.IsMissing && kinds.ShowsElsewhere(model.Model)))]).Prepend(certain);
+        {
+            ModelDifference[] wrong = [.. meant.Where(model => kinds.Has(model.Model) && !(model.IsMissing && kinds.ShowsElsewhere(model.Model)))];
+            return OfModels(scene, all, wrong).Prepend(certain);
+        }
         var unexplained = all.Models.Where(model => !model.IsExplained).Sum(model => model.Wrong);
         if (unexplained > all.Models.Sum(model => model.Pixels) / 2) // a picture from another camera position makes models look "missing", too
             return ["No single model explains it. Is the camera different, or its target? The target also sets the light."];

@@ -57,12 +57,12 @@ internal sealed class WrongKinds
             var right = Agreeing.Count == 0 ? "" : $"The rays are right: {Names(Agreeing)} agree{(Agreeing.Count == 1 ? "s" : "")}. ";
             if (Kinds.Count == 0) return right.TrimEnd();
             var many = string.Join(" and ", Kinds.Select(ManyOf));
-            var (its, formula) = Kinds.Count == 1 ? ("their", "formula") : ("their", "formulas, and at what these share");
-            int[] bad = [.. ModelsOf(Kinds).Where(IsBad)], good = [.. ModelsOf(Kinds).Where(model => AgreesWholly(model))];
+            var formula = Kinds.Count == 1 ? "their formula" : "their formulas, and at what these share";
+            int[] bad = [.. ModelsOf(Kinds).Where(IsBad)], good = [.. ModelsOf(Kinds).Where(AgreesWholly)];
             var what = good.Length > 0 && bad.Length > 0
-                ? $"Of the {many}, only {Names(bad)} {(bad.Length == 1 ? "is" : "are")} wrong: look at the numbers, and at {its} {formula}."
-                : right == "" ? $"Only {many} are wrong: look at {its} {formula}."
-                : $"{char.ToUpperInvariant(many[0])}{many[1..]} do not: look at {its} {formula}.";
+                ? $"Of the {many}, only {Names(bad)} {(bad.Length == 1 ? "is" : "are")} wrong: look at the numbers, and at {formula}."
+                : right == "" ? $"Only {many} are wrong: look at {formula}."
+                : $"{char.ToUpperInvariant(many[0])}{many[1..]} do not: look at {formula}.";
             int[] elsewhere = [.. bad.Where(ShowsElsewhere)];
             return right + what + (elsewhere.Length == 0 ? ""
                 : $" {Names(elsewhere)} {(elsewhere.Length == 1 ? "shows" : "show")} where {(elsewhere.Length == 1 ? "it" : "they")} should not.");
@@ -121,7 +121,8 @@ internal sealed class WrongKinds
         int[] pixels = [.. Enumerable.Range(0, difference.Pixels).Where(i => !IsWrong(i) && models.Contains(hits.Model[i]))];
         return IsOther((x, y) => right[right.Width - 1 - x, y]) && IsOther((x, y) => right[x, right.Height - 1 - y])
             && IsOther((x, y) => right[right.Width - 1 - x, right.Height - 1 - y])
-            ? [.. models.OrderBy(model => !AgreesWholly(model)).ThenBy(model => scene.Models[model] is Model<Plane>).ThenByDescending(CountRight)] : [];
+            ? [.. models.OrderBy(model => !AgreesWholly(model)).ThenBy(model => scene.Models[model] is Model<Plane>).ThenByDescending(CountRight)]
+            : [];
 
         bool IsOther(Func<int, int, (byte, byte, byte)> turned) =>
             pixels.Where(i => !PictureJudge.IsNear(right.At(i), turned(i % right.Width, i / right.Width))).Skip(LeastTurned - 1).Any();

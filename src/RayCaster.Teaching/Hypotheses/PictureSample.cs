@@ -174,7 +174,7 @@ internal sealed class PictureSample
     /// <param name="isAbout">Whether a mistake of the program is one of a kind of shape alone.</param>
     public bool Denies(FormulaProgram program, Predicate<string> isAbout)
     {
-        if (!CanDraw(program)) return false;
+        if (!CanDraw(program) || program.Scatters) return false; // where last bits decide, its pixels lie anywhere
         return Lost(Scene, program).Any(kind =>
             isAbout(kind) || ColorsOf(Draw(program)).All(color => ShownColors.OnlyKindOf(Scene, color) != kind));
 

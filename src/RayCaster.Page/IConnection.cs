@@ -1,4 +1,4 @@
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>The way to a page in a browser.</summary>
 internal interface IConnection

@@ -20,7 +20,6 @@ export const firstDivisor = 4;
 
 export async function connect(listener) {
   told = listener;
-  document.body.classList.add("alone");
   let camera = null;
   if (!scene) {
     const { name, text, seenThrough = null } = await linked() ?? last() ?? await first();

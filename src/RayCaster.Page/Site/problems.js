@@ -23,13 +23,11 @@ function fill(list, problems, more) {
   list.replaceChildren(...problems.map(entry), more > 0 ? make("li", {}, `and ${more} more`) : "");
 }
 
-/** An error with its line and caret, a link to its place, and the place in words. */
+/** An error with its line and caret. A host adds the way to its place. */
 function entry(problem) {
   return make("li", { class: problem.isError ? "error" : "warning" },
     make("p", {}, make("strong", {}, problem.isError ? "Error: " : "Warning: "), problem.message),
-    problem.excerpt ? make("pre", { tabindex: 0, role: "group", "aria-label": "The place in the file" }, problem.excerpt) : null,
-    problem.place
-      ? make("p", { class: "served" }, make("a", { href: problem.link }, "Open in VS Code"), " or go to ", make("code", {}, problem.place)) : null);
+    problem.excerpt ? make("pre", { tabindex: 0, role: "group", "aria-label": "The place in the file" }, problem.excerpt) : null);
 }
 
 export function errors(scene) {

@@ -1,4 +1,4 @@
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>Notices that one of some files has changed: compares their times and lengths, which works on every file system.</summary>
 /// <remarks>Two saves of the same length may have the same time: that of FAT counts in steps of two seconds. So a file also counts as changed once,

@@ -11,6 +11,7 @@ const most = 10_000_000; // letters of a scene
 const editor = $("scene-text"), said = $("scene-said");
 let timer = 0, camera = null;
 
+show($("scene"), true);
 editor.after($("problems"));
 $("problem-list").setAttribute("role", "status"); // an alert would interrupt whoever types
 

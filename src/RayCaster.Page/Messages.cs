@@ -2,7 +2,7 @@ using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>The server's messages to a page, as JSON. Each has a "kind".</summary>
 internal static class Messages

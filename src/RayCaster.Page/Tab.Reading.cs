@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>Receives the page's requests.</summary>
 internal sealed partial class Tab

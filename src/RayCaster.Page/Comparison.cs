@@ -1,6 +1,6 @@
 using System.Text.RegularExpressions;
 
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>The comparison of the user's own picture with the scene's, in words and in pictures.</summary>
 /// <param name="Name">The picture's name; null if there is no picture.</param>

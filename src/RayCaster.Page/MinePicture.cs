@@ -1,4 +1,4 @@
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>The picture of the user's own program: a watched file, or one that was dropped on the page.</summary>
 internal sealed class MinePicture(string? path, TimeProvider clock, CancellationToken end)

@@ -1,7 +1,7 @@
 using System.Collections.Concurrent;
 using System.Threading.Channels;
 
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>
 /// The connection to one page in a browser. Of each kind of request only the newest is kept, and a frame is sent only after the page has shown the

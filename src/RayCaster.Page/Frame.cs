@@ -1,6 +1,6 @@
 using System.Runtime.InteropServices;
 
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>What a frame shows; the page uses the same numbers.</summary>
 internal enum Layer

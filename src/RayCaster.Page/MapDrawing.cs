@@ -1,4 +1,4 @@
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>A map as a picture, with its legend.</summary>
 internal static class MapDrawing

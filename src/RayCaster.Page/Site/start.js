@@ -12,8 +12,8 @@ async function reason() {
 /** Which of the site's files the host does not have; null if it has all. */
 async function lacks() {
   const has = (file, method) => fetch(file, { method }).then(answer => answer.ok && answer, () => null);
-  const list = await has("offline.js", "GET");
-  const files = list ? JSON.parse(/files = (\[.*?\])/s.exec(await list.text())[1]) : ["offline.js"];
+  const list = await has("offline.js", "GET"); // a site for times without a network lists its files there
+  const files = list ? JSON.parse(/files = (\[.*?\])/s.exec(await list.text())[1]) : [...document.scripts].map(script => script.getAttribute("src"));
   const answers = await Promise.all(files.map(file => has(file, "HEAD")));
   const missing = files.filter((_, i) => !answers[i]);
   const hint = missing.some(file => file.startsWith("_")) ? " GitHub Pages leaves out _framework unless the file .nojekyll is beside it." : "";

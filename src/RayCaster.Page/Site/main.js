@@ -7,6 +7,7 @@ import { count, errors } from "./problems.js";
 import { ask, connect, on, remember } from "./server.js";
 import "./comparison.js";
 import "./models.js";
+import "./host.js";
 
 const patience = 300; // milliseconds in which most pictures are drawn
 const hint = $("hover").textContent;

@@ -1,4 +1,4 @@
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>What a page looks at the scene with.</summary>
 /// <param name="Camera">The camera; null for the scene's own.</param>

@@ -1,4 +1,4 @@
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>A scene file as it is now, and the last scene that it described without an error.</summary>
 /// <param name="Version">Counts the changes, from 1.</param>

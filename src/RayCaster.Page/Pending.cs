@@ -1,4 +1,4 @@
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>What is still to be sent to a page.</summary>
 [Flags]

@@ -1,4 +1,4 @@
-namespace RayCaster.Live;
+namespace RayCaster.Page;
 
 /// <summary>Draws for all pages, one picture after another: each takes every core.</summary>
 internal class Studio
