@@ -18,12 +18,10 @@ internal static partial class SameProcess
     {
         using var streams = new TemporaryFolder();
         streams.Write("0", input);
-        lock (running)
+        var exitCode = 0;
+        In(folder, () =>
         {
-            var back = Environment.CurrentDirectory;
-            Environment.CurrentDirectory = folder;
             var saved = (int[])[Duplicate(0), Duplicate(1), Duplicate(2)];
-            int exitCode;
             try
             {
                 Replace(0, streams["0"], FileMode.Open, FileAccess.Read);
@@ -38,9 +36,26 @@ internal static partial class SameProcess
                     Duplicate(saved[i], i);
                     Close(saved[i]);
                 }
+            }
+        });
+        return (exitCode, File.ReadAllBytes(streams["1"]), File.ReadAllBytes(streams["2"]));
+    }
+
+    /// <summary>Runs something in a folder, alone.</summary>
+    public static void In(string folder, Action run)
+    {
+        lock (running)
+        {
+            var back = Environment.CurrentDirectory;
+            Environment.CurrentDirectory = folder;
+            try
+            {
+                run();
+            }
+            finally
+            {
                 Environment.CurrentDirectory = back;
             }
-            return (exitCode, File.ReadAllBytes(streams["1"]), File.ReadAllBytes(streams["2"]));
         }
     }
 

@@ -1,7 +1,8 @@
 namespace RayCaster.Engine;
 
 /// <summary>A coarse depth buffer: for each cell of 8 × 8 pixels the least inverse depth that their hits certainly have. What lies behind is
-/// hidden.</summary>
+/// hidden. The field calls it hierarchical Z (Hi-Z). What is hidden before it is rasterized is known as in masked occlusion culling (Hasselgren,
+/// Andersson, Akenine-Möller, "Masked Software Occlusion Culling", 2016).</summary>
 /// <remarks>No inverse depth that a hit certainly has is NaN, so native minima are the same on all processors.</remarks>
 internal sealed class CoarseDepth
 {

@@ -7,8 +7,8 @@ internal sealed class MeshPainter
     /// <summary>With a greater error, too many bytes would be uncertain.</summary>
     private const double MaxError = 0.002;
 
-    /// <summary>How far a t may be from that of its inverse depth, in parts of itself: the squares of a slope across and of one upwards, their sum,
-    /// the root of it, unit, product and quotient each round by 2⁻²⁴, and the root halves what came before it.</summary>
+    /// <summary>The relative error of a t that is computed from its inverse depth. The squares of two slopes, their sum,
+    /// its root, the unit, the product and the quotient round by 2⁻²⁴ each. A root halves the relative error of its operand.</summary>
     private const double Roundings = 6.0 / (1 << 24);
 
     private readonly Scene scene;

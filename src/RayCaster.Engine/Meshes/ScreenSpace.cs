@@ -23,10 +23,9 @@ internal sealed class ScreenSpace
         // pixels:
         var pixelsOfAngle = Scale * (1 + squareOfSlope) + camera.Width + camera.Height;
         DoubleMargin = (1e-14 + 4 * camera.Skew) * pixelsOfAngle;
-        // A float is good to 2⁻²⁴ of a coordinate; that is spent once for the coordinate and once where it is seen from the tile's corner.
+        // margins.md, 1: a float rounds by 2⁻²⁴ of a coordinate, twice.
         Margin = (float)(DoubleMargin + Math.ScaleB(Math.Max(camera.Width, camera.Height) + Guard + 2, -23));
-        // Corners off by δ turn the formula's t by δ · side / area of the span of its corners' depths; an area of 4e6 δ · side keeps that below
-        // 1e-6.
+        // margins.md, 2: in a wider triangle t is within 1e-6 of the triangle's plane.
         MinWidth = (float)(4e6 * DoubleMargin + 16 * Margin);
         IsFine = DoubleMargin < 1e-2 && camera.Skew * longest < 1e-7 && Unit is > 1e-250 and < 1e250;
 

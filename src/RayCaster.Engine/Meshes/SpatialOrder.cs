@@ -7,7 +7,7 @@ namespace RayCaster.Engine;
 internal static class SpatialOrder
 {
     /// <summary>A mesh with fewer triangles lies in the processor's caches, so its order hardly matters.</summary>
-    private const int FewTriangles = 1 << 17;
+    internal const int FewTriangles = 1 << 17;
 
     /// <summary>A sample of pairs of consecutive triangles shows the order. It is random if they are on average farther apart than this multiple
     /// of their size.</summary>

@@ -97,7 +97,8 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             var (count, triangles) = (0, 0);
             for (; next < all.Length && count < seen.Length && triangles < TrianglesAtOnce; next++)
             {
-                if (all[next].MaxInverseDepth >= middle != areNear || coarse.Hides(all[next].Cells, firstRow, all[next].MaxInverseDepth)) continue;
+                var isNear = all[next].MaxInverseDepth >= middle;
+                if (isNear != areNear || coarse.Hides(all[next].Cells, firstRow, all[next].MaxInverseDepth)) continue;
                 seen[count++] = all[next].Run;
                 triangles += all[next].Run.Count;
             }

@@ -1,6 +1,6 @@
 namespace RayCaster.Engine;
 
-/// <summary>Consecutive triangles of a mesh, which in most meshes are neighbours, as they show in a tile.</summary>
+/// <summary>Consecutive triangles of a mesh (a meshlet), which in most meshes are neighbours, as they show in a tile.</summary>
 /// <param name="MaxInverseDepth">The greatest inverse depth of a sample that they cover.</param>
 /// <param name="Cells">The cells of the tile (<see cref="CoarseDepth"/>) in which they may cover samples.</param>
 internal readonly record struct TriangleCluster(TriangleRun Run, float MaxInverseDepth, Cells Cells)

@@ -151,7 +151,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                 var up = Vector512.Create(0f, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
                 var last = Vector512.Create((float)height); // the second of two rows may lie beyond it
                 var pixel = first + x;
-                // At least four rows: branch prediction cannot tell whether a small triangle has more than two.
+                // height | 2: at least two rounds, of two rows each. Branch prediction cannot tell whether a small triangle has more than two rows.
                 for (var y = 0; y <= (height | 2); y += 2, pixel += 2 * TilePixels.Stride, up += Vector512.Create(2f))
                 {
                     var inner = Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upE0, e0),

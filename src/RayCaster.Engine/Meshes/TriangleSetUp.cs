@@ -90,7 +90,7 @@ internal struct TriangleSetUp
         setup.MinInverseDepth = minInverseDepth * Vector256.Create(1 - 4e-6f);
         setup.MaxInverseDepth =
             shows & (Vector256.ConditionalSelect(isSliver, stretchedInverseDepth, maxInverseDepth) * Vector256.Create(1 + 4e-6f));
-        // The orientation of a sliver is not known; if it is the other one, its functions are at most the slack of its area and of the others.
+        // margins.md, 2: the orientation of a sliver is not known.
         setup.Outside = Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack);
         setup.Inside = Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity));
         return shows.ExtractMostSignificantBits();

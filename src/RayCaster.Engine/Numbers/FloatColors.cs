@@ -49,7 +49,7 @@ internal sealed class FloatColors
             new(Vector256.ConvertToSingle(high >>> (2 * ChannelBits - 32))));
     }
 
-    /// <summary>The colours with these indices. (The processor's own instruction for it takes twice as long.)</summary>
+    /// <summary>The colours with these indices. (The gather instruction takes twice as long.)</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<long> Gather(RawSpan<long> packed, Vector128<int> colorIndices) =>
         Vector256.Create(packed[colorIndices[0]], packed[colorIndices[1]], packed[colorIndices[2]], packed[colorIndices[3]]);

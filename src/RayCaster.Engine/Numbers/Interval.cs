@@ -11,7 +11,7 @@ namespace RayCaster.Engine;
 /// <c>Gap</c> is then a lower bound of the absolute value: rays nearly parallel to a plane cross it far away, in front of the eye or behind it.
 /// </remarks>
 /// <param name="nan">The <see cref="Occurrence"/> of NaN; where it is always, the ends mean nothing.</param>
-/// <param name="gap">No number is nearer to 0 than this.</param>
+/// <param name="gap">No number is nearer to 0 than this: the mignitude of interval arithmetic.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Interval(Numbers lo, Numbers hi, Numbers nan, Numbers gap) : IReal<Interval>
 {

@@ -5,7 +5,7 @@ namespace RayCaster.Engine;
 /// <summary>SIMD helpers.</summary>
 internal static class Lanes
 {
-    /// <summary>One number in all lanes: the compiler finds the conversion only through this constraint.</summary>
+    /// <summary>One number in all lanes. For a type like Packet one writes the conversion; this is for a type parameter.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Broadcast<N>(double number) where N : struct, IReal<N> => number;
 

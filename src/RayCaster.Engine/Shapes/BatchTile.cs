@@ -66,6 +66,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         var columns = (2u << (right / CellSide)) - (1u << (left / CellSide)); // a bit for each cell
         var rows = (uint)((2UL << top) - (1UL << bottom));                      // a bit for each row
         var inRows = (2u << (top / CellSide)) - (1u << (bottom / CellSide));
+        // A cell is a bit: four for each row of cells. 0x1111 keeps the first bit of each row of cells; times columns, each row has these columns.
         var cells = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible(nearest);
         touched |= cells;
         var least = Lanes.Broadcast<N>(nearest);

@@ -81,6 +81,24 @@ public class DocsTests
         Assert.All(shown.Split('\n'), line => Assert.Contains(line.Trim(), code));
     }
 
+    [Fact]
+    public void TheReadmeShowsTheProgramThatTheTestsCompile()
+    {
+        var code = Read("tests/RayCaster.Cli.Tests/Docs/SceneInCode.cs");
+        const string usings = "using RayCaster;\nusing RayCaster.Engine;\nusing RayCaster.Files;\n\n"; // the tests' project has them for all files
+        var body = Regex.Match(code, @"Run\(\)\n    \{\n(.*)\n    \}", RegexOptions.Singleline).Groups[1].Value;
+        Assert.Contains($"```csharp\n{usings}{Regex.Replace(body, "^ {8}", "", RegexOptions.Multiline)}\n```", Read("README.md"));
+    }
+
+    [Fact]
+    public void TheProgramOfTheReadmeWritesThePictureOfTheFirstScene()
+    {
+        using var folder = new TemporaryFolder();
+        SameProcess.In(folder.Path, SceneInCode.Run);
+        var first = SceneReader.Read(ProjectFolder.PathOf("scenes/first.json")).Scene!;
+        Assert.Equal(ScalarRenderer.Render(first).Rgb, PictureFile.Read(folder["first.png"]).Rgb);
+    }
+
     /// <summary>The table of slides names members of the file that it links to.</summary>
     [Fact]
     public void TheFormulasOfTheSlidesAreWhereThePageSays()

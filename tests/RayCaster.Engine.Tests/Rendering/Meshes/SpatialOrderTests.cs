@@ -1,3 +1,6 @@
+using System.Globalization;
+using System.Runtime.CompilerServices;
+
 namespace RayCaster.Engine.Tests.Rendering.Meshes;
 
 public class SpatialOrderTests
@@ -18,6 +21,16 @@ public class SpatialOrderTests
     {
         var small = new Mesh(shuffled.Vertices, shuffled.Indices[..3000]);
         Assert.Same(small, SpatialOrder.Of(small));
+    }
+
+    [Fact]
+    public void TheLimitsSayFromHowManyTrianglesOnAndWhatTheCopyTakes()
+    {
+        var limits = File.ReadAllText(ProjectFolder.PathOf("docs/limits.md")).ReplaceLineEndings(" ");
+        var (triangle, vertex) = (3 * sizeof(int), Unsafe.SizeOf<Vector3>());
+        Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"at least {SpatialOrder.FewTriangles:N0} triangles in random order"), limits);
+        Assert.Contains($"{triangle} bytes for each triangle and {vertex} for each vertex", limits);
+        Assert.Contains($"{triangle + vertex / 2} bytes a triangle on a closed surface, {triangle + 3 * vertex} where", limits);
     }
 
     [Fact]
