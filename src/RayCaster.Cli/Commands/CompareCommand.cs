@@ -32,18 +32,19 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         InputFiles.Note(files);
         var format = file is null ? PictureFormat.Png : PictureFormats.ByExtension(file);
         Action<string> warn = StandardStreams.WriteError;
-        var mine = PictureFile.Read(mineFile, warn);
+        var mine = PictureFile.Read(mineFile, warn, out var alpha);
         var reference = PictureFile.Read(referenceFile, warn);
         var scene = line.Get(sceneFile) is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
         var comparison = new PictureComparison(mine, reference, scene, line.Get(Option.Threads));
         if (file is not null) PictureOutput.Write(file, SideBySide.Draw(comparison), format, cancellation);
-        StandardStreams.WriteOutput(Text(comparison, mineFile, referenceFile, file, line.Get(measures)));
+        StandardStreams.WriteOutput(Text(comparison, alpha, mineFile, referenceFile, file, line.Get(measures)));
         return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
     }
 
-    private static string Text(PictureComparison comparison, string mine, string reference, string? output, bool measures)
+    private static string Text(PictureComparison comparison, AlphaChannel? alpha, string mine, string reference, string? output, bool measures)
     {
         var text = ComparisonText.Of(comparison, mine, reference);
+        if (AlphaText.Of(alpha, comparison.Mine, comparison.Reference) is { } sentence) text += sentence + "\n";
         if (measures)
             text += comparison.Difference is { } difference
                 ? ComparisonText.Measures(difference)

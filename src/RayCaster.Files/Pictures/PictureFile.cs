@@ -28,6 +28,26 @@ public static class PictureFile
         }
     });
 
+    /// <summary>Reads a picture as <see cref="Read(string, Action{string})"/> does, and its alpha.</summary>
+    /// <param name="alpha">The alpha; null if each pixel is opaque.</param>
+    /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
+    public static Picture Read(string path, Action<string>? warn, out AlphaChannel? alpha)
+    {
+        (var picture, alpha) = Open(path, file =>
+        {
+            try
+            {
+                var read = Read(file, MaxBytes, odd => warn?.Invoke($"{path}: warning: {odd}"), withAlpha: true, out var itsAlpha);
+                return (read, itsAlpha);
+            }
+            catch (IOException e)
+            {
+                throw ProblemException.Of(e);
+            }
+        });
+        return picture;
+    }
+
     /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string, Action{string})"/> does; the messages name no file.</summary>
     /// <exception cref="ProblemException">The data are damaged, of another kind, or too large.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
@@ -44,13 +64,20 @@ public static class PictureFile
         }
     }
 
-    private static Picture Read(Stream stream, long maxBytes, Action<string> warn)
+    private static Picture Read(Stream stream, long maxBytes, Action<string> warn) => Read(stream, maxBytes, warn, withAlpha: false, out _);
+
+    private static Picture Read(Stream stream, long maxBytes, Action<string> warn, bool withAlpha, out AlphaChannel? alpha)
     {
+        alpha = null;
         try
         {
             var first = stream.ReadByte(); // shows the format; a pipe cannot seek back
             if (first < 0) throw new ProblemException("the file is empty");
-            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), maxBytes, warn);
+            if (first == PngChunk.Signature[0])
+            {
+                var file = InMemory((byte)first, stream);
+                return withAlpha ? PngReader.Read(file, maxBytes, warn, out alpha) : PngReader.Read(file, maxBytes, warn);
+            }
             if (first == 'P') return PnmReader.Read(stream, maxBytes, warn);
             var begun = new byte[FileKind.Bytes];
             begun[0] = (byte)first;
