@@ -3,8 +3,8 @@ namespace RayCaster.Teaching.Comparison;
 /// <summary>The right picture in fewer colours: 5, 6 and 5 bits, a palette, with or without dithering.</summary>
 internal static class FewColors
 {
-    /// <summary>By how many levels a channel may differ on average and, where the picture is not dithered, anywhere: half of a step of 85, and of
-    /// the least step that two bits leave.</summary>
+    /// <summary>By how many levels a channel may differ on average and, where the picture is not dithered, anywhere. A step of two bits is 64 or
+    /// 85.</summary>
     private const int MostOnAverage = 24, Most = 64;
 
     /// <summary>A palette has at most so many colours.</summary>
@@ -21,53 +21,37 @@ internal static class FewColors
     {
         var (mine, right) = (difference.Mine, difference.Reference);
         if (mine.IsNearlyOneColor || right.IsNearlyOneColor || difference.MeanAbsoluteError > MostOnAverage) return null;
-        var colors = ColorsOf(mine);
-        if (Bits(difference) is { } bits)
-            return $"The colours are the right ones with fewer bits: its channels have {bits}. The picture was saved with fewer colours; " +
-                "the formulas are right.";
-        var all = ColorsOf(right);
+        var (colors, all) = (ColorsOf(mine), ColorsOf(right));
         var isFewer = 10 * colors < 7 * all || (colors <= Palette && all > Palette);
-        if (!isFewer || !HasBothSigns(difference)) return null;
-        return IsFunction(difference, colors) || (colors <= Palette && IsDithered(difference))
-            ? $"The picture was saved with fewer colours: it has {colors}, the right one {Digits.Number(all)}, and all differences are those of " +
-                "rounding to the nearest of them. The formulas are right."
+        return isFewer && (IsCut(difference)
+                || HasBothSigns(difference) && (IsFunction(difference, colors) || (colors <= Palette && IsDithered(difference))))
+            ? $"The picture was saved with fewer colours: it has {Digits.Number(colors)}, the right one {Digits.Number(all)}. " +
+                "The differences are those of rounding; the formulas are right."
             : null;
     }
 
     private static int ColorsOf(Picture picture) => Enumerable.Range(0, picture.Count).Select(picture.At).Distinct().Count();
 
-    /// <summary>How many values each channel has, if each of its values stands for a range of equal length; null if not.</summary>
-    private static string? Bits(PictureDifference difference)
+    /// <summary>Whether each channel has a few values, and each pixel the one below the right value, or the nearest.</summary>
+    private static bool IsCut(PictureDifference difference)
     {
-        var bits = new int[3];
         for (var channel = 0; channel < 3; channel++)
         {
-            bits[channel] = Enumerable.Range(2, 6).Reverse().FirstOrDefault(count => Fits(channel, count));
-            if (bits[channel] == 0 && Fits(channel, 8)) bits[channel] = 8;
-            if (bits[channel] == 0) return null;
-        }
-        return bits.Min() == 8 ? null : $"{bits[0]}, {bits[1]} and {bits[2]} bits";
-
-        bool Fits(int channel, int count)
-        {
-            var fits = 0;
-            for (var i = channel; i < difference.Mine.Rgb.Length; i += 3)
+            var values = new bool[256];
+            for (var i = channel; i < difference.Mine.Rgb.Length; i += 3) values[difference.Mine.Rgb[i]] = true;
+            var (wrong, cut) = (0, 0);
+            for (var pixel = 0; pixel < difference.Pixels; pixel++)
             {
-                var (shown, right) = (difference.Mine.Rgb[i], difference.Reference.Rgb[i]);
-                if (Enumerable.Range(-1, 3).Any(level => IsOf(shown, Math.Clamp(right + level, 0, 255)))) fits++;
+                var (shown, right) = (difference.Mine.Rgb[3 * pixel + channel], difference.Reference.Rgb[3 * pixel + channel]);
+                if (Math.Abs(shown - right) <= PictureJudge.Tolerance) continue;
+                wrong++;
+                // Between the two lies no other value that the channel has.
+                var between = Enumerable.Range(Math.Min(shown, right) + 1, Math.Abs(shown - right) - 1);
+                if (Math.Abs(shown - right) <= Most && !between.Any(value => values[value] && Math.Abs(value - right) > 1)) cut++;
             }
-            return fits >= Nearly * difference.Pixels;
-
-            // cut or rounded, and widened again by zeros, by its own bits, or by a factor
-            bool IsOf(byte shown, int right)
-            {
-                var rest = 8 - count;
-                var most = (1 << count) - 1;
-                var cut = right >> rest;
-                return shown == cut << rest || shown == (cut << rest | (cut << rest) >> count)
-                    || Math.Abs(shown - cut * 255.0 / most) < 1 || Math.Abs(shown - Math.Round(right * most / 255.0) * 255.0 / most) < 1;
-            }
+            if (cut < Nearly * wrong) return false;
         }
+        return true;
     }
 
     /// <summary>Whether there are channels that are too bright, and such that are too dark.</summary>

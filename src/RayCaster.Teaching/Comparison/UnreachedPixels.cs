@@ -145,12 +145,12 @@ internal sealed class UnreachedPixels
             if (parts.Length == 0)
                 return $"{blocks} {color}: does your loop reach them, and which thread draws them?";
             var all = string.Join(" and ", parts);
-            var isOne = lines.Length + columns.Length == 1;
-            var also = blocks is null ? "" : $"{char.ToUpperInvariant(blocks[0])}{blocks[1..]}, too. ";
-            var threads = columns.Length == 0 && lines.Length > 0 && lines[0] == height - lines.Length || columns.Length == 0 && lines is [0, ..]
-                && lines.Length > 1 && lines[^1] == lines.Length - 1 ? ByThreads(lines.Length) : "";
+            var isOne = lines.Length + columns.Length == 1 || (parts.Length == 1 && IsPeriodic(lines.Length > 0 ? lines : columns));
+            var also = blocks is null ? "" : $" {blocks}, too.";
+            var threads = columns.Length == 0 && lines.Length > 1 && lines[^1] - lines[0] == lines.Length - 1
+                && (lines[0] == 0 || lines[^1] == height - 1) ? ByThreads(lines.Length) : "";
             return $"{char.ToUpperInvariant(all[0])}{all[1..]} {(isOne ? "is" : "are")} {color}: " +
-                $"does your loop reach {(isOne ? "it" : "them")}?{also}{threads}";
+                $"does your loop reach {(lines.Length + columns.Length == 1 ? "it" : "them")}?{also}{threads}";
         }
 
         /// <summary>Whether threads that draw equally many lines each leave so many.</summary>
