@@ -2,16 +2,7 @@ namespace RayCaster.Cli;
 
 internal static class Program
 {
-    /// <summary>All commands, as the help page lists them. Without the name of one the app draws a scene.</summary>
-    internal static readonly (string, Command[])[] Groups =
-    [
-        ("For students", [new LiveCommand(), new DiagnoseCommand(), new CompareCommand(), new ExplainCommand(),
-            new ModelsCommand(), new MapCommand()]),
-        ("For teachers", [new HandOutCommand(), new MarkCommand(), new VaryCommand(), new CheckCommand(), new WrongCommand()]),
-        ("For large pictures and many", [new PartCommand(), new StitchCommand(), new OrbitCommand()]),
-    ];
-
-    private static readonly CommandList commands = new(Groups);
+    private static readonly CommandList commands = new();
 
     internal static int Main(string[] arguments)
     {
@@ -23,7 +14,7 @@ internal static class Program
             StandardStreams.WriteError(HelpPage.FirstSteps);
             return ExitCode.Failed;
         }
-        var command = commands.Of(arguments, out var words);
+        var command = commands.Find(arguments, out var words);
         try
         {
             return Interruption.Run(command, cancellation => Run(command, words, cancellation));

@@ -32,7 +32,7 @@ internal sealed class DefinitionCheck
         for (var i = 0; i < models.Length; i++)
         {
             var model = scene.Models[i];
-            models[i] = model is Mesh mesh ? new MeshPart(mesh, screen, threads) { Color = mesh.Color } : model;
+            models[i] = model is Mesh mesh ? new MeshPart(SpatialOrder.Of(mesh), screen, threads) { Color = mesh.Color } : model;
             if (model is Mesh { TriangleCount: var count }) triangles += count;
             else others++;
         }
@@ -86,37 +86,43 @@ internal sealed class DefinitionCheck
     /// <summary>Draws while another thread, if there is one, casts the pixels by the definition.</summary>
     public void Beside(Action draw, int threads)
     {
-        if (threads > 1) ThreadTeam.Help(1, () => right = Defined(ScalarRenderer.Pixel), draw);
+        if (threads > 1) ThreadTeam.Help(1, () => right = Defined(PixelOf), draw);
         else draw();
-        right ??= Defined(ScalarRenderer.Pixel);
+        right ??= Defined(PixelOf);
+
+        static (byte R, byte G, byte B) PixelOf(Scene part, int[] near, int column, int line) => ScalarRenderer.Pixel(part, column, line);
     }
 
     /// <summary>What the definition gives for each pixel, from a scene of the models that its ray may meet.</summary>
-    /// <param name="define">Of a scene, a column, and a line from the top.</param>
-    private T[] Defined<T>(Func<Scene, int, int, T> define)
+    /// <param name="define">Of a scene, the places of its models in the whole scene, a column, and a line from the top.</param>
+    private T[] Defined<T>(Func<Scene, int[], int, int, T> define)
     {
         var defined = new T[pixels.Count];
         for (var first = 0; first < defined.Length; first += side * side)
         {
             var near = ModelsNear(first);
-            var part = scene with { Models = near };
+            var part = scene with { Models = Array.ConvertAll(near, i => models[i]) };
             for (var i = first; i < first + side * side; i++)
             {
                 var pyramid = PyramidOf(i, i);
-                foreach (var model in near) (model as MeshPart)?.EnterPixel(pyramid);
-                defined[i] = define(part, pixels[i].Column, pixels[i].Line);
+                foreach (var model in part.Models) (model as MeshPart)?.EnterPixel(pyramid);
+                defined[i] = define(part, near, pixels[i].Column, pixels[i].Line);
             }
         }
         return defined;
     }
 
-    /// <summary>The models that the rays of a square may meet.</summary>
-    private Model[] ModelsNear(int first)
+    /// <summary>The places of the models that the rays of a square may meet.</summary>
+    private int[] ModelsNear(int first)
     {
         var pyramid = PyramidOf(first, first + side * side - 1);
-        return Array.FindAll(models, model => model is MeshPart part ? part.EnterSquare(pyramid)
-            : models.Length <= FewModels || pyramid is not { } rays || model.Bounds is not { } bounds
-            || !IsOutside(rays, bounds.PaddedFrom(camera.Position)));
+        var near = new List<int>();
+        for (var i = 0; i < models.Length; i++)
+            if (models[i] is MeshPart part ? part.EnterSquare(pyramid)
+                : models.Length <= FewModels || pyramid is not { } rays || models[i].Bounds is not { } bounds
+                || !IsOutside(rays, bounds.PaddedFrom(camera.Position)))
+                near.Add(i);
+        return [.. near];
 
         static bool IsOutside(in Pyramid rays, Bounds bounds) => rays.IsOutside<Scalar>(bounds.Min, bounds.Max).Holds;
     }
@@ -145,17 +151,15 @@ internal sealed class DefinitionCheck
     /// <summary>The first pixel whose hit differs from the definition's, as a message; null if all are equal.</summary>
     public string? Difference(HitMap hits)
     {
-        var rays = Defined((part, column, line) => ScalarRenderer.Cast(part, column, camera.Height - 1 - line));
-        for (var i = 0; i < rays.Length; i++)
+        var defined = Defined((part, near, column, line) =>
+            ScalarRenderer.Cast(part, column, camera.Height - 1 - line) is { Model: >= 0 and var i } hit ? hit with { Model = near[i] } : Hit.None);
+        for (var i = 0; i < defined.Length; i++)
         {
-            var (t, index) = hits[pixels[i].Column, pixels[i].Line];
-            if (t != rays[i].HitParameter || (index < 0 ? null : scene.Models[index]) != ModelOf(rays[i]))
-                return FormattableString.Invariant($"{PlaceOf(i)}: the engine gives t = {t:R}, ScalarRenderer {rays[i].HitParameter:R}");
+            var fast = hits[pixels[i].Column, pixels[i].Line];
+            if (fast != defined[i]) return $"{PlaceOf(i)}: the engine gives {fast}, ScalarRenderer {defined[i]}";
         }
         return null;
     }
-
-    private static Model? ModelOf(Ray ray) => ray.HitModel is MeshPart part ? part.Mesh : ray.HitModel;
 
     private string PlaceOf(int pixel) => $"column {pixels[pixel].Column}, line {pixels[pixel].Line}";
 }

@@ -44,7 +44,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
 
     private ModelView ViewOf(Model model, CancellationToken cancellation)
     {
-        if (model is Mesh mesh) return new MeshView<N>(mesh, new(Scene.Camera), cancellation, Plan.Threads);
+        if (model is Mesh mesh) return new MeshView<N>(SpatialOrder.Of(mesh), new(Scene.Camera), cancellation, Plan.Threads);
         var formula = new FormulaView(model.Bounds, Scene.Camera);
         return model.Accept(formula) ? formula.View! : new SingleRayView(model, Scene.Camera);
     }

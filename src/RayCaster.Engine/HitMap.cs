@@ -16,11 +16,14 @@ public sealed class HitMap(int width, int height)
     /// <summary>The models hit there, by their places in the scene; −1 for none.</summary>
     public int[] Model { get; } = new int[checked(width * height)];
 
+    /// <summary>The hit of a pixel, by its index in reading order.</summary>
+    public Hit this[int pixel]
+    {
+        get => new(T[pixel], Model[pixel]);
+        internal set => (T[pixel], Model[pixel]) = value;
+    }
+
     /// <summary>The hit of a pixel.</summary>
     /// <param name="line">Counted from the top.</param>
-    internal (double T, int Model) this[int column, int line]
-    {
-        get => (T[line * Width + column], Model[line * Width + column]);
-        set => (T[line * Width + column], Model[line * Width + column]) = value;
-    }
+    public Hit this[int column, int line] => this[line * Width + column];
 }

@@ -82,8 +82,8 @@ public sealed class Renderer
     /// <param name="linesDone">Called from any thread with the number of further lines that are done.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">The picture has no such lines.</exception>
-    /// <exception cref="EngineDisagreesException">All lines were written, but a pixel differs from the definition.</exception>
-    public void Draw(Range lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default)
+    /// <returns>Where a pixel differs from the definition, so that the lines are wrong; null if they are right.</returns>
+    public string? Draw(Range lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default)
     {
         var (first, end) = (lines.Start.GetOffset(camera.Height), lines.End.GetOffset(camera.Height));
         if (first < 0 || end > camera.Height || end <= first)
@@ -98,7 +98,7 @@ public sealed class Renderer
                 write(lines);
             });
         }, threadCount);
-        if (check.Difference() is { } difference) throw new EngineDisagreesException(difference);
+        return check.Difference();
     }
 
     private static bool Agrees(string? difference)
@@ -111,14 +111,8 @@ public sealed class Renderer
 
     private void CastByDefinition(HitMap hits)
     {
-        for (var line = 0; line < hits.Height; line++)
-        {
-            for (var column = 0; column < hits.Width; column++)
-            {
-                var ray = ScalarRenderer.Cast(scene, column, hits.Height - 1 - line);
-                hits[column, line] = (ray.HitParameter, scene.IndexOf(ray.HitModel));
-            }
-        }
+        for (var i = 0; i < hits.T.Length; i++)
+            hits[i] = ScalarRenderer.Cast(scene, i % hits.Width, hits.Height - 1 - i / hits.Width);
     }
 
     /// <summary>Casts all rays, on this thread and others.</summary>

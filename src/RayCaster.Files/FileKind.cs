@@ -2,7 +2,7 @@ using System.Text.Unicode;
 
 namespace RayCaster.Files;
 
-/// <summary>Recognises files of other kinds by their first bytes, for messages.</summary>
+/// <summary>Recognises files of other kinds by their first bytes, and other encodings, for messages.</summary>
 internal static class FileKind
 {
     public const int Bytes = 23;
@@ -43,4 +43,18 @@ internal static class FileKind
     /// <summary>Whether a text is in UTF-16, with a byte order mark or without.</summary>
     public static bool IsUtf16(ReadOnlySpan<byte> start) =>
         start is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] or [0, not 0, 0, not 0, ..] or [not 0, 0, not 0, 0, ..];
+
+    /// <summary>The first byte that is not UTF-8, as JSON must be, and why; null if all are.</summary>
+    public static (int At, string Message)? NotUtf8(ReadOnlySpan<byte> text)
+    {
+        if (text is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] or [0, not 0, ..] or [not 0, 0, ..] or [0, 0, 0xFE, 0xFF, ..])
+            return (0, "the file is in UTF-16 or UTF-32; save it as UTF-8");
+        if (text is [0x89, (byte)'P', (byte)'N', (byte)'G', ..]
+            or [(byte)'P', >= (byte)'1' and <= (byte)'6', (byte)'\n' or (byte)'\r' or (byte)' ', ..])
+            return (0, "this is a picture, not a scene; name the scene first, then the picture");
+        if (Utf8.IsValid(text)) return null;
+        var at = 0;
+        while (Rune.DecodeFromUtf8(text[at..], out _, out var length) == System.Buffers.OperationStatus.Done) at += length;
+        return (at, $"the byte {text[at]:X2} is not UTF-8; save the file as UTF-8");
+    }
 }

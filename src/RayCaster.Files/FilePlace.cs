@@ -40,10 +40,14 @@ public static class FilePlace
     internal static bool IsFileOrFree(string place)
     {
         if (IsOpen(place)) return false;
-        if (OperatingSystem.IsWindows() || new FileInfo(place) is not { Exists: true, Length: 0 }) return true;
+        return OperatingSystem.IsWindows() || new FileInfo(place) is not { Exists: true, Length: 0 } || IsRegular(place);
+    }
+
+    // The runtime says what an empty path is only when it is put into an archive. A method of its own, so that others do not load the library.
+    private static bool IsRegular(string place)
+    {
         try
         {
-            // The runtime says what a path is only when it is put into an archive.
             var archive = new MemoryStream();
             using (var writer = new TarWriter(archive, TarEntryFormat.Ustar, leaveOpen: true)) writer.WriteEntry(place, "place");
             archive.Position = 0;

@@ -16,12 +16,12 @@ public class Aabb(Vector3 min, Vector3 max) : Model
         var t_max = Math.Min(x1, Math.Min(y1, z1)); // leaves the first slab
         if (t_min > t_max) return;
         ray.Hit(t_min, this);
-        ray.Hit(t_max, this); // the hit if t_min does not count: the camera is in the box, or zNear cuts it open
+        ray.Hit(t_max, this); // this one shows if t_min does not count: the camera is in the box, or zNear cuts it open
         // END SOLUTION
     }
 
     /// <summary>Where the ray enters and leaves the space B0 ≤ coordinate ≤ B1 along one axis: (t in, t out). If it never does: (+∞, −∞), so that
-    /// t_min > t_max.</summary>
+    /// t_min > t_max. The parameters are the coordinates of B0, B1, P and d along that axis.</summary>
     public static (double, double) Slab(double B0, double B1, double P, double d)
     {
         // BEGIN SOLUTION "AABB – intersection parameters"

@@ -7,7 +7,7 @@ public class Camera
 
     public Vector3 W, U, V; // backwards, to the right, upwards; each of length 1
 
-    public double h, w; // the size of the picture plane at distance 1
+    public double h, w; // the size of the picture plane at distance 1; w is not W
 
     public int Height, Width; // in pixels
     public double ZNear = 0.01, ZFar = 100, Bias = 1e-6;
@@ -30,7 +30,7 @@ public class Camera
         // END SOLUTION
     }
 
-    /// <summary>d of the ray through a point of the picture, in pixels from its lower left corner.</summary>
+    /// <summary>d of the ray through a point of the picture: c pixels from its left edge, r pixels from its lower edge.</summary>
     public Vector3 Direction(double c, double r)
     {
         // BEGIN SOLUTION "Camera Pixel Translation"

@@ -1,6 +1,8 @@
 namespace Lab;
 
 /// <summary>X(t) = P + t d, and the nearest hit so far.</summary>
+/// <remarks>A crossing is a t of a model's formula. It counts if it lies beyond the bias and between zNear and zFar. The hit is the nearest that
+/// counts.</remarks>
 public class Ray(Vector3 origin, Vector3 direction)
 {
     public Vector3 Origin = origin; // P
@@ -11,8 +13,8 @@ public class Ray(Vector3 origin, Vector3 direction)
 
     public Model HitModel; // the model hit there; null for none
 
-    // z = t DepthPerT is the depth in front of the camera, which zNear and zFar limit: DepthPerT is the cosine between the ray and the view.
-    // A ray made without a camera is not clipped.
+    // zNear and zFar limit z = t DepthPerT. DepthPerT is −d·W, the cosine of the angle between ray and view, so z is the depth in front of the
+    // camera; or it is 1, so z is the distance. A ray that no camera makes, as in tests, is not clipped.
     public double Bias, ZNear, ZFar = double.MaxValue, DepthPerT = 1;
 
     public Vector3 At(double t)
@@ -24,7 +26,7 @@ public class Ray(Vector3 origin, Vector3 direction)
     }
 
     /// <summary>
-    /// Keeps the hit of a model at t if t counts and is nearer than the nearest so far. Of two at the same t the first stays.
+    /// Takes a crossing of a model: it is the hit if it counts and is nearer than the hit so far. Of two at the same t the first stays.
     /// </summary>
     public virtual void Hit(double t, Model model) // virtual: tests watch with which t it is called
     {
@@ -35,13 +37,13 @@ public class Ray(Vector3 origin, Vector3 direction)
         // END SOLUTION
     }
 
-    /// <summary>Whether an intersection at t is to be seen. No comparison with NaN holds, so NaN never counts.</summary>
+    /// <summary>Whether the crossing at t can be seen. No comparison with NaN holds, so NaN, the root of a negative number, never counts.</summary>
     public bool Counts(double t)
     {
         // BEGIN SOLUTION "Bias"
         // STUB Todo.Note("Bias");
         // STUB var isAhead = t > 0;
-        var isAhead = Bias == 0 ? t >= 0 : t > Bias;
+        var isAhead = Bias == 0 ? t >= 0 : t > Bias; // scenes/bias.json shows why t = 0 counts with bias 0
         // END SOLUTION
 
         // BEGIN SOLUTION "zNear & zFar"

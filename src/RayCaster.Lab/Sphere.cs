@@ -7,7 +7,7 @@ public class Sphere(Vector3 center, double radius) : Model
 
     public double R = radius;
 
-    /// <summary>The slides have two ways to the same intersections; this one draws.</summary>
+    /// <summary>The slides have two ways to the same crossings; pictures are drawn with this one.</summary>
     public override void Intersect(Ray ray) => GeometricSolution(ray);
 
     public void GeometricSolution(Ray ray)
@@ -19,12 +19,13 @@ public class Sphere(Vector3 center, double radius) : Model
         // its centre lies behind.
 
         // The slide's Pythagoras, D² = L² − t_ca², subtracts two large, nearly equal numbers for a far sphere, so it loses digits, and
-        // the sphere's edge moves. D here is the vector from the ray's nearest point to C, whose length is the slide's D, without that loss.
+        // the sphere's edge moves. Here D is a vector without that loss: it leads to C from that point of the ray which is nearest to C. Its length
+        // is the slide's D.
         var D = L - t_ca * ray.Direction;
         if (D * D > R * R) return; // passes by
         var t_hc = Math.Sqrt(R * R - D * D); // the slide writes t_hc² on the left; the square is an error of the slide
         ray.Hit(t_ca - t_hc, this);
-        ray.Hit(t_ca + t_hc, this); // the hit if the near one does not count: the camera is inside, or zNear cuts the sphere open
+        ray.Hit(t_ca + t_hc, this); // this one shows if the near one does not count: the camera is inside, or zNear cuts the sphere open
         // END SOLUTION
     }
 
@@ -32,7 +33,7 @@ public class Sphere(Vector3 center, double radius) : Model
     {
         // BEGIN SOLUTION "Sphere – Analytical Solution"
         var CP = ray.Origin - C;
-        var a = ray.Direction * ray.Direction;
+        var a = ray.Direction * ray.Direction; // 1, since d has length 1
         var b = 2 * (ray.Direction * CP);
         var c = CP * CP - R * R;
         var discriminant = b * b - 4 * a * c;

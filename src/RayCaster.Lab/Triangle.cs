@@ -13,11 +13,12 @@ public class Triangle(Vector3 a, Vector3 b, Vector3 c) : Model
         if (d * n == 0) return; // edge-on
         var t = (A - ray.Origin) * n / (d * n);
 
-        // X = w A + u B + v C with w + u + v = 1. Here w, u and v are not yet divided by their sum: each is the volume that d spans with two
-        // corners, seen from P. Two triangles that share an edge get the same volume for it, with opposite signs: no ray passes between them.
-        // The slide's strict u > 0 would lose the rays through the edge itself: pinholes in every mesh.
-        var (a, b, c) = (A - ray.Origin, B - ray.Origin, C - ray.Origin);
-        var (w, u, v) = (d * (b % c), d * (c % a), d * (a % b));
+        // X = w A + u B + v C with w + u + v = 1. Seen from P, X − P = t d = w PA + u PB + v PC: three equations, for x, y and z. By Cramer's rule
+        // w, u and v are d·(PB × PC), d·(PC × PA) and d·(PA × PB), all divided by one number. They add up to 1, so this number is their sum.
+        // The hand-out's formulas give the same u and v. Here two triangles that share an edge compute the same product for it, with opposite
+        // signs: no ray passes between them. The slide's strict u > 0 would lose the rays through the edge itself: pinholes in every mesh.
+        var (PA, PB, PC) = (A - ray.Origin, B - ray.Origin, C - ray.Origin);
+        var (w, u, v) = (d * (PB % PC), d * (PC % PA), d * (PA % PB));
         var sum = w + u + v;
         if (u / sum >= 0 && v / sum >= 0 && w / sum >= 0) ray.Hit(t, this); // w ≥ 0 is u + v ≤ 1
         // END SOLUTION

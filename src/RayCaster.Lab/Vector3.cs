@@ -23,7 +23,7 @@ public class Vector3(double x, double y, double z)
         // END SOLUTION
     }
 
-    public static Vector3 operator *(double b, Vector3 a)
+    public static Vector3 operator *(double b, Vector3 a) // b a, as on the slide
     {
         // BEGIN SOLUTION "IDE & Vectors"
         // STUB return Todo.Note("IDE & Vectors", Zero);

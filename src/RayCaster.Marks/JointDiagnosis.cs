@@ -74,7 +74,7 @@ internal sealed record JointDiagnosis
             Unexplained = [.. wrong.Select(i => pictures[i].Scene)],
             Nearest = found.Verdict.Told.Count > 0 && found.Verdict.Total < Decision.Mentioned * wrong.Length ? found.Verdict : null,
             Steps = steps,
-            Note = note,
+            Note = note ?? OnlyKind([.. wrong.Select(i => pictures[i])]),
         };
     }
 
@@ -160,5 +160,14 @@ internal sealed record JointDiagnosis
         return (isOneKind && Enum.TryParse<StepKind>(most.Key == "mesh" ? "triangle" : most.Key, true, out var shape)
                 ? [StepKind.Light, StepKind.Bytes, shape] : [StepKind.Light, StepKind.Bytes],
             isOneKind && most.Key == "background" ? "only the background is wrong" : "all outlines are right, only the light is not");
+    }
+
+    /// <summary>What the teacher should know where all pictures prove that one kind of shape is wrong and all else is right.</summary>
+    private static string? OnlyKind(SubmittedPicture[] wrong)
+    {
+        var kinds = wrong.Select(picture => !picture.Sample.HasRightSize ? []
+            : new SceneDifference(picture.Scene.Scene, new(picture.Sample.Picture, picture.Sample.Right), 1).WrongKinds.Kinds).ToArray();
+        return kinds.All(kind => kind.Count == 1) && kinds.Select(kind => kind[0]).Distinct().ToArray() is [var only]
+            ? $"only {WrongKinds.ManyOf(only)} are wrong" : null;
     }
 }

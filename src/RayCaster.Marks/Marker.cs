@@ -169,6 +169,8 @@ internal sealed class Marker(Rubric rubric)
             yield return $"{(isAll ? "all scenes" : string.Join(", ", group.Select(picture => picture.Scene.Name)))}: " +
                 group.First().ProblemOf(several: group.Count() > 1);
         }
+        foreach (var same in submitted.Where(picture => picture.OnAlpha is not null).GroupBy(picture => picture.OnAlpha))
+            yield return $"{string.Join(", ", same.Select(picture => picture.Scene.Name))}: {same.Key}";
         string[][] repeated = [.. Repeated(submitted)];
         foreach (var scenes in repeated)
             yield return $"{string.Join(", ", scenes)}: the same picture of different scenes, so the program does not draw the scene yet";
@@ -178,7 +180,7 @@ internal sealed class Marker(Rubric rubric)
         else if (!diagnosis.TellsNothing && unexplained.Length > 0)
             yield return $"{string.Join(", ", unexplained)}: " +
                 (diagnosis.Note is { } note ? $"no known mistake explains this, but {note}"
-                    : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
+                    : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $"; the nearest is {Names(near)}, which explains too little" : ""));
         foreach (var cause in Edits(diagnosis).Select(edit => edit.Cause).Distinct())
             yield return $"no known mistake explains the pictures, but a slip in {cause}";
         foreach (var other in diagnosis.Alternatives)
@@ -195,5 +197,6 @@ internal sealed class Marker(Rubric rubric)
         select same.ToArray();
 
     private static string Names(Hypothesis program) => string.Join(" + ",
-        program.Missing.Select(part => $"no {part}").Concat(program.AllMistakes.Select(mistake => mistake.Id)));
+        program.Missing.Select(part => $"no {part}").Concat(program.AllMistakes.Select(mistake =>
+            mistake.Place is null ? mistake.Id : $"a slip in {mistake.Cause}")));
 }

@@ -40,7 +40,7 @@ public static class RubricReader
         if (o.Has("items") && items.Count == 0 && o.IsSound) o.Refuse("items", $" must hold at least one item");
 
         var scenes = ReadScenes(o, files, Path.GetDirectoryName(path) ?? "", sceneReports);
-        return !o.IsSound || o.Document is null ? null : new(scenes)
+        return !o.IsSound ? null : new(scenes)
         {
             Title = title,
             Hint = hint switch { "question" => HintLevel.Question, "symptom" => HintLevel.Symptom, _ => null },

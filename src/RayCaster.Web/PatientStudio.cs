@@ -19,11 +19,12 @@ internal sealed class PatientStudio : Studio
         var done = 0; // bytes
         for (var line = 0; line < height; line += lines)
         {
-            renderer.Draw(line..Math.Min(height, line + lines), rgb =>
+            var difference = renderer.Draw(line..Math.Min(height, line + lines), rgb =>
             {
                 rgb.CopyTo(picture.Rgb.AsSpan(done));
                 done += rgb.Length;
             }, cancellation: cancellation);
+            if (difference is not null) return Frame.Of(ScalarRenderer.Render(seen));
             await Task.Delay(1, cancellation);
         }
         return Frame.Of(picture);

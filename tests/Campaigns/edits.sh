@@ -55,10 +55,10 @@ mv large.png right-large.png
 
 course=src/RayCaster
 edit "upside down"               $course/Scene/ScalarRenderer.cs 's/scene.Camera.Height - 1 - line/line/'
-edit "the last hit wins"         $course/Rays/Ray.cs               's/ && IsNearer<Scalar>(t, HitParameter).Holds//'
+edit "the last hit wins"         $course/Scene/ScalarRenderer.cs   's/ && Ray.IsNearer<Scalar>(t, nearest.T).Holds//'
 edit "the farthest hit wins"     $course/Rays/Ray.cs               's/=> t < nearest;/=> t > nearest;/'
 edit "half the light"            $course/Scene/Scene.cs \
-    's/: Attenuation<Scalar>(t) \* model.Color/: 0.5 * Attenuation<Scalar>(t) * model.Color/'
+    's/: Attenuation<Scalar>(nearest.T)/: 0.5 * Attenuation<Scalar>(nearest.T)/'
 edit "attenuation"               $course/Scene/Scene.cs          's|1 - t / Camera.FadeDistance|1 - t / (2 * Camera.FadeDistance)|'
 edit "red and blue swapped"      $course/Vectors/Color.cs             's/(ToByte(R), ToByte(G), ToByte(B))/(ToByte(B), ToByte(G), ToByte(R))/'
 edit "colour times number"       $course/Vectors/Color.cs             's/attenuation \* color.G/color.G/'

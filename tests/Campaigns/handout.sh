@@ -52,7 +52,7 @@ solved stopped
     cp scenes/step10/room.png room.png
     dotnet lib/raycaster.dll compare room.png scenes/step10/room.png --scene scenes/room.json
     dotnet lib/raycaster.dll diagnose scenes/room.json room.png
-    dotnet lib/raycaster.dll explain scenes/room.json 325 359 --reference room.png > /dev/null
+    dotnet lib/raycaster.dll explain scenes/room.json 325 359 --mine room.png > /dev/null
     dotnet lib/raycaster.dll live scenes/room.json --mine room.png --no-browser > page 2>&1 &
     live=$!
     for _ in $(seq 100); do

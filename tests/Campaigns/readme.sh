@@ -23,7 +23,7 @@ follow() { # runs a command of README
         *"RayCaster.Lab -- scenes/room.json") edit src/RayCaster.Lab/Sphere.cs 'Math.Sqrt(R \* R' 'Math.Sqrt(R' ;;
         *"-o small-ball.png") edit src/RayCaster/Shapes/Sphere.cs 'Radius \* Radius' 'Radius' ;;
         *"--filter step=8" | *"--filter SphereTests") expected=2 ;; # so says Microsoft.Testing.Platform that a test failed
-        *" diagnose "* | *" compare "*) expected=1 ;;
+        *" --pixel "* | *" diagnose "* | *" compare "* | *" explain "*) expected=1 ;; # something is wrong
     esac
     echo "== $1"
     commands=$((commands + 1))

@@ -63,7 +63,7 @@ public sealed class InterruptionTests : CommandTests
             ("INT", 130, "compare room.png pipe.png"),
             ("TERM", 143, "compare pipe.png room.png"),
             ("HUP", 129, "diagnose ROOM pipe.png"),
-            ("INT", 130, "explain ROOM 1 1 --reference pipe.png"),
+            ("INT", 130, "explain ROOM 1 1 --mine pipe.png"),
             ("HUP", 129, "stitch pipe.png -o whole.png"),
             ("TERM", 143, "part ROOM 1/1 --resume -o pipe.png"),
             ("INT", 130, "check pipe.png"),
@@ -82,7 +82,7 @@ public sealed class InterruptionTests : CommandTests
     }
 
     [Theory(Explicit = true, Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
-    [InlineData("compare large.pbm other.pbm --measures")]
+    [InlineData("compare large.pbm other.pbm")]
     [InlineData("map ROOM t -s 10000x10000 -o room.pfm")]
     [InlineData("ROOM -s 30000x30000 -o room.ppm")]
     [InlineData("part ROOM 0..9999 -s 30000x30000 -o a.png")]

@@ -5,12 +5,12 @@ public sealed class Cylinder(Vector3 center, double radius, double height) : Mod
 {
     public override double? Intersect(Ray ray)
     {
-        var (P, d) = (ray.Origin - center, ray.Direction);
+        var (CP, d) = (ray.Origin - center, ray.Direction);
 
-        // |X(t)| = R in the xy plane: a t² + 2 b t + c = 0
+        // |X − C| = R in the xy plane: a t² + 2 b t + c = 0. b is half of the slide's, so t = (−b ∓ √(b² − a c)) / a, without the slide's 4 and 2.
         var a = d.X * d.X + d.Y * d.Y;
-        var b = P.X * d.X + P.Y * d.Y;
-        var c = P.X * P.X + P.Y * P.Y - radius * radius;
+        var b = CP.X * d.X + CP.Y * d.Y;
+        var c = CP.X * CP.X + CP.Y * CP.Y - radius * radius;
         var discriminant = b * b - a * c;
         if (a == 0 || discriminant < 0) return null;
 
@@ -21,6 +21,6 @@ public sealed class Cylinder(Vector3 center, double radius, double height) : Mod
         if (ray.Counts(far) && IsOnTube(far)) return far;
         return null;
 
-        bool IsOnTube(double t) => Math.Abs(P.Z + t * d.Z) <= height / 2;
+        bool IsOnTube(double t) => Math.Abs(CP.Z + t * d.Z) <= height / 2;
     }
 }

@@ -40,7 +40,7 @@ internal static class Some
         const int Side = 8;
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         var shown = Enumerable.Range(0, Side * Side)
-            .Select(i => ScalarRenderer.Cast(scene, i % Side * width / Side, i / Side * height / Side).HitModel);
+            .Select(i => ScalarRenderer.Cast(scene, i % Side * width / Side, i / Side * height / Side).Model);
         return shown.Distinct().Skip(1).Any();
     }
 

@@ -18,7 +18,6 @@ internal abstract class Option(string names, string? value, string help)
     public static readonly Option<bool> Everything = Switch("--all",
         "Tries everything, however long it takes. Otherwise the search ends after an amount of work that takes some six seconds.");
     public static readonly Option<bool> Quiet = Switch("-q, --quiet", "Prints errors only.");
-    public static readonly Option<bool> NoProgress = Switch("--no-progress", "Never draws a progress line.");
     public static readonly Option<bool> Version = Switch("--version", "Shows the version.");
     public static readonly Option<bool> Help = Switch("-?, -h, --help", "Shows this help. Under \"dotnet run\" write it after \"--\".");
 

@@ -1,25 +1,27 @@
 namespace RayCaster.Cli;
 
-/// <summary>All commands, and which of them a command line names.</summary>
+/// <summary>All commands, as the help page lists them, and which of them a command line names; without a name it draws a scene.</summary>
 internal sealed class CommandList
 {
-    private readonly (string Title, Command[] Commands)[] groups;
     private readonly DrawCommand draw = new();
 
-    /// <param name="groups">The commands but draw and help, in groups with a title.</param>
-    public CommandList(params (string Title, Command[] Commands)[] groups)
-    {
-        this.groups = groups;
-        All = [draw, .. groups.SelectMany(group => group.Commands), new HelpCommand(this)];
-    }
+    /// <summary>The commands but draw and help, in groups with a title. They are made only where one of them is meant.</summary>
+    public (string Title, Command[] Commands)[] Groups => field ??=
+    [
+        ("For students", [new LiveCommand(), new DiagnoseCommand(), new CompareCommand(), new ExplainCommand(),
+            new ModelsCommand(), new MapCommand()]),
+        ("For teachers", [new HandOutCommand(), new MarkCommand(), new VaryCommand(), new CheckCommand(), new WrongCommand()]),
+        ("For large pictures and many", [new PartCommand(), new StitchCommand(), new OrbitCommand()]),
+    ];
 
-    public Command[] All { get; }
+    public Command[] All => field ??= [draw, .. Groups.SelectMany(group => group.Commands), new HelpCommand(this)];
 
     /// <summary>The command that the first word names; drawing if it names none.</summary>
     /// <param name="words">The words that are the command's.</param>
-    public Command Of(string[] arguments, out string[] words)
+    public Command Find(string[] arguments, out string[] words)
     {
-        var command = Array.Find(All, command => command.Name == arguments[0]);
+        var mayBeName = arguments[0].All(char.IsAsciiLetter); // the path of a scene has a dot
+        var command = mayBeName ? Array.Find(All, command => command.Name == arguments[0]) : null;
         words = command is null ? arguments : arguments[1..];
         return command ?? draw;
     }
@@ -36,7 +38,7 @@ internal sealed class CommandList
 
     /// <summary>The help page of a command; that of drawing also lists the others.</summary>
     public string HelpOf(Command command) =>
-        command is DrawCommand or HelpCommand ? HelpPage.Of(draw, groups) : HelpPage.Of(command);
+        command is DrawCommand or HelpCommand ? HelpPage.Of(draw, Groups) : HelpPage.Of(command);
 
     /// <summary>The help page of the command with a name.</summary>
     public string HelpOf(string name) => Array.Find(All, command => command.Name == name) is { } command ? HelpOf(command)

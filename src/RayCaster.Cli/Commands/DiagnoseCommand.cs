@@ -60,7 +60,8 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         var prepared = new SceneDiagnosis(scene, line.Get(Option.Threads), budget: budget, size: size);
         var diagnosis = prepared.Judge(picture, line.Get(parts) ?? [], alpha: alpha);
         var hidden = diagnosis.Kind == DiagnosisKind.Matches ? prepared.Hidden : [];
-        if (budget?.UsedUp is { } limit) line.Warn($"Not everything was tried within {limit}; --all tries everything.");
+        var mayChange = diagnosis.IsOpen || diagnosis.Kind == DiagnosisKind.Matches; // after a match it may be the mistakes that cannot show
+        if (mayChange && budget?.UsedUp is { } limit) line.Warn($"Not everything was tried within {limit}; --all tries everything.");
         StandardStreams.WriteOutput(json
             ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level)

@@ -11,7 +11,7 @@ internal sealed class DrawCommand() : Command("draw", "<scene>", "Draws a scene.
     public override string Description => "Draws a scene: casts one ray for each pixel and writes the picture.";
 
     public override IReadOnlyList<Option> Options =>
-        [output, Option.Format, Option.Size, Option.Threads, plain, Option.Quiet, Option.NoProgress, Option.Version];
+        [output, Option.Format, Option.Size, Option.Threads, plain, Option.Quiet, Option.Version];
 
     public override string[] Examples => ["scenes/room.json", "scenes/room.json -o room.ppm --size 1920x1080"];
 
@@ -27,7 +27,6 @@ internal sealed class DrawCommand() : Command("draw", "<scene>", "Draws a scene.
         var scene = SceneInput.Read(path, line, cancellation);
 
         var start = Stopwatch.GetTimestamp();
-        scene = SpatialOrder.Of(scene);
         var renderer = new RendererChoice(scene, line.Get(Option.Threads), line.Get(plain));
         var lines = NumberRange.Whole(scene.Camera.Height);
         var isOdd = PictureOutput.Draw(file, format, renderer, lines, part: null, line, cancellation);

@@ -1,13 +1,13 @@
 namespace RayCaster.Cli;
 
-internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <line>", "Shows how one pixel gets its colour.")
+internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <line>", "Shows how one pixel of the right picture gets its colour.")
 {
-    private static readonly Option<string> reference = Option.Text("--reference", "<file>",
-        "Another picture of the scene, for example your program's: adds its colour at this pixel and, if that is wrong, which model would give it.");
+    private static readonly Option<string> mine = Option.Text("--mine", "<file>",
+        "The picture that your program drew of the scene: adds its colour at this pixel and, if that is wrong, which model would give it.");
 
     public override string Description =>
-        "Shows how one pixel gets its colour: the ray, each model's formula with this pixel's numbers, which crossings count and why the " +
-        "others do not, and the colour.";
+        "Shows how one pixel of the right picture gets its colour: the ray, each model's formula with this pixel's numbers, which crossings count " +
+        "and why the others do not, and the colour. The numbers are the right ones: compare them with those of your program.";
 
     public override IReadOnlyList<(string, string)> Arguments =>
     [
@@ -17,11 +17,11 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
             "The formulas count rows from the bottom: r = height - 1 - line."),
     ];
 
-    public override IReadOnlyList<Option> Options => [reference, Option.Size, Option.Quiet];
+    public override IReadOnlyList<Option> Options => [mine, Option.Size, Option.Quiet];
 
-    public override string[] Examples => ["explain scenes/room.json 250 250"];
+    public override string[] Examples => ["explain scenes/room.json 325 359", "explain scenes/room.json 325 359 --mine mine.png"];
 
-    public override string ExitCodes => "0 done, 1 the reference differs by more than rounding, 2 failed.";
+    public override string ExitCodes => "0 done, 1 your picture differs there by more than rounding, 2 failed.";
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
@@ -31,7 +31,7 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
         var camera = scene.Camera;
         var explanation = new PixelExplanation(scene,
             Coordinate("column", operands[1], camera.Width, "left to right"), Coordinate("line", operands[2], camera.Height, "top to bottom"));
-        var other = line.Get(reference) is { } path ? ReferenceExplanation.Of(explanation, ReadReference(path, camera)) : null;
+        var other = line.Get(mine) is { } path ? ReferenceExplanation.Of(explanation, ReadMine(path, camera)) : null;
         StandardStreams.WriteOutput(ExplanationText.Of(explanation, other));
         return other is { Agrees: false } ? ExitCode.No : ExitCode.Done;
     }
@@ -44,7 +44,7 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
             $"there is no {what} {value}: the picture has {what}s 0 to {count - 1}, {order}");
     }
 
-    private static Picture ReadReference(string path, Camera camera)
+    private static Picture ReadMine(string path, Camera camera)
     {
         var picture = PictureFile.Read(path, StandardStreams.WriteError);
         return (picture.Width, picture.Height) == (camera.Width, camera.Height) ? picture : throw new ProblemException(

@@ -13,7 +13,7 @@ internal sealed class ModelsCommand() : Command("models", "<scene>", "Says which
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var scene = SceneInput.Read(line.Exactly("<scene>")[0], line, cancellation);
-        StandardStreams.WriteOutput(HitLedger.Take(SpatialOrder.Of(scene), cancellation).Report());
+        StandardStreams.WriteOutput(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
     }
 

@@ -15,7 +15,7 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
         "Draws the frames of a camera that goes once around its target: room-0000.png, room-0001.png ...";
 
     public override IReadOnlyList<Option> Options =>
-        [frames, only, output, Option.Size, PartCommand.Resume, Option.Threads, Option.Quiet, Option.NoProgress];
+        [frames, only, output, Option.Size, PartCommand.Resume, Option.Threads, Option.Quiet];
 
     public override string[] Examples => ["orbit scenes/room.json --frames 48 -o frames"];
 
@@ -28,7 +28,6 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
             wanted = portion.Of(count) ?? throw new ProblemException($"there are no frames {portion} of {count}, 0..{count - 1}");
         var scene = SceneInput.Read(path, line, cancellation);
 
-        scene = SpatialOrder.Of(scene);
         var folder = line.Get(output) ?? "";
         var models = SceneDigest.OfModels(scene.Models);
         var whole = NumberRange.Whole(scene.Camera.Height);

@@ -24,25 +24,26 @@ internal static class PictureOutput
         CommandLine line, CancellationToken cancellation)
     {
         var odd = default(OddPicture);
-        try
+        OutputFile.Write(output, cancellation, stream =>
         {
-            OutputFile.Write(output, cancellation, WriteOnce);
-        }
-        catch (EngineDisagreesException)
-        {
+            if (WriteTo(stream, plain: false) is not { } difference) return;
+            StandardStreams.WriteError(
+                $"raycaster: the engine's picture is not the definition's at {difference}. The definition draws the picture.");
             if (output == StandardStreams.Name) throw new ProblemException("standard output has a wrong picture: write to a file, or add --plain");
-            OutputFile.Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
-        }
+            stream.SetLength(0);
+            WriteTo(stream, plain: true);
+        });
         return odd!.IsOdd;
 
-        void WriteOnce(Stream stream)
+        string? WriteTo(Stream stream, bool plain)
         {
             var (width, height) = (renderer.Scene.Camera.Width, lines.Count);
             odd = new(renderer.Scene.Background);
             using var progress = ProgressLine.For(line, width, height);
             using var writer = PictureWriter.Create(format, stream, width, height, part?.PngText);
-            renderer.Draw(lines, Take, done => progress?.LinesDone(done), cancellation);
+            var difference = renderer.Draw(lines, Take, done => progress?.LinesDone(done), plain, cancellation);
             writer.Finish();
+            return difference;
 
             void Take(ReadOnlySpan<byte> drawn)
             {

@@ -25,7 +25,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
 
     /// <summary>A progress line on standard error's terminal; null if it is not wanted, or nobody sees it.</summary>
     public static ProgressLine? For(CommandLine line, int width, int height, string what = "rays") =>
-        line.Get(Option.Quiet) || line.Get(Option.NoProgress) || !IsSeen ? null
+        line.Get(Option.Quiet) || !IsSeen ? null
             : new(Console.Error, width, height, Columns(), TimeProvider.System, what);
 
     /// <summary>The terminal's columns; 80 if it does not say.</summary>

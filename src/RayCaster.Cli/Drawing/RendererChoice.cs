@@ -17,7 +17,7 @@ internal sealed class RendererChoice(Scene scene, int? threads, bool plain, bool
     private const long SmallWork = 3_000_000;
 
     private readonly Renderer engine = new(scene, threads) { ManyFrames = manyFrames };
-    private bool isByDefinition =
+    private readonly bool isByDefinition =
         plain || (!manyFrames && RuntimeFeature.IsDynamicCodeCompiled &&
             (long)scene.Camera.Width * scene.Camera.Height * scene.ShapeCount <= SmallWork);
 
@@ -25,25 +25,13 @@ internal sealed class RendererChoice(Scene scene, int? threads, bool plain, bool
 
     /// <param name="write">Receives whole lines of red, green and blue bytes.</param>
     /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
-    /// <exception cref="EngineDisagreesException">All lines were drawn, but a pixel differs from the definition. A message was shown; the next call
-    /// draws by the definition.</exception>
-    public void Draw(NumberRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
+    /// <param name="plain">Whether the definition draws, whatever else is chosen.</param>
+    /// <returns>Where a pixel of the engine's differs from the definition, so that the lines are wrong; null if they are right.</returns>
+    public string? Draw(NumberRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, bool plain, CancellationToken cancellation)
     {
-        if (isByDefinition)
-        {
-            DrawByDefinition(lines, write, linesDone, cancellation);
-            return;
-        }
-        try
-        {
-            engine.Draw(lines.ToRange(), write, linesDone, cancellation);
-        }
-        catch (EngineDisagreesException e)
-        {
-            StandardStreams.WriteError($"raycaster: {e.Message}. The definition draws the picture.");
-            isByDefinition = true;
-            throw;
-        }
+        if (!plain && !isByDefinition) return engine.Draw(lines.ToRange(), write, linesDone, cancellation);
+        DrawByDefinition(lines, write, linesDone, cancellation);
+        return null;
     }
 
     private void DrawByDefinition(NumberRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)

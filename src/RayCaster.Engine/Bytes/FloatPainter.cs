@@ -55,8 +55,8 @@ internal sealed class FloatPainter : IShapeVisitor
     private void Write(int column, int row, Span<byte> rgb)
     {
         var ray = camera.RayThrough(part.Column + column, part.Row + row);
-        ray.Intersect(scene.Models[covered.Index]);
-        (rgb[0], rgb[1], rgb[2]) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
+        var hit = scene.Models[covered.Index].Intersect(ray) is { } t ? new(t, covered.Index) : Hit.None;
+        (rgb[0], rgb[1], rgb[2]) = scene.Shade(hit).ToBytes();
     }
 
     /// <summary>Paints the shape, if its error is small enough.</summary>

@@ -14,6 +14,7 @@ internal sealed class MeshPainter
     private readonly Scene scene;
     private readonly ScreenSpace screen;
     private readonly Model model;
+    private readonly int index;
     private readonly int background; // its bytes
     private readonly float[] squares = new float[Tile.MaxSide]; // of the columns' slopes
     private readonly uint[] doubts = new uint[Tile.MaxSide * Tile.MaxSide / FloatPacket.Count]; // of each packet
@@ -24,7 +25,7 @@ internal sealed class MeshPainter
 
     public MeshPainter(ScreenSpace screen, Scene scene, int index)
     {
-        (this.screen, this.scene, model) = (screen, scene, scene.Models[index]);
+        (this.screen, this.scene, this.index, model) = (screen, scene, index, scene.Models[index]);
         var (r, g, b) = scene.Background.ToBytes();
         background = r | (g << 8) | (b << 16);
         // Beyond this t there is no light, even after rounding.
@@ -76,7 +77,7 @@ internal sealed class MeshPainter
     public void Write(int pixel, double t)
     {
         var to = first + pixel / TilePixels.Stride * step + 3 * (pixel % TilePixels.Stride);
-        (rgb[to], rgb[to + 1], rgb[to + 2]) = scene.Shade(t, double.IsPositiveInfinity(t) ? null : model).ToBytes();
+        (rgb[to], rgb[to + 1], rgb[to + 2]) = scene.Shade(double.IsPositiveInfinity(t) ? Hit.None : new(t, index)).ToBytes();
     }
 
     /// <summary>Paints it all and notes which pixels are in doubt.</summary>

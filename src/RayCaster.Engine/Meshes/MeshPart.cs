@@ -8,8 +8,6 @@ internal sealed class MeshPart(Mesh mesh, ScreenSpace screen, int threads) : Mod
     private readonly List<int> near = []; // the first of each packet of boxes of which one may be met by the rays of a square
     private Pyramid? pixel;
 
-    public Mesh Mesh => mesh;
-
     public override Bounds? Bounds => boxes.Bounds;
 
     /// <summary>A pixel whose ray meets one of the boxes; null if none of some is in the picture.</summary>

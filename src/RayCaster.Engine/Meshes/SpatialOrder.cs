@@ -4,7 +4,7 @@ namespace RayCaster.Engine;
 /// Brings a mesh whose triangles come in random order, as a scanner's do, into an order in space: then triangles that follow one another
 /// lie side by side in space and in memory, and are drawn in half of the time.
 /// </summary>
-public static class SpatialOrder
+internal static class SpatialOrder
 {
     /// <summary>A mesh with fewer triangles lies in the processor's caches, so its order hardly matters.</summary>
     private const int FewTriangles = 1 << 17;
@@ -16,17 +16,15 @@ public static class SpatialOrder
     /// <summary>The bits of a cell's number along each axis: of a surface of a million triangles, a cell holds some ten.</summary>
     private const int Bits = 7;
 
-    /// <summary>The scene with new meshes in place of those in random order: each pixel shows the same model at the same t, but a triangle of such a
-    /// mesh has another number than in the file.</summary>
-    public static Scene Of(Scene scene)
-    {
-        if (!scene.Models.Any(IsRandom)) return scene;
-        return scene with { Models = [.. scene.Models.Select(model => IsRandom(model) ? Sorted((Mesh)model) : model)] };
-    }
+    private static readonly ConditionalWeakTable<Mesh, Mesh> kept = [];
 
-    private static bool IsRandom(Model model)
+    /// <summary>A mesh of the same triangles, of which each pixel shows the same t; the mesh itself if its order is not random. It stays in memory as
+    /// long as the mesh does.</summary>
+    public static Mesh Of(Mesh mesh) =>
+        mesh.TriangleCount < FewTriangles ? mesh : kept.GetValue(mesh, static mesh => IsRandom(mesh) ? Sorted(mesh) : mesh);
+
+    private static bool IsRandom(Mesh mesh)
     {
-        if (model is not Mesh { TriangleCount: >= FewTriangles } mesh) return false;
         var (apart, size) = (0.0, 0.0);
         for (var i = 1; i < mesh.TriangleCount; i += mesh.TriangleCount / Pairs)
             (apart, size) = (apart + (mesh[i].A - mesh[i - 1].A).Length, size + (mesh[i].B - mesh[i].A).Length);
@@ -48,7 +46,7 @@ public static class SpatialOrder
         var triangleOrder = Order(firstCorners, vertices.Length);
         var indices = new int[corners.Length];
         for (var i = 0; i < triangleOrder.Length; i++) corners.AsSpan(3 * i, 3).CopyTo(indices.AsSpan(3 * triangleOrder[i]));
-        return new(vertices, indices) { Name = mesh.Name, Color = mesh.Color };
+        return new(vertices, indices);
     }
 
     /// <summary>Where the grid of cells begins, and how many cells there are in a unit of length.</summary>

@@ -24,41 +24,31 @@ public sealed class TriangleTree
     /// the triangle's bounds.</param>
     public double? Nearest(Vector3 origin, Vector3 direction, Func<int, double?> hit)
     {
-        double? nearest = null;
-        if (nodes.Length > 0) Visit(0, new(origin, direction), hit, ref nearest);
-        return nearest;
-    }
-
-    private void Visit(int index, in Line line, Func<int, double?> hit, ref double? nearest)
-    {
-        ref readonly var node = ref nodes[index];
-        for (var i = node.First; i < node.First + node.Count; i++)
-            if (hit(order[i]) is { } t && t < (nearest ?? double.PositiveInfinity))
-                nearest = t;
-        if (node.IsLeaf) return;
-
-        var (first, second) = (index + 1, node.Second);
-        var (t0, t1) = (line.Enters(nodes[first].Bounds), line.Enters(nodes[second].Bounds));
-        if (t1 < t0) ((first, second), (t0, t1)) = ((second, first), (t1, t0)); // hits in the nearer one may reject the other
-        if (t0 <= (nearest ?? double.MaxValue)) Visit(first, line, hit, ref nearest);
-        if (t1 <= (nearest ?? double.MaxValue)) Visit(second, line, hit, ref nearest);
+        double t = Nearest<Scalar, FunctionHits>(
+            origin, direction, direction, double.NegativeInfinity, double.PositiveInfinity, new FunctionHits(hit));
+        return double.IsNaN(t) ? null : t;
     }
 
     /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel; NaN if no hit is nearer than those so far.</summary>
-    // Optimised from the first call: many pictures are finished before the runtime would optimise it.
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     internal N Nearest<N>(RayStream rays, int pixel) where N : struct, IPacket<N>
     {
-        var best = rays.NearestAt<N>(pixel);
+        var ray = rays.RaysAt<N>(pixel);
+        return Nearest(
+            rays.Origin, ray.Direction, rays.DirectionAt(pixel), 0, rays.NearestAt<N>(pixel), new FormulaHits<N>(vertices, indices, rays, pixel, ray));
+    }
+
+    /// <summary>The nearest hit of each ray that lies from <paramref name="least"/> on and before <paramref name="best"/>; NaN for none.</summary>
+    /// <param name="direction">The rays' directions; they share one origin.</param>
+    /// <param name="ahead">The direction of one of them.</param>
+    // Optimised from the first call: many pictures are finished before the runtime would optimise it.
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private N Nearest<N, H>(Vector3 origin, Vector3<N> direction, Vector3 ahead, double least, N best, H hits)
+        where N : struct, IReal<N> where H : struct, ITriangleHits<N>
+    {
         var hit = Lanes.Broadcast<N>(double.NaN);
         if (nodes.Length == 0) return hit;
 
-        var ray = rays.RaysAt<N>(pixel);
-        var along = new RaySpace<N>(ray);
-        var origin = rays.Origin;
-        var ahead = rays.DirectionAt(pixel);
-        var test = new BoundsTest<N>(ray.Direction);
-
+        var test = new BoundsTest<N>(direction);
         Span<int> stack = stackalloc int[depth + 1];
         var top = 0;
         stack[top++] = 0;
@@ -66,7 +56,7 @@ public sealed class TriangleTree
         {
             var index = stack[--top];
             ref readonly var node = ref nodes[index];
-            if (!test.MayHit(node.Bounds.PaddedFrom(origin), best)) continue;
+            if (H.All(test.Misses(node.Bounds.PaddedFrom(origin), least, best))) continue;
             if (!node.IsLeaf)
             {
                 // The child that the first ray enters first is visited first, so that its hits reject the other.
@@ -77,14 +67,46 @@ public sealed class TriangleTree
             }
             for (var i = node.First; i < node.First + node.Count; i++)
             {
-                var corner = 3 * order[i];
-                var triangle = new Triangle(vertices[indices[corner]], vertices[indices[corner + 1]], vertices[indices[corner + 2]]);
-                var t = rays.First(pixel, triangle.Intersect(along));
+                var t = hits.Of(order[i]);
                 var nearer = t < best;
                 best = N.Select(nearer, t, best);
                 hit = N.Select(nearer, t, hit);
             }
         }
         return hit;
+    }
+
+    /// <summary>Where rays hit triangles.</summary>
+    private interface ITriangleHits<N> where N : struct, IReal<N>
+    {
+        /// <summary>Each ray's t with a triangle, by its number in the mesh; NaN for none.</summary>
+        N Of(int triangle);
+
+        /// <summary>Whether a mask holds for all rays.</summary>
+        static abstract bool All(N mask);
+    }
+
+    /// <summary>By the triangle's formula.</summary>
+    private readonly struct FormulaHits<N>(Vector3[] vertices, int[] indices, RayStream rays, int pixel, in Ray<N> ray) : ITriangleHits<N>
+        where N : struct, IPacket<N>
+    {
+        private readonly RaySpace<N> along = new(ray);
+
+        public N Of(int triangle)
+        {
+            var corner = 3 * triangle;
+            var shape = new Triangle(vertices[indices[corner]], vertices[indices[corner + 1]], vertices[indices[corner + 2]]);
+            return rays.First(pixel, shape.Intersect(along));
+        }
+
+        public static bool All(N mask) => Lanes.All(mask);
+    }
+
+    /// <summary>By a function.</summary>
+    private readonly struct FunctionHits(Func<int, double?> hit) : ITriangleHits<Scalar>
+    {
+        public Scalar Of(int triangle) => hit(triangle) ?? double.NaN;
+
+        public static bool All(Scalar mask) => mask.Holds;
     }
 }

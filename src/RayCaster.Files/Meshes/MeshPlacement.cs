@@ -70,10 +70,19 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
         List<int>? kept = null;
         for (var i = 0; i < indices.Length; i += 3)
         {
-            if (Triangle.IsOnOneLine(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]])) kept ??= [.. indices[..i]];
+            if (IsOnOneLine(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]])) kept ??= [.. indices[..i]];
             else kept?.AddRange(indices.AsSpan(i, 3));
         }
         return kept?.ToArray() ?? indices;
+    }
+
+    /// <summary>
+    /// Whether three points span no area: |e1 × e2| ≤ 1e-12 · (longest side)². This limit is relative, so the unit of length does not matter.
+    /// </summary>
+    internal static bool IsOnOneLine(Vector3 a, Vector3 b, Vector3 c)
+    {
+        var longest = Math.Max((b - a).Length, Math.Max((c - b).Length, (a - c).Length));
+        return ((b - a) % (c - a)).Length <= 1e-12 * longest * longest;
     }
 
     /// <summary>

@@ -89,24 +89,14 @@ internal sealed class PngReader
     /// <summary>The file's first text under the keyword; null if there is none.</summary>
     public string? Text { get; }
 
-    public static Picture Read(Stream file, long maxBytes, Action<string> warn)
+    /// <param name="withAlpha">Whether alpha is kept; without it, null is returned.</param>
+    public static (Picture Picture, AlphaChannel? Alpha) Read(Stream file, long maxBytes, Action<string> warn, bool withAlpha = false)
     {
         var reader = new PngReader(file, maxBytes, warn);
         var picture = new Picture(reader.Header.Width, reader.Header.Height);
-        reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { });
-        return picture;
-    }
-
-    /// <summary>Reads a picture and its alpha, which is null if all pixels are opaque.</summary>
-    public static Picture Read(Stream file, long maxBytes, Action<string> warn, out AlphaChannel? alpha)
-    {
-        var reader = new PngReader(file, maxBytes, warn);
-        var picture = new Picture(reader.Header.Width, reader.Header.Height);
-        var values = reader.HasAlpha ? new byte[picture.Width * picture.Height] : null;
-        reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { }, values);
-        alpha = values is null ? null : new(values);
-        if (alpha?.IsOpaque == true) alpha = null;
-        return picture;
+        var alpha = withAlpha && reader.HasAlpha ? new byte[picture.Width * picture.Height] : null;
+        reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { }, alpha);
+        return (picture, alpha.AsSpan().ContainsAnyExcept(byte.MaxValue) ? new(alpha!) : null);
     }
 
     /// <summary>Reads all lines, three bytes for each pixel, and checks the end of the data.</summary>

@@ -8,7 +8,8 @@ internal sealed class JsonTree
     private static readonly JsonReaderOptions options =
         new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, MaxDepth = MaxDepth };
 
-    private readonly List<Node> nodes = [];
+    private Node[] nodes = new Node[256]; // the first "count" are filled
+    private int count;
     private int lastClosed;
 
     private JsonTree(SourceText text) => Text = text;
@@ -29,9 +30,9 @@ internal sealed class JsonTree
     /// <summary>The bytes between the quotes of a text or key.</summary>
     public ReadOnlySpan<byte> Written(int node) => Text.Utf8[(nodes[node].Start + 1)..(nodes[node].End - 1)];
 
-    public int Count => nodes.Count;
+    public int Count => count;
 
-    public Node Last => nodes[^1];
+    public Node Last => nodes[count - 1];
 
     /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>
     public int? KeyOfLastClosed => lastClosed > 0 && nodes[lastClosed - 1].Kind == JsonTokenType.PropertyName ? lastClosed - 1 : null;
@@ -52,10 +53,16 @@ internal sealed class JsonTree
         return text.ToArray();
     }
 
+    private void Add(JsonTokenType kind, int start, int end)
+    {
+        if (count == nodes.Length) Array.Resize(ref nodes, 2 * count);
+        nodes[count++] = new(kind, start, end, count);
+    }
+
     /// <param name="takesText">Whether the value of a key may be a text: then a word without quotes gets that advice.</param>
     public static JsonTree? Parse(SourceText text, out JsonMistake? mistake, Predicate<string>? takesText = null)
     {
-        mistake = Encodings.MistakeIn(text.Utf8);
+        mistake = FileKind.NotUtf8(text.Utf8) is var (at, message) ? new(at, at, message) : null;
         if (mistake is not null) return null;
         var tree = new JsonTree(text);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
@@ -72,13 +79,13 @@ internal sealed class JsonTree
                 if (last is JsonTokenType.EndObject or JsonTokenType.EndArray)
                 {
                     tree.lastClosed = open[--depth];
-                    tree.nodes[tree.lastClosed] = tree.nodes[tree.lastClosed] with { End = lastEnd, Next = tree.nodes.Count };
+                    tree.nodes[tree.lastClosed] = tree.nodes[tree.lastClosed] with { End = lastEnd, Next = tree.count };
                     continue;
                 }
-                if (last is JsonTokenType.StartObject or JsonTokenType.StartArray) open[depth++] = tree.nodes.Count;
+                if (last is JsonTokenType.StartObject or JsonTokenType.StartArray) open[depth++] = tree.count;
                 var start = (int)reader.TokenStartIndex;
                 var end = last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd;
-                tree.nodes.Add(new(last, start, end, tree.nodes.Count + 1));
+                tree.Add(last, start, end);
             }
             return tree;
         }

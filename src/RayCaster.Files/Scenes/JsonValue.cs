@@ -25,6 +25,28 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
+    /// <summary>How many values the content has.</summary>
+    public int Count
+    {
+        get
+        {
+            var count = 0;
+            for (int i = node + 1, end = tree[node].Next; i < end; i = tree[i].Next) count++;
+            return count;
+        }
+    }
+
+    /// <summary>A value of the content; those before it are passed one by one.</summary>
+    public JsonValue this[int index]
+    {
+        get
+        {
+            var i = node + 1;
+            for (; index > 0; index--) i = tree[i].Next;
+            return new(tree, i);
+        }
+    }
+
     public IEnumerable<JsonValue> Keys => Content.Where((_, i) => i % 2 == 0);
 
     /// <summary>The value of a key of an object, the first if the key is repeated; null if it is missing.</summary>

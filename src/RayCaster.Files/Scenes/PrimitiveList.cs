@@ -34,7 +34,10 @@ internal static class PrimitiveList
 
     public static readonly string[] Names = Array.ConvertAll(All, type => type.Name);
 
-    public static IReadOnlyList<SceneKey> KeysOfAllTypes()
+    /// <summary>The keys of all types; only mistakes need them.</summary>
+    public static IReadOnlyList<SceneKey> KeysOfAllTypes => field ??= Describe();
+
+    private static IReadOnlyList<SceneKey> Describe()
     {
         var o = SceneObject.Describing(out var keys);
         foreach (var type in All) SceneReader.ReadModel(o, type);
@@ -59,7 +62,7 @@ internal static class PrimitiveList
     private static Model Triangle(SceneObject o)
     {
         var (a, b, c) = (o.Vector("a", "A, the first corner."), o.Vector("b", "B, the second corner."), o.Vector("c", "C, the third corner."));
-        if (RayCaster.Triangle.IsOnOneLine(a, b, c))
+        if (MeshPlacement.IsOnOneLine(a, b, c))
             o.Refuse("c", $" must not lie on one line with {o.PathOf("a")} and {o.PathOf("b")}: the triangle has no area");
         return Model.Of(new Triangle(a, b, c));
     }
@@ -75,7 +78,6 @@ internal static class PrimitiveList
             o.Factors("scale", "A factor for all axes, or one for each; none is 0, negative mirrors.", 1),
             o.Vector("rotate", "Turns about the x, y and z axis, in this order, in degrees.", Vector3.Zero),
             o.Vector("translate", "Where the mesh's origin goes, at last.", Vector3.Zero));
-        if (o.Document is null) return nothing; // only described
         var key = o.Has("faces") ? "faces" : o.Has("vertices") ? "vertices" : "file";
         if (file == "") o.Refuse("file", $" must not be empty");
         else if (key == "file" && !o.Has(key)) o.Refuse(key, $" is missing: a mesh file (.obj, .ply or .stl), or in place of it vertices and faces");

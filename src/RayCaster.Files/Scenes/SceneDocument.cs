@@ -26,7 +26,7 @@ internal sealed class SceneDocument(SourceText text, string folder)
     }
 
     /// <summary>The problems in the order of the text; at one place, in the order in which they were found.</summary>
-    public Problem[] Problems() =>
+    public Problem[] Problems() => findings.Count == 0 ? [] :
     [
         .. from finding in findings
            orderby finding.Start

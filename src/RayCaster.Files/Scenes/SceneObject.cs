@@ -7,29 +7,28 @@ namespace RayCaster.Files;
 /// NaN is false, so rules that compare values report nothing more.
 /// </summary>
 /// <remarks>
-/// The same calls describe the keys: an object made by <see cref="Describing"/> has no text, reports nothing, and collects the keys that are
-/// read. The editors' schema is made from these, so it cannot differ from the reader.
+/// The same calls describe the keys: <see cref="Describing"/> makes an object without any, which collects those that are looked for. The editors'
+/// schema is made from these, so it cannot differ from the reader.
 /// </remarks>
-/// <param name="document">The scene file; null where the object is only described.</param>
 /// <param name="path">The object's path, empty for the scene itself.</param>
-internal sealed class SceneObject(SceneDocument? document, JsonValue json, string path, List<SceneKey>? described = null)
+internal sealed class SceneObject(SceneDocument document, JsonValue json, string path, List<SceneKey>? described = null)
 {
-    private readonly int errorsBefore = document?.ErrorCount ?? 0;
+    private readonly int errorsBefore = document.ErrorCount;
     private readonly List<string> keysRead = [];
     private int found; // how many of the keys that were read are there
 
-    /// <summary>The scene file; null where the object is only described.</summary>
-    public SceneDocument? Document => document;
+    public SceneDocument Document => document;
 
     /// <summary>Whether no error was found in this object so far.</summary>
-    public bool IsSound => document is null || document.ErrorCount == errorsBefore;
+    public bool IsSound => document.ErrorCount == errorsBefore;
 
-    /// <summary>An object without text that collects the keys that are read.</summary>
+    /// <summary>An object without keys that collects those that are read. Nobody sees what it reports.</summary>
     public static SceneObject Describing(out IReadOnlyList<SceneKey> keys)
     {
         var described = new List<SceneKey>();
         keys = described;
-        return new(null, default, "", described);
+        var nothing = new SourceText("", "{}"u8.ToArray());
+        return new(new(nothing, ""), JsonTree.Parse(nothing, out _)!.Root, "", described);
     }
 
     /// <summary>The value as an object; null, after a report, if it is something else.</summary>
@@ -41,7 +40,7 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
         return null;
     }
 
-    public bool Has(string key) => document is not null && json.Find(key) is not null;
+    public bool Has(string key) => json.Find(key) is not null;
 
     /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>
     public string PathOf(string key, int? element = null) => (path.Length > 0 ? path + "." + key : key) + (element is { } i ? $"[{i}]" : "");
@@ -133,16 +132,17 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
 
     public SceneObject? Object(string key, string meaning)
     {
+        if (described is null) return Take(new(key, KeyKind.Object, meaning, true)) is { } value ? AsObject(document, value.Json, value.Path) : null;
         var describing = Describing(out var members);
-        var value = Take(new(key, KeyKind.Object, meaning, true) { Members = members });
-        return document is null ? describing : value is { } found ? AsObject(document, found.Json, PathOf(key)) : null;
+        described.Add(new(key, KeyKind.Object, meaning, true) { Members = members });
+        return describing;
     }
 
     /// <summary>The objects of an array; elements that are something else are reported and left out.</summary>
     public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
-        foreach (var (i, element) in Elements(new(key, KeyKind.Objects, meaning, true), "objects").Index())
-            if (AsObject(document!, element.Json, PathOf(key, i)) is { } o)
+        foreach (var element in Elements(new(key, KeyKind.Objects, meaning, true), "objects"))
+            if (AsObject(document, element.Json, element.Path) is { } o)
                 yield return o;
     }
 
@@ -152,32 +152,55 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
 
     public void Warn(string key, FormattableString message) => Report(false, Place(key, null), key, FormattableString.Invariant(message));
 
-    /// <summary>Refuses the keys that were not read, and those that are there twice.</summary>
+    /// <summary>Refuses the keys that were not read, and those that are there twice, of which the first counts.</summary>
     /// <param name="allowed">Keys that are right although they were not read.</param>
     public void Close(params IEnumerable<string> allowed)
     {
-        if (document is null || found == json.Keys.Count()) return; // fewer were read if one is unknown or there twice
+        if (2 * found == json.Count) return; // fewer were read if one is unknown or there twice
         keysRead.AddRange(allowed);
-        new WrongKeys(this, document).Refuse(json.Keys, keysRead);
+        var places = new Dictionary<string, JsonValue>(); // each key once, though it may be there twice
+        foreach (var key in json.Keys)
+        {
+            if (document.HasTooManyErrors) return;
+            if (!places.TryAdd(key.Text, key))
+                Report(true, key, Shown(key.Text), $" is given twice; the first is in line {document.Text.LineOf(places[key.Text].Start)}");
+        }
+        var free = keysRead.FindAll(name => !places.ContainsKey(name)); // once for all unknown keys: there may be millions
+        foreach (var (name, key) in places)
+        {
+            if (document.HasTooManyErrors) return;
+            if (!keysRead.Contains(name)) Report(true, key, Shown(name), " is an unknown key" + Hint(name, free, places));
+        }
     }
 
+    /// <summary>Which key was probably meant: one that is missing, or else one that is there already.</summary>
+    private string Hint(string wrong, List<string> free, Dictionary<string, JsonValue> places)
+    {
+        if (Spelling.DidYouMean(wrong, free) is { Length: > 0 } help) return help;
+        if (Spelling.Nearest(wrong, keysRead) is { } near && places.TryGetValue(near, out var there))
+            return $"; \"{near}\" is already there, in line {document.Text.LineOf(there.Start)}";
+        return free.Count is > 0 and <= 8 ? $"; keys that can be added here: {string.Join(", ", free)}" : "";
+    }
+
+    /// <summary>A key of any length and content, fit for a message.</summary>
+    private static string Shown(string key) => PrintableText.Escaped(key.Length > 60 ? key[..60] + "…" : key);
+
     /// <summary>Reports a problem at a value; at the object's opening brace where the value is null.</summary>
-    internal void Report(bool isError, JsonValue? value, string key, string message, int? element = null)
+    private void Report(bool isError, JsonValue? value, string key, string message, int? element = null)
     {
         var (start, end) = value is { } v ? (v.Start, v.End) : (json.Start, json.Start + 1);
-        document?.Add(isError, start, end, PathOf(key, element) + message);
+        document.Add(isError, start, end, PathOf(key, element) + message);
     }
 
     /// <summary>The value of a key, which is read only once. Null if the key is missing, which is an error for a required key.</summary>
     private SceneValue? Take(SceneKey key)
     {
         described?.Add(key);
-        if (document is null) return null;
         keysRead.Add(key.Name);
         if (json.Find(key.Name) is { } value)
         {
             found++;
-            return new(this, value, key.Name);
+            return new(document, value, PathOf(key.Name));
         }
         if (key.IsRequired) Report(true, null, key.Name, " is missing: " + (key.Choices.Length > 0 ? SceneValue.Quoted(key.Choices) : key.Meaning));
         return null;
@@ -186,13 +209,13 @@ internal sealed class SceneObject(SceneDocument? document, JsonValue json, strin
     private Vector3 Vector(string key, KeyKind kind, string meaning, Limits limits, Vector3? orElse) =>
         Take(new(key, kind, meaning, orElse is null, orElse))?.Vector(limits) ?? orElse ?? SceneValue.NoVector;
 
-    /// <summary>The elements of an array, until there are too many errors; none where it is left out or something else.</summary>
+    /// <summary>The elements of an array; none where it is left out or something else.</summary>
     private IEnumerable<SceneValue> Elements(SceneKey key, string name) =>
-        Take(key) is { } value && value.IsArray(name) ? value.Elements.TakeWhile(_ => !document!.HasTooManyErrors) : [];
+        Take(key) is { } value && value.IsArray(name) ? value.Elements : [];
 
     private JsonValue? Place(string key, int? element)
     {
-        if (document is null || json.Find(key) is not { } value) return null;
-        return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content.ElementAt(i) : value;
+        if (json.Find(key) is not { } value) return null;
+        return element is { } i && value.Kind == JsonTokenType.StartArray ? value[i] : value;
     }
 }

@@ -89,7 +89,7 @@ public static class SceneReader
     private static bool TakesText<T>(string key, Func<SceneObject, T?> read)
     {
         read(SceneObject.Describing(out var keys));
-        return key == "type" || keys.Concat(keys.SelectMany(outer => outer.Members)).Concat(PrimitiveList.KeysOfAllTypes()).Any(known =>
+        return key == "type" || keys.Concat(keys.SelectMany(outer => outer.Members)).Concat(PrimitiveList.KeysOfAllTypes).Any(known =>
             known.Name == key && known.Kind is KeyKind.Text or KeyKind.Texts or KeyKind.FileName or KeyKind.Choice or KeyKind.Color);
     }
 
@@ -157,7 +157,7 @@ public static class SceneReader
         var type = Array.Find(PrimitiveList.All, type => type.Name == name);
         var model = type is null ? null : ReadModel(o, type);
         // If the type is unknown, only a key that no type has is surely wrong.
-        o.Close(type is null ? PrimitiveList.KeysOfAllTypes().Select(key => key.Name) : []);
+        o.Close(type is null ? PrimitiveList.KeysOfAllTypes.Select(key => key.Name) : []);
         return model;
     }
 

@@ -1,7 +1,8 @@
 namespace RayCaster.Files;
 
-/// <summary>The value of a key, or an element of one. A wrong value is reported, and NaN or null returned.</summary>
-internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, int? element = null)
+/// <summary>A value that knows its path. A wrong one is reported, and NaN or null returned.</summary>
+/// <param name="path">The path of the value, or of the array whose element it is.</param>
+internal readonly struct SceneValue(SceneDocument document, JsonValue json, string path, int? element = null)
 {
     public const string VectorForm = "an array of three numbers [x, y, z]";
 
@@ -13,17 +14,23 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
 
     public string Text => json.Text;
 
+    /// <summary>The elements of an array, until there are too many errors.</summary>
     public IEnumerable<SceneValue> Elements
     {
         get
         {
-            var owner = o; // a lambda of a struct cannot use "this"
-            var name = Name;
-            return json.Content.Select((value, i) => new SceneValue(owner, value, name, i));
+            var array = Path;
+            var count = 0;
+            foreach (var value in json.Content)
+            {
+                if (document.HasTooManyErrors) yield break;
+                yield return new(document, value, array, count++);
+            }
         }
     }
 
-    private string Name => element is null ? key : $"{key}[{element}]";
+    /// <summary>As messages name it: <c>models[3].min[1]</c>.</summary>
+    public string Path => element is null ? path : $"{path}[{element}]";
 
     public double Number(Limits limits)
     {
@@ -46,10 +53,10 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
 
     public Vector3 Vector(Limits limits, string form = VectorForm)
     {
-        if (json.Kind == JsonTokenType.StartArray && Elements.Take(4).ToArray() is [var x, var y, var z])
-            return new(x.Number(limits), y.Number(limits), z.Number(limits));
+        if (json.Kind == JsonTokenType.StartArray && json.Count == 3)
+            return new(Element(0).Number(limits), Element(1).Number(limits), Element(2).Number(limits));
         var found = json.Kind == JsonTokenType.StartArray
-            ? $"has {Plural.Of(json.Content.Count(), "element")}{DecimalComma.Hint([.. json.Content.Take(7)])}"
+            ? $"has {Plural.Of(json.Count, "element")}{DecimalComma.Hint([.. json.Content.Take(7)])}"
             : $"is {json.InWords}";
         Report(true, $" must be {form}, but {found}");
         return NoVector;
@@ -111,7 +118,7 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
     public bool IsArray(string elements) => Is(JsonTokenType.StartArray, $"an array of {elements} in brackets [ ]");
 
     /// <param name="message">Follows the value's path.</param>
-    public void Report(bool isError, string message) => o.Report(isError, json, key, message, element);
+    public void Report(bool isError, string message) => document.Add(isError, json.Start, json.End, Path + message);
 
     /// <summary><c>"corner" or "center"</c>.</summary>
     public static string Quoted(string[] words)
@@ -119,6 +126,8 @@ internal readonly struct SceneValue(SceneObject o, JsonValue json, string key, i
         var quoted = Array.ConvertAll(words, word => $"\"{word}\"");
         return quoted.Length == 1 ? quoted[0] : $"{string.Join(", ", quoted[..^1])} or {quoted[^1]}";
     }
+
+    private SceneValue Element(int index) => new(document, json[index], Path, index);
 
     private bool Is(JsonTokenType kind, string form)
     {

@@ -49,7 +49,7 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
                 var budget = new SearchBudget(lastResort: time, cancellation: cancellation);
                 var found = await Task.Run(() => Diagnosis.Of(Scene, Mine, budget), CancellationToken.None);
                 cancellation.ThrowIfCancellationRequested();
-                (diagnosis, isCut) = (found, budget.UsedUp is not null);
+                (diagnosis, isCut) = (found, found.IsOpen && budget.UsedUp is not null);
             }
             return ForPage(DiagnosisReport.Text(diagnosis, Name!, SceneName, level))
                 + (isCut ? "\nNot everything was tried: \"raycaster diagnose --all\" takes more time.\n" : "");

@@ -3,11 +3,10 @@ namespace RayCaster.Live;
 /// <summary>A scene file as it is now, and the last scene that it described without an error.</summary>
 /// <param name="Version">Counts the changes, from 1.</param>
 /// <param name="Text">The file's bytes; empty if it could not be read.</param>
-/// <param name="Scene">The last good scene, its meshes in <see cref="SpatialOrder"/>; null if there was none.</param>
+/// <param name="Scene">The last good scene; null if there was none.</param>
 /// <param name="IsGood">Whether the file describes that scene now.</param>
-/// <param name="InFileOrder">The text of that scene if the order of a mesh is another than in its file; otherwise null.</param>
 internal sealed record SceneState(
-    int Version, ReadOnlyMemory<byte> Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood, ReadOnlyMemory<byte>? InFileOrder = null);
+    int Version, ReadOnlyMemory<byte> Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood);
 
 /// <summary>Reads a scene file again whenever it, or a mesh that it names, is saved.</summary>
 internal sealed class LiveScene
@@ -76,11 +75,6 @@ internal sealed class LiveScene
         Tell();
     }
 
-    /// <summary>The state's scene with its triangles numbered as in the mesh files. Those in another order are read again, since a second copy would
-    /// take as much memory as the first.</summary>
-    public Scene InFileOrder(SceneState state) =>
-        (state.InFileOrder is { } text ? SceneReader.Parse(text, Path, System.IO.Path.GetDirectoryName(Path) ?? "").Scene : null) ?? state.Scene!;
-
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
     /// <returns>Null if it is done; otherwise the reason: the file has changed since, or is broken.</returns>
     /// <exception cref="ProblemException">It cannot be written.</exception>
@@ -124,9 +118,7 @@ internal sealed class LiveScene
         watch.Watch([FullPath, .. reading.MeshFiles]);
         stamps = StampsOf(reading);
         var version = (State?.Version ?? 0) + 1;
-        if (reading.Scene is not { } read) return new(version, reading.Text, reading.Problems, State?.Scene, IsGood: false, State?.InFileOrder);
-        var scene = SpatialOrder.Of(read);
-        return new(version, reading.Text, reading.Problems, scene, IsGood: true, ReferenceEquals(scene, read) ? null : reading.Text);
+        return new(version, reading.Text, reading.Problems, reading.Scene ?? State?.Scene, IsGood: reading.Scene is not null);
     }
 
     private void Tell()

@@ -62,17 +62,18 @@ internal static class Messages
 
     public static byte[] OfHover(Scene scene, int column, int line)
     {
-        var ray = ScalarRenderer.Cast(scene, column, scene.Camera.Height - 1 - line);
-        var (r, g, b) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
+        var row = scene.Camera.Height - 1 - line;
+        var hit = ScalarRenderer.Cast(scene, column, row);
+        var (r, g, b) = scene.Shade(hit).ToBytes();
         return Of(new
         {
             Kind = "hover",
             Column = column,
             Line = line,
-            Row = scene.Camera.Height - 1 - line,
-            Model = ModelName.Plain(scene, scene.IndexOf(ray.HitModel)),
-            T = ray.HitParameter,
-            Depth = ray.HitParameter * -(ray.Direction * scene.Camera.W),
+            Row = row,
+            Model = ModelName.Plain(scene, hit.Model),
+            hit.T,
+            Depth = hit.T * -(scene.Camera.RayThrough(column, row).Direction * scene.Camera.W),
             Bytes = (int[])[r, g, b],
         });
     }

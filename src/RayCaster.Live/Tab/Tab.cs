@@ -147,7 +147,7 @@ internal sealed partial class Tab(
         if (!IsIn(seen.Of(state.Scene!), place)) return;
         await SendAsync(await Task.Run(() =>
         {
-            var scene = seen.Of(live.InFileOrder(state));
+            var scene = seen.Of(state.Scene!);
             var reference = seen.Camera is null ? mine.PictureFor(scene.Camera) : null;
             return Messages.OfExplanation(scene, place.Column, place.Line, reference);
         }));

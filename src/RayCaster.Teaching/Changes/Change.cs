@@ -35,6 +35,9 @@ public sealed record Change
     /// <summary>Where it is, if it is a slip that the catalogue does not have.</summary>
     public FormulaPlace? Place { get; internal init; }
 
+    /// <summary>The mistake that a slip resembles, though its picture is another, so that its question may not fit.</summary>
+    public Mistake? Similar { get; internal init; }
+
     /// <summary>Help in three steps; empty for what is no mistake.</summary>
     public Hint Hint { get => field ?? Mistake?.Hint ?? new("", "", ""); internal init; }
 

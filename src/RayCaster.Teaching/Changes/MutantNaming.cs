@@ -26,16 +26,43 @@ internal static class MutantNaming
     /// <summary>Most names that are listed where a picture cannot tell formulas apart.</summary>
     private const int MaxNames = 5;
 
+    /// <summary>What the names mean that stand on no slide.</summary>
+    private static readonly Dictionary<string, string> words = new()
+    {
+        ["den"] = "the divisor of t", ["D2"] = "D²", ["O"] = "the vector between C and P", ["S"] = "the sum of the areas",
+        ["e1"] = "the edge at A and B", ["e2"] = "the edge at A and C", ["v0"] = "the edge at A and B", ["v1"] = "the edge at A and C",
+        ["lo"] = "where the ray enters each slab", ["hi"] = "where the ray leaves each slab", ["det"] = "the determinant",
+        ["tmin"] = "t_min", ["tmax"] = "t_max", ["tmin1"] = "t_min of two slabs", ["tmax1"] = "t_max of two slabs",
+        ["start"] = "the t with which the first hit is compared", ["better"] = "the test whether a hit is nearer",
+        ["replaces"] = "the place where a nearer hit is kept", ["lights"] = "the place where a hit gets its colour",
+        ["kept"] = "the test whether a hit counts", ["both"] = "which of two hits shows", ["hit"] = "the test for a hit",
+        ["att"] = "the attenuation", ["level"] = "the way from a colour to its bytes", ["rgb"] = "the order of the bytes",
+    };
+
     /// <summary>The likeliest slip, with the known mistake whose label it has, or with words of its own.</summary>
     /// <param name="slips">All that draw the same, the likeliest first.</param>
     public static Change Named(IReadOnlyList<Change> slips)
     {
         var first = slips[0];
-        Mutant[] likely = [.. slips.Select(change => change.Mutant!).Where(mutant => mutant.Cost <= first.Mutant!.Cost + Likely)];
-        var mutant = likely[0];
+        var likely = LikelyOf(slips);
         if (Array.Find(likely, other => other.Label is not null) is { } known)
             return first with { Mistake = MistakeCatalog.Named(known.Label!), Cause = $"{SectionOf(known.Section.Kind)}: {Describe(known)}" };
+        return InOwnWords(first, likely);
+    }
 
+    /// <summary>A slip with a mistake's name, in words of its own.</summary>
+    public static Change Unnamed(Change slip)
+    {
+        var mutant = slip.Mutant! with { Label = null };
+        return InOwnWords(slip with { Mutant = mutant, Mistake = null, Similar = slip.Mistake }, [mutant]);
+    }
+
+    private static Mutant[] LikelyOf(IReadOnlyList<Change> slips) =>
+        [.. slips.Select(change => change.Mutant!).Where(mutant => mutant.Cost <= slips[0].Mutant!.Cost + Likely)];
+
+    private static Change InOwnWords(Change first, Mutant[] likely)
+    {
+        var mutant = likely[0];
         StepKind[] kinds = [.. likely.Select(other => other.Section.Kind).Distinct()];
         var isOneStep = kinds.Length == 1;
         // Other styles have other formulas: the texts use those of the likeliest style.
@@ -47,8 +74,8 @@ internal static class MutantNaming
             Place = place,
             Cause = $"{place.Section}: {Describe(mutant)}",
             Hint = new(
-                isOneStep ? SymptomOf(kinds[0]) : "Several steps could make this picture.",
-                formula is not null ? $"Look at {formula.Computed}. {MutationOperators.QuestionOf(mutant.Operator)}"
+                isOneStep ? SymptomOf(kinds[0]) : "",
+                formula is not null ? $"Look at {InWords(formula.Computed)}. {MutationOperators.QuestionOf(mutant.Operator)}"
                     : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Section}\"; " +
                         $"this scene cannot tell {NamesOf(formulas)} apart."
                     : $"Something is wrong in one of these steps: {place.Section}. This scene cannot tell them apart.",
@@ -56,6 +83,9 @@ internal static class MutantNaming
         };
     }
 
+    private static string InWords(string name) => words.GetValueOrDefault(name, name);
+
+    /// <summary>What texts call a step.</summary>
     internal static string SectionOf(StepKind kind) => kind.ToString().ToLowerInvariant();
 
     private static string Describe(Mutant mutant)
@@ -71,19 +101,19 @@ internal static class MutantNaming
 
     private static string NamesOf(IEnumerable<Formula?> formulas)
     {
-        string[] names = [.. formulas.Select(formula => formula?.Computed ?? "all of them").Distinct()];
+        string[] names = [.. formulas.Select(formula => formula is null ? "all of them" : InWords(formula.Computed)).Distinct()];
         return names.Length > MaxNames ? "its formulas" : string.Join(names.Length == 2 ? " and " : ", ", names);
     }
 
     private static string SymptomOf(StepKind kind) => kind switch
     {
-        StepKind.Vectors => "All that is computed with products and lengths of vectors is wrong.",
+        StepKind.Vectors => "Everything that is computed with products and lengths of vectors is wrong.",
         StepKind.Camera or StepKind.File or StepKind.Sample or StepKind.Pixel =>
             "Everything stands elsewhere or is deformed: the rays are wrong.",
         StepKind.Rule or StepKind.Nearest =>
             "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
         StepKind.Light => "All outlines are right, only the light is not.",
         StepKind.Bytes => "All outlines are right, only the colours are not.",
-        _ => $"Only {ShapeKind.Of(kind).Many} are wrong; all else is right.",
+        _ => $"Only {ShapeKind.Of(kind).Many} are wrong; everything else is right.",
     };
 }

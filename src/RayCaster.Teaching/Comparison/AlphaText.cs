@@ -3,12 +3,15 @@ namespace RayCaster.Teaching.Comparison;
 /// <summary>What is said of a picture file's alpha, which no comparison of colours shows.</summary>
 public static class AlphaText
 {
+    private const string Multiplied = "The colours are the right ones multiplied by the file's alpha (\"premultiplied\"): " +
+        "a PNG stores them as they are. Write them so, with an alpha of 255, or none.";
+
     /// <summary>A sentence for a file with alpha; null if each pixel is opaque.</summary>
     /// <param name="alpha">The file's alpha; null if each pixel is opaque.</param>
     /// <param name="right">The right picture, for colours that were multiplied by alpha.</param>
     public static string? Of(AlphaChannel? alpha, Picture picture, Picture right)
     {
-        if (alpha is null || alpha.IsOpaque) return null;
+        if (alpha is null) return null;
         if (IsMultiplied(alpha, picture, right)) return Multiplied;
         var values = alpha.Values;
         var (least, most) = (values.Min(), values.Max());
@@ -19,9 +22,6 @@ public static class AlphaText
                 $"a viewer shows {(most < 10 ? "nearly nothing" : "what lies behind, too")}. Write 255, or no alpha."
             : $"The file's alpha is {least} to {most}, and 255 is all of it: a viewer shows what lies behind, too. Write 255, or no alpha.";
     }
-
-    private const string Multiplied = "The colours are the right ones multiplied by the file's alpha (\"premultiplied\"): " +
-        "a PNG stores them as they are. Write them so, with an alpha of 255, or none.";
 
     /// <summary>Whether a picture is wrong, but right if its colours were multiplied by alpha.</summary>
     public static bool IsMultiplied(AlphaChannel? alpha, Picture picture, Picture right)

@@ -40,10 +40,6 @@ public static class ComparisonText
         };
     }
 
-    /// <summary>The largest difference and two means in one line.</summary>
-    public static string Measures(PictureDifference d) => string.Create(CultureInfo.InvariantCulture,
-        $"Measures, in levels of 255: maximum {d.Largest}, MAE {d.MeanAbsoluteError:0.#####}, RMSE {d.RootMeanSquareError:0.#####}\n");
-
     private static string Where(PictureComparison comparison, PictureDifference d, string mine)
     {
         var (x, y) = d.WrongMiddle!.Value;

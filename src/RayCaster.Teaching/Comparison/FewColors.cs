@@ -20,11 +20,11 @@ internal static class FewColors
     public static string? Find(PictureDifference difference)
     {
         var (mine, right) = (difference.Mine, difference.Reference);
-        if (mine.IsNearlyOneColor || right.IsNearlyOneColor || difference.MeanAbsoluteError > MostOnAverage) return null;
+        if (mine.IsNearlyOneColor || right.IsNearlyOneColor) return null;
         var (colors, all) = (ColorsOf(mine), ColorsOf(right));
         var isFewer = 10 * colors < 7 * all || (colors <= Palette && all > Palette);
         return isFewer && (IsCut(difference)
-                || HasBothSigns(difference) && (IsFunction(difference, colors) || (colors <= Palette && IsDithered(difference))))
+                || HasBothSigns(difference) && (IsRounded(difference, colors) || (colors <= Palette && IsDithered(difference))))
             ? $"The picture was saved with fewer colours: it has {Digits.Number(colors)}, the right one {Digits.Number(all)}. " +
                 "The differences are those of rounding; the formulas are right."
             : null;
@@ -67,7 +67,7 @@ internal static class FewColors
     }
 
     /// <summary>Whether each colour of the right picture has become one colour, in small steps.</summary>
-    private static bool IsFunction(PictureDifference difference, int colors)
+    private static bool IsRounded(PictureDifference difference, int colors)
     {
         var same = 0;
         var groups = Enumerable.Range(0, difference.Pixels).GroupBy(difference.Reference.At).ToArray();
@@ -76,7 +76,7 @@ internal static class FewColors
             var most = group.CountBy(difference.Mine.At).MaxBy(color => color.Value);
             if (PictureDifference.Levels(most.Key, group.Key) <= Most) same += most.Value;
         }
-        return same >= Nearly * difference.Pixels && groups.Length > 2 * colors;
+        return difference.MeanAbsoluteError <= MostOnAverage && same >= Nearly * difference.Pixels && groups.Length > 2 * colors;
     }
 
     /// <summary>Whether the means of small areas agree much better than their pixels.</summary>

@@ -35,15 +35,22 @@ internal static class ModelsText
             (wrong.Length < scene.Models.Count ? "  all others: none wrong\n" : "") + "\n";
     }
 
-    /// <summary>A sentence for each wrong model.</summary>
+    /// <summary>What is certain of the kinds of shape, then a sentence for each wrong model.</summary>
     public static IEnumerable<string> Sentences(Scene scene, SceneDifference all)
     {
+        var meant = Meant(all);
+        if (meant is not [{ IsExplained: true }] && all.WrongKinds is { Sentence: { } certain } kinds)
+            return OfModels(scene, all, [.. meant.Where(model => kinds.Has(model.Model) && !(model.IsMissing && kinds.ShowsElsewhere(model.Model)))]).Prepend(certain);
         var unexplained = all.Models.Where(model => !model.IsExplained).Sum(model => model.Wrong);
         if (unexplained > all.Models.Sum(model => model.Pixels) / 2) // a picture from another camera position makes models look "missing", too
             return ["No single model explains it. Is the camera different, or its target? The target also sets the light."];
-        var meant = Meant(all);
+        return OfModels(scene, all, meant);
+    }
+
+    private static IEnumerable<string> OfModels(Scene scene, SceneDifference all, IReadOnlyList<ModelDifference> meant)
+    {
         var edges = all.Models.Sum(model => model.Wrong) - meant.Sum(model => model.Wrong);
-        var agree = meant.Count != 1 ? ""
+        var agree = meant.Count != 1 || Meant(all).Count != 1 ? ""
             : edges == 0 ? "; all others agree" : $"; all others agree, but for {Digits.Count(edges, "pixel")}";
         return meant.Select(model => Sentence(scene, model) ?? (meant.Count == 1 ? $"{PartOf(model)} are wrong" : null))
             .OfType<string>().Take(MaxSentences).Select(sentence => $"{sentence}{agree}.");

@@ -51,10 +51,7 @@ public sealed class PictureDifference
     public int Wrong => CountBeyond(1);
 
     /// <summary>The mean of the absolute differences of all channels, in levels (MAE).</summary>
-    public double MeanAbsoluteError => Mean(Math.Abs);
-
-    /// <summary>The root of the mean of the squared differences of all channels, in levels (RMSE).</summary>
-    public double RootMeanSquareError => Math.Sqrt(Mean(d => d * d));
+    public double MeanAbsoluteError => Mine.Rgb.Zip(Reference.Rgb, (a, b) => (long)Math.Abs(a - b)).Sum() / (double)Mine.Rgb.Length;
 
     /// <summary>The largest difference of a channel anywhere.</summary>
     public int Largest { get; }
@@ -79,9 +76,6 @@ public sealed class PictureDifference
     /// <summary>The largest difference of two colours' three channels.</summary>
     internal static int Levels((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
         Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
-
-    private double Mean(Func<int, int> measure) =>
-        Mine.Rgb.Zip(Reference.Rgb, (a, b) => (long)measure(a - b)).Sum() / (double)Mine.Rgb.Length;
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Count(int pixel)

@@ -17,8 +17,7 @@ internal static class PictureExtensions
     extension(Scene scene)
     {
         /// <summary>The bytes of a pixel, by its index in reading order.</summary>
-        public (byte R, byte G, byte B) BytesAt(HitMap hits, int pixel) =>
-            scene.Shade(hits.T[pixel], hits.Model[pixel] < 0 ? null : scene.Models[hits.Model[pixel]]).ToBytes();
+        public (byte R, byte G, byte B) BytesAt(HitMap hits, int pixel) => scene.Shade(hits[pixel]).ToBytes();
     }
 
     extension(Picture picture)

@@ -51,6 +51,9 @@ internal sealed class SceneDifference
     /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
     public IReadOnlyList<int> ModelAt => hits.Model;
 
+    /// <summary>Which kinds of shape are wrong by themselves, and what proves that the rays are right.</summary>
+    public WrongKinds WrongKinds => field ??= new(scene, hits, difference, threads);
+
     private ILookup<int, int> PixelsOf => field ??= Enumerable.Range(0, difference.Pixels).ToLookup(i => hits.Model[i]);
 
     private static bool IsOwn(PictureDifference d) => d.Wrong <= d.Pixels / 50;
@@ -108,7 +111,9 @@ internal sealed class SceneDifference
     {
         var without = scene with { Models = [.. scene.Models.Where((_, i) => i != model.Model)] };
         new Renderer(without, threads).CastHits(others);
-        return IsExplained(model, pixel => without.BytesAt(others, pixel));
+        return IsExplained(model, pixel => without.BytesAt(others, pixel)) && !Enumerable.Range(0, difference.Pixels).Where(pixel =>
+            Shade.ModelsOf(scene, difference.Mine.At(pixel)).Take(2).SequenceEqual([model.Model]) && !Shows(pixel, without.BytesAt(others, pixel)))
+            .Skip(WrongKinds.LeastShown - 1).Any(); // what shows, at any place, is not missing
     }
 
     /// <summary>The colour that gives the bytes of the model's pixels if it is multiplied by their attenuation; null if none does.</summary>

@@ -112,7 +112,7 @@ internal sealed class UnreachedPixels
             return true;
         }
 
-        /// <summary>Whether the areas mostly end where the right picture shows one model, and end at once. Those that a lost shape or a fading light
+        /// <summary>Whether many of the ends lie where the right picture shows one model, and are sharp. Those that a lost shape or a fading light
         /// leaves do not.</summary>
         private bool CutsThroughModels()
         {
@@ -134,7 +134,7 @@ internal sealed class UnreachedPixels
                         && PictureDifference.Levels(color, difference.Mine.At(other)) > Jump) cuts++;
                 }
             }
-            return 2 * cuts > ends;
+            return 4 * cuts > ends;
         }
 
         private bool Has(int pixel) => difference.Mine.At(pixel) == color;

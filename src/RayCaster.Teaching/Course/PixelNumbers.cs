@@ -1,6 +1,6 @@
 using System.Diagnostics;
 using Bytes = (byte R, byte G, byte B);
-using Hit = (int Model, double T);
+using ModelAndT = (int Model, double T);
 
 namespace RayCaster.Teaching.Course;
 
@@ -21,7 +21,8 @@ public sealed class PixelNumbers
     private readonly int column, row;
     private readonly Dictionary<string, object> yours = [];
     private readonly HashSet<string> unwritten;
-    private readonly Ray right; // with its nearest hit of what is written
+    private readonly Ray right;
+    private readonly Hit nearest; // of what is written
 
     private PixelNumbers(Scene scene, int column, int row, IEnumerable<(string Name, Func<object> Compute)> bodies, Func<IEnumerable<string>> notes,
         TimeSpan limit)
@@ -36,7 +37,9 @@ public sealed class PixelNumbers
         var camera = scene.Camera;
         if (unwritten.Contains(Slides.Bias)) camera = camera.With(bias: double.Epsilon);
         if (unwritten.Contains(Slides.ClipPlanes)) camera = camera.With(zNear: 0, zFar: double.MaxValue);
-        right = ScalarRenderer.Cast(scene with { Camera = camera, Models = [.. scene.Models.Where(IsWritten)] }, column, row);
+        right = camera.RayThrough(column, row);
+        var models = scene.Models.Select(model => IsWritten(model) ? model : new Mesh([], []));
+        nearest = ScalarRenderer.Cast(scene with { Camera = camera, Models = [.. models] }, column, row);
         // uc and ur are local to their body. d has them, whatever its length and the sign of W.
         foreach (var (name, axis) in ((string, string)[])[(FromD("uc"), "U"), (FromD("ur"), "V")])
             if (yours.TryGetValue("d", out var d))
@@ -141,10 +144,10 @@ public sealed class PixelNumbers
             foreach (var line in OfModel(model, i)) yield return line;
             if (OfAnalytical(model, i) is { } analytical) yield return analytical;
         }
-        var hit = right.HitModel;
-        yield return Of("hit", Slides.Ray, new Hit(scene.IndexOf(hit), right.HitParameter));
-        if (hit != null) yield return Of("attenuation", Slides.Shading, scene.Attenuation<Scalar>(right.HitParameter).Value);
-        var color = hit != null && unwritten.Contains(Slides.Shading) ? hit.Color : scene.Shade(right.HitParameter, hit);
+        yield return Of("hit", Slides.Ray, new ModelAndT(nearest.Model, nearest.T));
+        if (nearest.Model >= 0) yield return Of("attenuation", Slides.Shading, scene.Attenuation<Scalar>(nearest.T).Value);
+        var isUnlit = nearest.Model >= 0 && unwritten.Contains(Slides.Shading);
+        var color = isUnlit ? scene.Models[nearest.Model].Color : scene.Shade(nearest);
         yield return Of("bytes", Slides.RayCasting, color.ToBytes());
     }
 
@@ -194,7 +197,7 @@ public sealed class PixelNumbers
     {
         (double x, double y) => x == y || Math.Abs(x - y) <= 1e-6 * (1 + Math.Min(Math.Abs(x), Math.Abs(y))),
         (Vector3 v, Vector3 w) => IsSame(v.X, w.X) && IsSame(v.Y, w.Y) && IsSame(v.Z, w.Z),
-        (Hit v, Hit w) => v.Model == w.Model && IsSame(v.T, w.T),
+        (ModelAndT v, ModelAndT w) => v.Model == w.Model && IsSame(v.T, w.T),
         (Bytes v, Bytes w) => PictureJudge.IsNear(v, w),
         _ => false,
     };
@@ -203,7 +206,7 @@ public sealed class PixelNumbers
     {
         double number => Digits.Of(number),
         Vector3 vector => Digits.Of(vector),
-        Hit hit => hit.Model < 0 ? "none" : $"{ModelName.Typed(scene, hit.Model)} at t = {Digits.Of(hit.T)}",
+        ModelAndT hit => hit.Model < 0 ? "none" : $"{ModelName.Typed(scene, hit.Model)} at t = {Digits.Of(hit.T)}",
         Bytes bytes => $"({bytes.R}, {bytes.G}, {bytes.B})",
         TimeoutException => Endless,
         Exception e => $"{e.GetType().Name}, {e.Message.ReplaceLineEndings(" ").TrimEnd('.')}{Place(e)}",

@@ -50,7 +50,7 @@ public static class StepHint
         string[] missing = diagnosis.Kind == DiagnosisKind.TellsNothing
             ? [.. LabSteps.KindsOf(scene, step)]
             : [.. diagnosis.NotYet.Where(part => part is not (MissingParts.Attenuation or MissingParts.Clipping))];
-        if (missing.Length > 0) yield return $"Not to be seen where it should be: {string.Join(", ", missing)}.";
+        if (missing.Length > 0) yield return $"Missing where it should show: {string.Join(", ", missing)}.";
         // A picture without anything in it may have lost its light, or its hits. Once both are written and tested, the step's shape is to blame.
         var isOfTheShape = missing.Length > 0 && diagnosis.Kind == DiagnosisKind.TellsNothing && step > LabSteps.Clipping;
         if (!isOfTheShape) foreach (var sentence in diagnosis.Likely) yield return sentence;

@@ -51,7 +51,7 @@ public sealed class ExplanationText
         var (r, g, b) = pixel.Bytes;
         Line(0, $"Column {pixel.Column}, line {pixel.Line} from the top (row r = {pixel.Row} from the bottom) of {camera.Width} × " +
             $"{camera.Height} pixels:");
-        Line(0, $"{pixel.NameOf(pixel.Winner)}{(pixel.Winner is null ? "" : $" at t = {Digits.Of(pixel.Ray.HitParameter)}")}, bytes {r} {g} {b}");
+        Line(0, $"{pixel.NameOf(pixel.Winner)}{(pixel.Winner is null ? "" : $" at t = {Digits.Of(pixel.Hit.T)}")}, bytes {r} {g} {b}");
         foreach (var note in pixel.Notes) Line(0, $"Note: {note}.");
     }
 
@@ -82,7 +82,7 @@ public sealed class ExplanationText
     private void Model(ModelExplanation model)
     {
         Line(2, $"{model.Name} ({model.Result.Model.Kind}): {model.Reason}");
-        if (model.Beside is { } beside) Line(6, $"It shows in the next pixel: {beside}.");
+        if (model.Beside is { } beside) Line(6, $"It shows in the pixel {(beside is "left" or "right" ? $"to the {beside}" : beside)}.");
         if (model.Result is { Triangles: { } triangles, Triangle: var triangle })
         {
             var which = triangles[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest";
@@ -93,7 +93,7 @@ public sealed class ExplanationText
         Slabs(model.Slabs);
         Steps(6, [.. model.Steps.Where(step => model.Slabs.Count == 0 || step.Name is not ("t0" or "t1"))]);
         if (model.Weights is [var w, var u, var v])
-            Line(6, $"of w + u + v: w = {Digits.Of(w)}, u = {Digits.Of(u)}, v = {Digits.Of(v)}");
+            Line(6, $"divided by their sum: w = {Digits.Of(w)}, u = {Digits.Of(u)}, v = {Digits.Of(v)}");
         foreach (var crossing in model.Crossings) Crossing(model, crossing);
     }
 
@@ -154,7 +154,7 @@ public sealed class ExplanationText
 
     private void Reference(ReferenceExplanation reference)
     {
-        Section("The other picture", "");
+        Section("Your picture", "");
         var (r, g, b) = reference.Bytes;
         var difference = reference.Difference;
         var verdict = difference == (0, 0, 0) ? "the same" : reference.Agrees ? "the same but for rounding" : "different";

@@ -62,7 +62,7 @@ internal sealed class ModelExplanation
     {
         if (Result.Outcome == Outcome.Shows) return "the nearest that counts: the pixel shows it";
         var shown = pixel.NameOf(pixel.Winner);
-        var nearest = pixel.Ray.HitParameter;
+        var nearest = pixel.Hit.T;
         if (t == nearest) return $"a tie: {shown} has the same t and stands earlier in the scene";
         var (a, b) = Digits.Apart(nearest, t);
         return $"hidden by {shown}, whose t = {a} < {b}";

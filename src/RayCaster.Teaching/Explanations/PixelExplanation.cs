@@ -23,14 +23,14 @@ public sealed class PixelExplanation
         ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(column, scene.Camera.Width);
         ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(line, scene.Camera.Height);
         (Scene, Column, Line) = (scene, column, line);
-        Ray = ScalarRenderer.Cast(scene, column, Row);
-        Winner = IndexOf(Ray.HitModel);
+        Ray = scene.Camera.RayThrough(column, Row);
+        Hit = ScalarRenderer.Cast(scene, column, Row);
         Neighbours = [.. FindNeighbours()];
-        Results = [.. scene.Models.Select((model, i) => RayResult.Of(model, i, Ray))];
+        Results = [.. scene.Models.Select((model, i) => RayResult.Of(model, i, Ray, Hit))];
         var explained = Results.Count <= ManyModels ? Results : NearMisses();
         Models = [.. explained.Select(result => new ModelExplanation(this, result))];
         foreach (var result in Results.Except(explained)) Others[result.Outcome]++;
-        (ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
+        (ColorSteps, Color) = PixelSteps.OfColor(scene, Hit);
     }
 
     internal Scene Scene { get; }
@@ -48,11 +48,13 @@ public sealed class PixelExplanation
     /// <summary>uc, ur, the direction before and after normalising.</summary>
     internal IReadOnlyList<FormulaStep> RaySteps => PixelSteps.OfRay(Scene.Camera, Column, Row);
 
-    /// <summary>The ray with its nearest hit.</summary>
     internal Ray Ray { get; }
 
+    /// <summary>The ray's nearest hit.</summary>
+    internal Hit Hit { get; }
+
     /// <summary>The index in the scene of the model that the pixel shows; null for the background.</summary>
-    internal int? Winner { get; }
+    internal int? Winner => IndexOf(Hit);
 
     /// <summary>What the pixels beside it show.</summary>
     internal IReadOnlyList<Neighbour> Neighbours { get; }
@@ -81,7 +83,7 @@ public sealed class PixelExplanation
     /// <summary>A model's name, or its path in the scene file.</summary>
     internal string NameOf(int? index) => ModelName.Plain(Scene, index ?? -1);
 
-    private int? IndexOf(Model? hit) => hit is null ? null : Scene.IndexOf(hit);
+    private static int? IndexOf(Hit hit) => hit.Model < 0 ? null : hit.Model;
 
     private IEnumerable<Neighbour> FindNeighbours()
     {
@@ -89,8 +91,8 @@ public sealed class PixelExplanation
             [("left", Column - 1, Line), ("right", Column + 1, Line), ("above", Column, Line - 1), ("below", Column, Line + 1)])
         {
             if (column < 0 || line < 0 || column >= Scene.Camera.Width || line >= Scene.Camera.Height) continue;
-            var ray = ScalarRenderer.Cast(Scene, column, Scene.Camera.Height - 1 - line);
-            yield return new(where, column, line, IndexOf(ray.HitModel), ray.HitParameter);
+            var hit = ScalarRenderer.Cast(Scene, column, Scene.Camera.Height - 1 - line);
+            yield return new(where, column, line, IndexOf(hit), hit.T);
         }
     }
 

@@ -27,7 +27,7 @@ internal static class PixelNotes
 
     private static IEnumerable<string> Ties(PixelExplanation pixel)
     {
-        var t = pixel.Ray.HitParameter;
+        var t = pixel.Hit.T;
         foreach (var result in pixel.Results)
         {
             if (result.Outcome != Outcome.Hidden) continue;
@@ -50,7 +50,7 @@ internal static class PixelNotes
 
     private static IEnumerable<string> Light(PixelExplanation pixel)
     {
-        var t = pixel.Ray.HitParameter;
+        var t = pixel.Hit.T;
         var fadeDistance = pixel.Scene.Camera.FadeDistance;
         if (pixel.Winner is not null && t >= fadeDistance)
             yield return $"all light is lost: {Reasons.Compare("t", t, "≥", "2 |T − P|", fadeDistance)}, so the attenuation is 0";

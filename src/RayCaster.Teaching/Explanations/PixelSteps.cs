@@ -29,11 +29,11 @@ internal static class PixelSteps
     }
 
     /// <summary>The steps from the hit to the channels' levels, and the colour before it is clamped.</summary>
-    public static (IReadOnlyList<FormulaStep> Steps, Color Color) OfColor(Scene scene, Ray ray)
+    public static (IReadOnlyList<FormulaStep> Steps, Color Color) OfColor(Scene scene, Hit hit)
     {
-        if (ray.HitModel is not { } model) return OfChannels("background", scene.Background.R, scene.Background.G, scene.Background.B);
-        var attenuation = scene.Attenuation(((Derivation)ray.HitParameter).As("t", ""));
-        var color = model.Color;
+        if (hit.Model < 0) return OfChannels("background", scene.Background.R, scene.Background.G, scene.Background.B);
+        var attenuation = scene.Attenuation(((Derivation)hit.T).As("t", ""));
+        var color = scene.Models[hit.Model].Color;
         return OfChannels("attenuation * color", attenuation * color.R, attenuation * color.G, attenuation * color.B);
     }
 

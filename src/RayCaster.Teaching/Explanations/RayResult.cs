@@ -9,11 +9,11 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
     /// <summary>What is explained: the model, or one triangle of a mesh; null where the ray crosses none.</summary>
     public Model? Shape => Model is not Mesh mesh ? Model : Triangle is { } triangle ? Model.Of(mesh[triangle]) : null;
 
-    /// <param name="ray">With its nearest hit.</param>
-    public static RayResult Of(Model model, int index, Ray ray)
+    /// <param name="nearest">The ray's nearest hit.</param>
+    public static RayResult Of(Model model, int index, Ray ray, Hit nearest)
     {
         var result = model is Mesh mesh ? OfMesh(mesh, index, ray) : new(model, index, Judge(model, ray, out var t), t);
-        return result.Outcome == Outcome.Shows && model != ray.HitModel ? result with { Outcome = Outcome.Hidden } : result;
+        return result.Outcome == Outcome.Shows && index != nearest.Model ? result with { Outcome = Outcome.Hidden } : result;
     }
 
     /// <summary>The result of a ray, for one model, whatever else is in the scene: <see cref="Outcome.Shows"/> for a hit. Quick enough for all

@@ -20,7 +20,7 @@ public static class RaySection
         var v = camera.V;
         var across = d - d * v * v;
         var u = across.Length > 1e-9 ? across.Normalized : -1 * camera.W; // along V itself any direction will do
-        var shown = double.IsFinite(pixel.Ray.HitParameter) ? pixel.Ray.HitParameter : camera.FadeDistance / 2;
+        var shown = double.IsFinite(pixel.Hit.T) ? pixel.Hit.T : camera.FadeDistance / 2;
         var length = pixel.Models.SelectMany(model => model.Crossings).Select(crossing => crossing.T)
             .Where(t => t > 0 && t <= 2 * shown).Append(shown).Max();
         var (endU, endV) = (length * (d * u), length * (d * v));

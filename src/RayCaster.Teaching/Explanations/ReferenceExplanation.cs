@@ -34,14 +34,14 @@ public sealed record ReferenceExplanation(
             foreach (var crossing in model.Crossings)
             {
                 var t = crossing.Untested ?? crossing.T;
-                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !IsNear(scene.Shade(t, result.Model).ToBytes(), other)) continue;
+                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !IsNear(scene.Shade(new(t, result.Index)).ToBytes(), other)) continue;
                 yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {ResultOf(crossing)}";
             }
             if (IsNear(result.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
         }
         foreach (var neighbour in pixel.Neighbours)
             if (neighbour.Model != pixel.Winner && neighbour.Model is { } shown
-                && IsNear(scene.Shade(neighbour.T, scene.Models[shown]).ToBytes(), other))
+                && IsNear(scene.Shade(new(neighbour.T, shown)).ToBytes(), other))
                 yield return $"that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
     }
 

@@ -36,6 +36,9 @@ internal sealed class FormulaBook
     /// <summary>Whether a step is given a name, such as a sphere its R.</summary>
     public bool IsGiven(StepKind kind, Symbol name) => givens.TryGetValue(kind, out var own) && own.ContainsKey(name.Text);
 
+    /// <summary>The names that a step is given, in the order of the text.</summary>
+    public IEnumerable<Symbol> GivenTo(StepKind kind) => givens[kind].Keys.Select(Symbol.Of);
+
     /// <summary>A text that lies beside this file.</summary>
     public static string TextOf(string file)
     {

@@ -52,9 +52,21 @@ internal sealed record FormulaProgram
     public IEnumerable<ShapeKind> ChangedShapes => ShapeKind.Basic.Where(shape =>
         !FormulaBook.Slides.StylesOf(shape.Step).Contains(this[shape.Step]) || Rules.ContainsKey(shape.Step));
 
+    /// <summary>Whether it computes the hits of triangles by other formulas than the slides'.</summary>
+    public bool MutatesTriangles
+    {
+        get
+        {
+            var slides = FormulaBook.Slides;
+            var triangle = this[StepKind.Triangle];
+            return !slides.StylesOf(StepKind.Triangle).Contains(triangle)
+                || (triangle.Reads & this[StepKind.Vectors].ChangedFrom(slides.StylesOf(StepKind.Vectors)[0])) != 0;
+        }
+    }
+
     /// <summary>How many triangles of meshes each ray must try, one by one, because their formulas are not the slides'.</summary>
-    public long TrianglesTried(Scene scene) => !ProposesTriangles && FormulaEvaluator.AreTrianglesMutated(this)
-        ? scene.Models.OfType<Mesh>().Where(mesh => mesh.TriangleCount > FormulaEvaluator.MaxTriangles).Sum(mesh => (long)mesh.TriangleCount) : 0;
+    public long TrianglesTried(Scene scene) => !ProposesTriangles && MutatesTriangles
+        ? scene.Models.OfType<Mesh>().Where(mesh => mesh.TriangleCount > ShapePart.MaxTriangles).Sum(mesh => (long)mesh.TriangleCount) : 0;
 
     /// <summary>How many of some rays are cast within so many tries.</summary>
     public int RaysWithin(Scene scene, double tries, int rays) =>

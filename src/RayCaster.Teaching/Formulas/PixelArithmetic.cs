@@ -35,6 +35,41 @@ internal sealed class PixelArithmetic(int pixels)
         return value;
     }
 
+    /// <summary>Computes a section's formulas, or takes their values from another frame where nothing that they read has changed.</summary>
+    public void Define(Step section, PixelValues[] frame, Step? before, PixelValues[]? old, ref UInt128 changed)
+    {
+        for (var i = 0; i < section.Formulas.Length; i++)
+        {
+            var (name, expression, _) = section.Formulas[i];
+            var known = before is not null && i < before.Formulas.Length && before.Formulas[i].Name == name ? before.Formulas[i] : null;
+            if (known is not null && ReferenceEquals(known.Right, expression) && (expression.Reads & changed) == 0)
+            {
+                frame[name.Place] = old![name.Place];
+                changed &= ~name.Bit;
+                continue;
+            }
+            var value = Evaluate(expression, frame);
+            if (known is not null && value.IsSameAs(old![name.Place])) changed &= ~name.Bit;
+            else changed |= name.Bit;
+            frame[name.Place] = value;
+        }
+    }
+
+    /// <summary>Computes a section's formulas.</summary>
+    public void Define(Step section, PixelValues[] frame)
+    {
+        foreach (var (name, expression, _) in section.Formulas) frame[name.Place] = Evaluate(expression, frame);
+    }
+
+    /// <summary>A frame with other values of some names.</summary>
+    /// <param name="into">The array that holds it.</param>
+    public static PixelValues[] FrameOf(PixelValues[] frame, PixelValues[] into, (Symbol Name, PixelValues Value)[] numbers)
+    {
+        frame.CopyTo(into, 0);
+        foreach (var (symbol, value) in numbers) into[symbol.Place] = value;
+        return into;
+    }
+
     /// <summary>Gives back what was computed since so many arrays were in use.</summary>
     /// <param name="but">What is still needed, if it is among them.</param>
     public void GiveBack(int used, params ReadOnlySpan<double[]?> but)

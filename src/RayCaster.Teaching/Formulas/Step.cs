@@ -90,4 +90,17 @@ internal sealed class Step(
     }
 
     public Step With(int place, Expression right) => With(formulas.SetItem(place, formulas[place] with { Right = right }));
+
+    /// <summary>The functions whose values differ from those of the same step before, also through another function.</summary>
+    public UInt128 ChangedFrom(Step before)
+    {
+        UInt128 changed = 0;
+        if (ReferenceEquals(before, this)) return changed;
+        for (var i = 0; i < formulas.Length; i++)
+        {
+            var formula = formulas[i];
+            if (!ReferenceEquals(formula.Right, before.Formulas[i].Right) || (formula.Right.Reads & changed) != 0) changed |= formula.Name.Bit;
+        }
+        return changed;
+    }
 }

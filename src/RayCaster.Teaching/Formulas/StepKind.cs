@@ -34,3 +34,35 @@ internal static class StepKinds
     /// <summary>Whether a step is on the way from a hit to three bytes.</summary>
     public static bool IsOfColors(this StepKind step) => step is StepKind.Light or StepKind.Bytes;
 }
+
+/// <summary>A kind of shape on the slides.</summary>
+/// <param name="Name">What scene files call it.</param>
+/// <param name="Step">The step with its formula.</param>
+/// <param name="Slide">The title of the slide with its formula.</param>
+/// <param name="NumbersOf">A model's numbers, in the order of "given" in Shapes.txt; null for a model of another class, and for meshes.</param>
+internal sealed record ShapeKind(string Name, string One, string Many, StepKind Step, string Slide, Func<Model, PixelValues[]?> NumbersOf)
+{
+    public static readonly ShapeKind[] All =
+    [
+        new("plane", "plane", "planes", StepKind.Plane, Slides.RayPlane, Numbers<Plane>(p => [PixelValues.Of(p.Point), PixelValues.Of(p.Normal)])),
+        new("sphere", "sphere", "spheres", StepKind.Sphere, Slides.Sphere, Numbers<Sphere>(s => [PixelValues.Of(s.Center), PixelValues.Of(s.Radius)])),
+        new("aabb", "box", "boxes", StepKind.Aabb, Slides.Box, Numbers<Aabb>(b => [PixelValues.Of(b.Min), PixelValues.Of(b.Max)])),
+        new("circle", "circle", "circles", StepKind.Circle, Slides.Circle,
+            Numbers<Circle>(c => [PixelValues.Of(c.Center), PixelValues.Of(c.Normal), PixelValues.Of(c.Radius)])),
+        new("triangle", "triangle", "triangles", StepKind.Triangle, Slides.Triangle,
+            Numbers<Triangle>(t => [PixelValues.Of(t.A), PixelValues.Of(t.B), PixelValues.Of(t.C)])),
+        new("mesh", "mesh", "meshes", StepKind.Triangle, Slides.Triangle, _ => null),
+    ];
+
+    /// <summary>Those with a formula of their own: a mesh has its triangles'.</summary>
+    public static IEnumerable<ShapeKind> Basic => All.DistinctBy(kind => kind.Step);
+
+    /// <summary>The kind of a name; null for a shape of one's own.</summary>
+    public static ShapeKind? Of(string name) => Array.Find(All, kind => kind.Name == name);
+
+    /// <summary>The kind whose formula a step has.</summary>
+    public static ShapeKind Of(StepKind step) => All.First(kind => kind.Step == step);
+
+    private static Func<Model, PixelValues[]?> Numbers<P>(Func<P, PixelValues[]> numbers) where P : struct, IPrimitive =>
+        model => model is Model<P> { Primitive: var shape } ? numbers(shape) : null;
+}

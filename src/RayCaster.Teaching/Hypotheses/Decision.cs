@@ -17,6 +17,9 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     /// <summary>How many of the nearest mistakes are mentioned if none explains the picture.</summary>
     private const int Shown = 3;
 
+    /// <summary>The share of what is drawn wrong that such a mistake explains, at least; of two, the share that each explains of all.</summary>
+    private const double LeastExplained = 0.05;
+
     /// <summary>How many of the best are examined, and how many of them are named.</summary>
     private const int Examined = 12, MaxNamed = 5;
 
@@ -72,7 +75,13 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         if (!sample.HasRightSize) return null;
         var difference = new PictureDifference(picture, prepared.Right);
         if (FewColors.Find(difference) is { } few) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [few] };
-        if (UnreachedPixels.Find(difference, prepared.Scene) is not { } unreached || IsDrawnByAMistake(unreached)) return null;
+        if (UnreachedPixels.Find(difference, prepared.Scene) is not { } unreached) return null;
+        if (!prepared.TooManyModels && IsDrawnByAMistake(unreached))
+        {
+            if (!unreached.IsRestRight) return null;
+            var found = Search();
+            return IsOfFile(found) ? found with { Likely = [unreached.Sentence, .. found.Likely] } : found;
+        }
         if (unreached.IsRestRight) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [unreached.Sentence] };
         if (prepared.TooManyModels) return null;
         var rest = new Decision(prepared, unreached.Rest, done, likely, unreached.Contains).Decide();
@@ -83,6 +92,10 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
             WrongCount = sample.WrongCount,
         };
     }
+
+    /// <summary>Whether the first suspect is a mistake in the places that a program writes to.</summary>
+    private static bool IsOfFile(Diagnosis found) =>
+        found.Suspects is [{ Mistakes: [var mistake] }, ..] && mistake.Steps.All(step => step == StepKind.File);
 
     /// <summary>Whether a known mistake, or a shape that is not drawn, gives these pixels their colour and explains much of the picture.</summary>
     private bool IsDrawnByAMistake(UnreachedPixels unreached)
@@ -120,7 +133,12 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         var byMissingModel = missing is { } model ? Priors.MissingModel + sample.BitsOf(sample.Residual(
             prepared.Scene with { Models = [.. prepared.Scene.Models.Where((_, i) => i != model)] }, FormulaProgram.For(prepared.Scene.Camera)))
             : double.PositiveInfinity;
-        var none = Facts with { Kind = DiagnosisKind.NoneOfThese, MissingModel = missing is { } lost ? ModelName.Of(prepared.Scene, lost) : null };
+        var none = Facts with
+        {
+            Kind = DiagnosisKind.NoneOfThese,
+            MissingModel = missing is { } lost ? ModelName.Of(prepared.Scene, lost) : null,
+            IsOfScene = byModels?.WrongKinds.IsCertain == true,
+        };
 
         var ranked = new HypothesisSearch([sample], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible).Run();
         var best = ranked[0];
@@ -130,8 +148,9 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
 
         if (sample.IsOnlyOutlines) return none with { Kind = DiagnosisKind.Matches };
         if (missing is not null) return none;
+        if (byNumber < best.Total) return none with { Likely = sentences, IsOfScene = true };
         if (sentences.Count == 0 && LikelyCause.OfTheWhole(sample) is { } whole) sentences = [whole];
-        return none with { Likely = sentences, Nearest = byNumber < best.Total ? [] : NearestOf(ranked, best) };
+        return none with { Likely = sentences, Nearest = NearestOf(ranked, best, byModels?.WrongKinds), IsOpen = true };
     }
 
     /// <summary>The sentences about another cause, and the bits of its explanation of the picture.</summary>
@@ -147,14 +166,29 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         return (isEnough ? [] : [.. LikelyCause.Hints(byModels, sample)], double.PositiveInfinity);
     }
 
-    private IReadOnlyList<Suspect> NearestOf(List<Hypothesis> ranked, Hypothesis best)
+    /// <summary>The known mistakes that explain a part of what is drawn wrong; one of thousands of slips would, by chance.</summary>
+    private IReadOnlyList<Suspect> NearestOf(List<Hypothesis> ranked, Hypothesis best, WrongKinds? wrong)
     {
+        var background = prepared.Scene.Background.ToBytes();
         return
         [
-            .. ranked.Where(candidate => candidate.Mistakes.Count > 0 && candidate.Total < Mentioned)
+            .. ranked.Where(candidate => candidate.Mistakes.Count > 0 && candidate.Mistakes.All(mistake => mistake.Mutant is null)
+                    && candidate.Total < Mentioned && IsOfTheseKinds(candidate)
+                    && sample.ShareExplained(candidate.Programs[0], IsDrawnWrong) >= LeastExplained && candidate.Changes.All(IsNeeded(candidate)))
                 .DistinctBy(candidate => IdsOf(candidate.Mistakes)).Take(Shown)
                 .OrderBy(candidate => candidate.Residual.Unexplained).Select(candidate => Suspects.Of(candidate, best)),
         ];
+
+        bool IsOfTheseKinds(Hypothesis candidate) => wrong is null or { Kinds.Count: 0, Agreeing.Count: 0 } || candidate.Mistakes.All(mistake =>
+            wrong.Kinds.Count > 0 ? mistake.Steps.Any(step => wrong.Kinds.Any(kind => ShapeKind.Of(kind)?.Step == step))
+                : !mistake.Steps.All(step => step.IsOfRays()));
+
+        bool IsDrawnWrong((byte, byte, byte) shown) => wrong is { Kinds.Count: > 0 } ? wrong.ShowsColor(shown)
+            : shown != background && shown != default;
+
+        Func<Change, bool> IsNeeded(Hypothesis candidate) => change => candidate.Changes.Length == 1
+            || Hypothesis.Of([prepared.Scene], candidate.Changes.Remove(change)) is not { } less
+            || sample.Residual(less.Programs[0]).Unexplained > candidate.Residual.Unexplained + LeastExplained * sample.WrongCount;
     }
 
     /// <summary>Names the best candidate, and others that also explain the picture.</summary>
@@ -173,6 +207,8 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
                     NotYet = [.. missing, .. rest.NotYet],
                     Suspects = rest.Suspects,
                     Likely = rest.Likely,
+                    IsOfScene = rest.IsOfScene,
+                    IsOpen = rest.IsOpen,
                 };
         }
         var named = ranked.Where(candidate => candidate.Told.Count > 0 && candidate.Total < Priors.OtherProgram)
@@ -182,15 +218,15 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         else if (missing.Length > 0) named = named.Take(1);
         if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(Suspects.HidingMistakes(best));
         Hypothesis[] first = [.. named.DistinctBy(candidate => IdsOf(candidate.Told)).Take(MaxNamed)];
+        Suspect[] suspects = [.. first.Select(candidate => Suspects.Of(candidate, first[0])).DistinctBy(suspect => IdsOf(suspect.Mistakes))];
         return facts with
         {
             Kind = best.Told.Count > 0 ? DiagnosisKind.Mistake : DiagnosisKind.Unfinished,
             NotYet = best.Missing,
             Likely = sentences,
-            Suspects =
-            [
-                .. first.Select(candidate => Suspects.Of(candidate, first[0])).DistinctBy(suspect => IdsOf(suspect.Mistakes)),
-            ],
+            Suspects = suspects is [{ Twins: var twins }, ..] // no mistake is told twice
+                ? [.. suspects.Where((suspect, i) => i == 0 || suspect.Mistakes is not [var one] || twins.All(twin => twin.Id != one.Id))] : [],
+            IsOpen = best.Told.Count > 0 && best.Residual.Unexplained >= 0.5,
         };
     }
 

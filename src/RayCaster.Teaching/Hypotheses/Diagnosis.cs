@@ -37,6 +37,12 @@ public sealed record Diagnosis
     /// </summary>
     public string? Missing { get; internal init; }
 
+    /// <summary>Whether models that agree, or all kinds of shape but one, prove that the picture is of this scene.</summary>
+    public bool IsOfScene { get; internal init; }
+
+    /// <summary>Whether a longer search may give another answer: something is left that nothing explains.</summary>
+    public bool IsOpen { get; internal init; }
+
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
     public bool TooManyModels { get; internal init; }
 

@@ -41,8 +41,8 @@ public static class DiagnosisReport
         foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
         AppendAlpha(text, diagnosis);
         if (diagnosis.Kind == DiagnosisKind.TellsNothing)
-            text.Wrap("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
-        else if (diagnosis.Kind == DiagnosisKind.NoneOfThese) AppendNone(text, diagnosis);
+            text.Wrap("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how each pixel should get its colour.");
+        else if (diagnosis.Kind == DiagnosisKind.NoneOfThese) AppendNone(text, diagnosis, picture, scene, level);
         else if (diagnosis.Kind == DiagnosisKind.Mistake) AppendSuspects(text, diagnosis, level);
         return text.ToString();
     }
@@ -69,9 +69,9 @@ public static class DiagnosisReport
         text.AppendLine($"{picture} matches: it is the picture of {scene}" +
             $"{(outlines > 0 ? $", but for {Digits.Count(outlines, "pixel")} on outlines" : "")}.");
         if (diagnosis.Shift is { } levels) text.AppendLine(ComparisonText.Shifted(levels));
-        else if (diagnosis.DarkerShare > 0.05)
-            text.AppendLine($"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker: the slide rounds " +
-                "a channel, 255 x + 0.5, where truncating takes 255 x.");
+        else if (diagnosis.DarkerShare > PictureJudge.Rounded)
+            text.AppendLine($"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker, where 1 % may be: " +
+                "truncated instead of rounded? The slide rounds a channel: 255 x + 0.5.");
     }
 
     /// <summary>After "matches": the mistakes that the scene cannot show, because a right picture does not prove a right program.</summary>
@@ -88,7 +88,7 @@ public static class DiagnosisReport
         return text.ToString();
     }
 
-    private static void AppendNone(StringBuilder text, Diagnosis diagnosis)
+    private static void AppendNone(StringBuilder text, Diagnosis diagnosis, string picture, string scene, HintLevel level)
     {
         if (diagnosis.MissingModel is not null)
         {
@@ -101,14 +101,17 @@ public static class DiagnosisReport
                 $"The known mistakes were not tried: the scene has more than {MutationCoverage.MaxModels:N0} models. Make a smaller one."));
             return;
         }
-        text.Wrap("", diagnosis.Likely.Count > 0
-            ? "None of the known mistakes makes this picture. Is it of this scene?"
-            : "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
-                "not scaled, cropped or compressed on its way?");
-        text.Wrap("", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
-            "colours; \"explain\" shows how a pixel should come about.");
+        text.Wrap("", "None of the known mistakes makes this picture." + (diagnosis.IsOfScene ? ""
+            : diagnosis.Likely.Count > 0 ? " Is it of this scene?"
+            : " Is it of this scene, with this camera, and as your program wrote it, not scaled, cropped or compressed on its way?"));
+        text.Wrap("", $"\"draw {scene} -o right.png\" draws the right picture; then \"compare {picture} right.png --scene {scene}\" says which " +
+            "models are wrong, and whether the whole is moved or has other colours. \"explain\" shows how each pixel should get its colour.");
         if (diagnosis.Nearest.Count > 0) text.AppendLine("The nearest mistakes, though none explains the picture:");
-        foreach (var nearest in diagnosis.Nearest) text.AppendLine($"  {Names(nearest),-16} would leave {Rest(diagnosis, nearest)}");
+        foreach (var nearest in diagnosis.Nearest)
+        {
+            var question = level >= HintLevel.Question && nearest.Mistakes is [var only] ? $" {only.Hint.Question}" : "";
+            text.Wrap("  ", $"{Names(nearest)} would leave {Rest(diagnosis, nearest)}.{question}", 4);
+        }
         AppendNotTried(text, diagnosis);
     }
 
@@ -125,7 +128,7 @@ public static class DiagnosisReport
     {
         var suspects = diagnosis.Suspects;
         AppendSuspect(text, diagnosis, suspects[0], level);
-        if (suspects.Count > 1)
+        if (suspects.Count > 1 && level == HintLevel.Answer)
         {
             text.AppendLine();
             text.AppendLine("Less likely:");
@@ -189,7 +192,8 @@ public static class DiagnosisReport
     {
         ["id"] = mistake.Id,
         ["cause"] = mistake.Cause,
-        ["symptom"] = hasSymptom ? mistake.Hint.Symptom : null,
+        ["similarTo"] = mistake.Similar?.Id,
+        ["symptom"] = hasSymptom && mistake.Hint.Symptom != "" ? mistake.Hint.Symptom : null,
         ["question"] = mistake.Hint.Question,
         ["answer"] = mistake.Hint.Answer,
         ["slide"] = mistake.Slide,
@@ -214,25 +218,27 @@ public static class DiagnosisReport
     private static void AppendSuspect(StringBuilder text, Diagnosis diagnosis, Suspect suspect, HintLevel level)
     {
         var shown = Shown(suspect);
-        text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely: " : "Most likely: ") + Names(suspect)
+        text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely:" : "Most likely:")
+            + (level == HintLevel.Answer ? " " + Names(suspect) : shown.Count > 1 ? $" {shown.Count} mistakes" : "") // an id says what is wrong
             + (shown.Count switch { 1 => "", 2 => ", both at once", _ => ", all at once" }));
         foreach (var mistake in shown)
         {
-            if (shown.Count > 1) text.AppendLine($"  {mistake.Id}");
-            if (suspect.HasSymptoms) text.Wrap("  Symptom:  ", mistake.Hint.Symptom);
+            if (shown.Count > 1 && level == HintLevel.Answer) text.AppendLine($"  {NameOf(mistake)}");
+            if (suspect.HasSymptoms && mistake.Hint.Symptom != "") text.Wrap("  Symptom:  ", mistake.Hint.Symptom);
             if (level >= HintLevel.Question) text.Wrap("  Question: ", mistake.Hint.Question);
             if (level < HintLevel.Answer) continue;
             text.Wrap("  Cause:    ", mistake.Cause);
             text.Wrap("  Answer:   ", mistake.Hint.Answer);
             text.Wrap("  Slide:    ", mistake.Slide);
         }
-        text.AppendLine($"  It would leave {Rest(diagnosis, suspect)}.");
+        text.AppendLine($"  {Explains(diagnosis, suspect)}.");
         if (suspect.OtherSample)
             text.Wrap("  Besides:  ", "the rays pass through another point of each pixel than the scene's \"sample\" says (corner or center).");
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
-                $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} " +
-                "the same picture; \"check\" shows which scene would distinguish them.");
+                (level == HintLevel.Answer ? $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))}"
+                    : suspect.Twins.Count == 1 ? "on this scene another mistake" : $"on this scene {suspect.Twins.Count} other mistakes")
+                + $" {(suspect.Twins.Count == 1 ? "gives" : "give")} the same picture; \"check\" shows which scene would distinguish them.");
     }
 
     private static void AppendNotTried(StringBuilder text, Diagnosis diagnosis)
@@ -242,13 +248,21 @@ public static class DiagnosisReport
                 $"Not tried, since the scene has too many triangles: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 
-    private static string Names(Suspect suspect) => string.Join(" + ", Shown(suspect).Select(mistake => mistake.Id));
+    private static string Names(Suspect suspect) => string.Join(" + ", Shown(suspect).Select(NameOf));
+
+    /// <summary>An id; a slip that has none in words.</summary>
+    private static string NameOf(Change mistake) => (mistake.Place is { } place ? $"a slip in the step \"{place.Section}\"" : mistake.Id)
+        + (mistake.Similar is { } similar ? $" (similar to {similar.Id})" : "");
 
     private static IReadOnlyList<Change> Shown(Suspect suspect) => IsOnlyUnwritten(suspect) ? suspect.Mistakes : [.. Beside(suspect)];
 
     private static string Rest(Diagnosis diagnosis, Suspect suspect) => suspect.Unexplained < 0.5
         ? "nothing unexplained"
         : $"{Share(suspect.Unexplained, diagnosis)} of the pixels unexplained";
+
+    private static string Explains(Diagnosis diagnosis, Suspect suspect) => suspect.Unexplained < 0.5
+        ? "This explains every wrong pixel"
+        : $"This explains all but {Share(suspect.Unexplained, diagnosis)} of the pixels";
 
     private static string Share(double pixels, Diagnosis diagnosis) => Digits.Share((int)Math.Round(pixels), diagnosis.PixelCount);
 }

@@ -15,6 +15,9 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
     /// <summary>How many bits it saves compared with the one that it extends.</summary>
     public double Gain { get; init; } = 1;
 
+    /// <summary>Whether a picture proves it wrong: <see cref="PictureSample.Denies"/>.</summary>
+    public bool IsDenied { get; init; }
+
     /// <summary>What the changes cost.</summary>
     public double Bits { get; } = Changes.Sum(change => change.Bits);
 
@@ -50,6 +53,9 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
 
     /// <summary>Whether each mistake is what most people write who make it.</summary>
     public bool IsUsual => Mistakes.All(mistake => mistake.Place is not null || mistake.IsUsual);
+
+    /// <summary>Whether one of its mistakes is in the formulas of a kind of shape alone.</summary>
+    public bool IsAbout(string kind) => ShapeKind.Of(kind) is { } shape && Changes.Any(change => change.IsMistake && change.Steps.SetEquals([shape.Step]));
 
     private bool IsOtherSample => Changes.All(change => change.IsOtherSample);
 

@@ -46,7 +46,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     /// <summary>What nothing explains.</summary>
     private double Literal => pictures.Count(picture => picture.WrongCount > 0) * Priors.OtherProgram;
 
-    private double Bound => found.Count == 0 ? Literal : Math.Min(Literal, found.Min(of => of.Total));
+    private double Bound => found.Where(of => !of.IsDenied).Select(of => of.Total).Append(Literal).Min();
 
     /// <summary>The hypotheses that were compared with all of the sample, the shortest explanation first.</summary>
     public List<Hypothesis> Run()
@@ -55,14 +55,14 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         try
         {
             Search();
-            found.AddRange(Measured([.. found.OrderBy(of => of.Total).Take(10).Where(of => of.Changes.Length > 1).SelectMany(Less)], 1));
+            Add(Measured([.. found.OrderBy(of => of.Total).Take(10).Where(of => of.Changes.Length > 1).SelectMany(Less)], 1));
         }
         catch (TimeoutException)
         {
         }
         var alike = found.Where(of => of.Changes is [{ Mutant: not null }]).ToLookup(of => of.Left);
         // in the order in which it is told, too
-        return [.. found.OrderBy(of => of.Total).Select(of => Named(of, alike[of.Left]))
+        return [.. found.Where(of => !of.IsDenied).OrderBy(of => of.Total).Select(of => Named(of, alike[of.Left]))
             .Where(of => of.Changes.All(change => change.Place is null || possible?.Invoke(change) != false))];
     }
 
@@ -179,15 +179,23 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         var promising = measured.Where(with =>
             with.Total < bound + OfFew && with.Residuals.Sum(residual => residual.Unexplained) < 0.98 * before).Take(Extensions);
         var best = Measured([.. promising], More, left).Where((with, i) => i < 2 || with.Total < bound + OfMore).Take(BestExtensions);
-        found.AddRange(Measured([.. best], 1).Select(with => with with { Gain = first.Total - with.Total }));
+        Add(Measured([.. best], 1).Select(with => with with { Gain = first.Total - with.Total }));
     }
 
     /// <summary>Looks at the best more closely, and at the best of these at all of the sample.</summary>
     private void Refine(List<Hypothesis> candidates)
     {
         var closer = Measured([.. candidates.Take(Closer)], More);
-        found.AddRange(Measured([.. closer.Take(Closest)], 1));
+        Add(Measured([.. closer.Take(Closest)], 1));
     }
+
+    /// <summary>Adds those that were compared with all of the sample. Only the short ones can be named, so only these are held against what the
+    /// pictures prove.</summary>
+    private void Add(IEnumerable<Hypothesis> measured) => found.AddRange(measured.Select(of => of with
+    {
+        IsDenied = of.Changes.Length > 0 && of.Total < pictures.Count * Decision.Mentioned
+            && pictures.Index().Any(picture => picture.Item.Denies(of.Programs[picture.Index], of.IsAbout)),
+    }));
 
     /// <summary>Compares them with a share of the sample, and sorts them.</summary>
     private List<Hypothesis> Measured(IReadOnlyList<Hypothesis?> candidates, double share, IReadOnlyList<PictureSample>? left = null)

@@ -6,9 +6,6 @@ internal static class LikelyCause
     /// <summary>The share of the wrong pixels that may be left unexplained.</summary>
     private const double Explained = 0.1;
 
-    /// <summary>Fewer black lines at a border may be a mistake by one line.</summary>
-    private const int LeastLines = 4;
-
     /// <summary>A certain cause: one number of the scene is another, or one model is missing or has another colour.</summary>
     /// <returns>What it leaves unexplained, and a sentence; null for no cause.</returns>
     public static (Residual Residual, string? Sentence) Certain(SceneDiagnosis prepared, SceneDifference byModels, PictureSample sample)
@@ -23,40 +20,20 @@ internal static class LikelyCause
     public static IEnumerable<string> Hints(SceneDifference byModels, PictureSample sample)
     {
         var scene = sample.Scene;
-        var picture = sample.Picture;
-        var right = sample.Right;
-        if (Unwritten(picture, right) is { } unwritten)
-        {
-            yield return unwritten;
-            yield break;
-        }
+        var certain = byModels.WrongKinds;
         var meant = ModelsText.Meant(byModels);
         var kinds = meant.Where(model => model.Model >= 0).Select(model => scene.Models[model.Model].Kind).Distinct().ToArray();
-        if (InAnotherLight(sample, byModels.ModelAt).Count > 0)
+        if (InAnotherLight(sample, byModels.ModelAt).Count > 0 && (kinds.Length == 1 || !certain.IsCertain))
         {
             yield return meant is [{ } only] ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
                 : kinds is [var kind] && scene.Models.Any(model => model.Kind != kind)
-                    ? $"Only what is of the type {kind}: the same outlines, but another light. Is its t right?"
+                    ? $"Only {WrongKinds.ManyOf(kind)}: the same outlines, but another light. Is their t right?"
                 : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
         }
-        else if (meant.Count == 1 || (meant.Count > 1 && meant.All(model => model.IsExplained)))
+        else if (certain.IsCertain || meant.Count == 1 || (meant.Count > 1 && meant.All(model => model.IsExplained)))
         {
             foreach (var sentence in ModelsText.Sentences(scene, byModels)) yield return sentence;
         }
-        else if (scene.Models.Select(model => model.Kind).Distinct().ToArray() is { Length: > 1 } all
-            && all.FirstOrDefault(kind => IsOnly(kind, scene, byModels)) is { } only)
-        {
-            yield return $"Only what is of the type {only} is wrong: look at its formula.";
-        }
-    }
-
-    /// <summary>Whether nearly all wrong pixels show a kind of shape, or should show it.</summary>
-    private static bool IsOnly(string kind, Scene scene, SceneDifference byModels)
-    {
-        bool IsOfKind(int model) => model >= 0 && scene.Models[model].Kind == kind;
-        var of = byModels.Models.Sum(model => IsOfKind(model.Model) ? model.Wrong
-            : model.Shows.Where(shown => IsOfKind(shown.Model)).Sum(shown => shown.Pixels));
-        return of >= (1 - Explained) * byModels.Models.Sum(model => model.Wrong);
     }
 
     /// <summary>What is wrong with the whole picture: its colours, its outlines, or their places; null if that is not known.</summary>
@@ -73,7 +50,7 @@ internal static class LikelyCause
         {
             var shown = picture.At(places[k]);
             if (!PictureJudge.IsNear(shown, background)
-                && !scene.Models.Any(model => ShownColors.IsShadeOf(shown, model.Color))) strange++;
+                && !scene.Models.Any(model => Shade.IsOf(shown, model.Color))) strange++;
         }
         if (strange > looked / 2)
         {
@@ -130,7 +107,7 @@ internal static class LikelyCause
             if (PictureJudge.IsNear(shown, right[x, y])) continue;
             wrong++;
             var (kind, color) = models[i] < 0 ? ("background", scene.Background) : (scene.Models[models[i]].Kind, scene.Models[models[i]].Color);
-            if (ShownColors.IsShadeOf(shown, color) || IsTooBrightShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
+            if (Shade.IsOf(shown, color) || Shade.IsTooBright(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
             // Two grey models are shades of each other, and black is a shade of all. Then a new edge within a model shows the difference.
             if ((x > 0 && IsNewEdge(x - 1, y)) || (y > 0 && IsNewEdge(x, y - 1))) edges++;
 
@@ -139,42 +116,5 @@ internal static class LikelyCause
         }
         // A cut through an area is about as long as its side.
         return count.Values.Sum() >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong) ? count : none;
-    }
-
-    /// <summary>Whether bytes are a colour in a light so bright that channels are clamped; the brightest of the others gives the light.</summary>
-    private static bool IsTooBrightShadeOf((byte R, byte G, byte B) bytes, Color color)
-    {
-        ReadOnlySpan<(byte Byte, double Channel)> channels = [(bytes.R, color.R), (bytes.G, color.G), (bytes.B, color.B)];
-        var light = double.MaxValue; // all clamped: any light from some brightness on
-        var most = 0.0;
-        foreach (var (shown, channel) in channels)
-            if (shown < byte.MaxValue && channel > most) (light, most) = (shown / channel, channel);
-        foreach (var (shown, channel) in channels)
-            if (Math.Abs(shown - Math.Min(byte.MaxValue, light * channel)) >= 3) return false;
-        return true;
-    }
-
-    /// <summary>A sentence if the picture's upper or lower lines are black but should not be; otherwise null.</summary>
-    private static string? Unwritten(Picture picture, Picture right)
-    {
-        var top = 0;
-        var bottom = picture.Height;
-        while (top < bottom && IsBlack(picture, top)) top++;
-        while (top < bottom && IsBlack(picture, bottom - 1)) bottom--;
-        while (top > 0 && IsBlack(right, top - 1)) top--;
-        while (bottom < picture.Height && IsBlack(right, bottom)) bottom++;
-        var difference = new PictureDifference(picture, right);
-        var rest = (bottom - top) * picture.Width;
-        if (Enumerable.Range(top * picture.Width, rest).Count(i => difference.LevelsAt(i) > PictureJudge.Tolerance) > Explained * rest) return null;
-        return (top, picture.Height - bottom) switch
-        {
-            ( >= LeastLines, 0) => Sentence($"Its {top} upper lines are black"),
-            (0, >= LeastLines and var lines) => Sentence($"Its {lines} lower lines are black"),
-            _ => null,
-        };
-
-        static bool IsBlack(Picture picture, int y) => !picture.Rgb.AsSpan(3 * picture.Width * y, 3 * picture.Width).ContainsAnyExcept((byte)0);
-
-        static string Sentence(string lines) => lines + ": did the program draw them, and write them all?";
     }
 }

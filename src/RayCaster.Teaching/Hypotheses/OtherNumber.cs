@@ -30,6 +30,8 @@ internal sealed record OtherNumber(
         int[] best = [.. Enumerable.Range(0, all.Length).OrderBy(i => found[i].Residual).Take(Closer)];
         Parallel.ForEach(best, options, i => found[i] = all[i].Closest(found[i].X, sample));
         var first = best.MinBy(i => found[i].Residual);
+        var (other, program) = all[first].Draw(found[first].X);
+        if (sample.Lost(other, program).Any()) return (new(sample.PixelCount, sample.PixelCount), ""); // the picture shows what that does not draw
         return (found[first].Residual, all[first].Sentence(found[first].X));
     }
 

@@ -28,6 +28,7 @@ internal sealed class PictureSample
     private readonly FormulaProgram? basis; // that others differ from; the slides' if null
     private readonly int most;
     private readonly int allWrong; // also those that a first mistake explains
+    private readonly Lazy<Dictionary<string, (int X, int Y)[]>> shownKinds;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
     /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
@@ -38,6 +39,7 @@ internal sealed class PictureSample
         Func<int, bool>? isLeftOut = null)
     {
         (Scene, Picture, Right, this.budget) = (scene, picture, right, budget);
+        shownKinds = new(FindShownKinds);
         most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
         var difference = HasRightSize ? new PictureDifference(picture, right) : null;
         var judge = new PictureJudge(right, scene);
@@ -62,6 +64,7 @@ internal sealed class PictureSample
     public PictureSample(PictureSample whole, FormulaProgram first)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
+        shownKinds = whole.shownKinds;
         basis = first with { MovedBytes = 0 };
         var drawn = whole.Draw(first);
         var isExplained = whole.wrongPixels[..drawn.Wrong].Concat(whole.otherPixels[..drawn.Other]).Index()
@@ -75,6 +78,7 @@ internal sealed class PictureSample
     private PictureSample(PictureSample whole, int[] pixels)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
+        shownKinds = whole.shownKinds;
         (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
     }
 
@@ -86,7 +90,7 @@ internal sealed class PictureSample
         return new(this, [.. Enumerable.Range(0, 2 * most).SelectMany(k => colors.Where(color => k < color.Length).Select(color => color[k]))]);
 
         int ColorOf((byte, byte, byte) shown) => shown == Scene.Background.ToBytes() ? -1
-            : Scene.Models.TakeWhile(model => !ShownColors.IsShadeOf(shown, model.Color)).Count();
+            : Scene.Models.TakeWhile(model => !Shade.IsOf(shown, model.Color)).Count();
     }
 
     public Scene Scene { get; }
@@ -166,6 +170,37 @@ internal sealed class PictureSample
     public bool IsExplainedBy(FormulaProgram program) => Residual(program).Weight <= Math.Min(0.5 * WrongCount,
         Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LastBits * PixelCount, 3 * LastBits * PixelCount)));
 
+    /// <summary>
+    /// Whether the picture proves that another program drew it: it shows the colour of a kind of shape, but the program draws nothing of this kind,
+    /// or nothing at these places although its mistake is one of this kind.
+    /// </summary>
+    /// <param name="isAbout">Whether a mistake of the program is one of a kind of shape alone.</param>
+    public bool Denies(FormulaProgram program, Predicate<string> isAbout)
+    {
+        if (!CanDraw(program)) return false;
+        return Lost(Scene, program).Any(kind =>
+            isAbout(kind) || ColorsOf(Draw(program)).All(color => ShownColors.OnlyKindOf(Scene, color) != kind));
+
+        static IEnumerable<(byte, byte, byte)> ColorsOf(Drawn drawn) => Enumerable.Range(0, drawn.Wrong + drawn.Other).Select(drawn.ColorAt);
+    }
+
+    /// <summary>The kinds of shape that the picture shows, but a program does not draw at any of these places, of this scene or a similar one.
+    /// </summary>
+    public IEnumerable<string> Lost(Scene scene, FormulaProgram program) =>
+        from shown in shownKinds.Value
+        let drawn = FormulaEvaluator.Draw(scene, program, shown.Value, budget)
+        where !Enumerable.Range(0, shown.Value.Length).Any(i => PictureJudge.IsNear(At(drawn, i), Picture[shown.Value[i].X, shown.Value[i].Y]))
+        select shown.Key;
+
+    /// <summary>The share that a program explains of those wrong pixels that show certain colours; 0 if none does.</summary>
+    public double ShareExplained(FormulaProgram program, Predicate<(byte, byte, byte)> ofColor)
+    {
+        if (!CanDraw(program)) return 0;
+        var drawn = Draw(program);
+        int[] places = [.. Enumerable.Range(0, drawn.Wrong).Where(i => ofColor(Picture.At(wrongPixels[i])))];
+        return places.Length == 0 ? 0 : (double)places.Count(i => PictureJudge.IsNear(drawn.ColorAt(i), Picture.At(wrongPixels[i]))) / places.Length;
+    }
+
     /// <summary>An estimate of how many pixels a program leaves unexplained; all of them for none.</summary>
     /// <param name="share">The share of the chosen pixels that is compared; few show that a mistake is far off.</param>
     public Residual Residual(FormulaProgram? program, double share = 1)
@@ -213,9 +248,19 @@ internal sealed class PictureSample
             }
             return new Residual(unexplained, error) * ((double)stoodFor / count);
         }
-
-        static (byte, byte, byte) At(byte[] rgb, int i) => (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
     }
+
+    private static (byte, byte, byte) At(byte[] rgb, int i) => (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+
+    /// <summary>Some of the pixels that show a colour that only one kind of shape has, for each kind that shows.</summary>
+    private Dictionary<string, (int X, int Y)[]> FindShownKinds() => Enumerable.Range(0, Picture.Count)
+        .ToLookup(i => ShownColors.OnlyKindOf(Scene, Picture.At(i)) ?? "", i => (i % Picture.Width, i / Picture.Width))
+        .Where(kind => kind.Key != "" && kind.Count() >= WrongKinds.LeastShown).ToDictionary(kind => kind.Key, kind =>
+        {
+            (int, int)[] all = [.. kind];
+            var places = new GoldenRatioSequence(all.Length);
+            return Enumerable.Range(0, Math.Min(all.Length, FewPixelsAlike)).Select(k => all[places[k]]).ToArray();
+        });
 
     /// <summary>What a program draws in the first wrong pixels and in the first others.</summary>
     private byte[] Draw(FormulaProgram program, int wrong, int other)

@@ -3,9 +3,6 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <summary>Which kinds of shape a picture shows by their colours: what it shows, at any place, is drawn.</summary>
 internal static class ShownColors
 {
-    /// <summary>A darker pixel does not show a model's colour.</summary>
-    private const int Dark = 24;
-
     /// <summary>
     /// The ways in which only such kinds are missing whose colours the picture does not show: a colour shows what is drawn, at any place. The ways
     /// without the most kinds come first. Clipping may be the only missing part.
@@ -43,28 +40,10 @@ internal static class ShownColors
     {
         var places = new GoldenRatioSequence(picture.Count);
         for (var k = 0; k < Math.Min(8000, picture.Count); k++)
-        {
-            var (r, g, b) = picture.At(places[k]);
-            if (Math.Max(r, Math.Max(g, b)) < Dark || (r, g, b) == scene.Background.ToBytes()) continue;
-            var only = -1;
-            var several = false;
-            foreach (var model in scene.Models)
-            {
-                if (!IsShadeOf((r, g, b), model.Color)) continue;
-                var kind = Array.IndexOf(kinds, model.Kind);
-                several |= only >= 0 && only != kind;
-                only = kind;
-            }
-            if (only >= 0 && !several) seen[only]++;
-        }
+            if (OnlyKindOf(scene, picture.At(places[k])) is { } only) seen[Array.IndexOf(kinds, only)]++;
     }
 
-    /// <summary>Whether bytes are a colour in some light.</summary>
-    internal static bool IsShadeOf((byte R, byte G, byte B) bytes, Color color)
-    {
-        var most = Math.Max(color.R, Math.Max(color.G, color.B));
-        if (most == 0) return bytes == default;
-        var light = Math.Max(bytes.R, Math.Max(bytes.G, bytes.B)) / most;
-        return Math.Abs(bytes.R - light * color.R) < 3 && Math.Abs(bytes.G - light * color.G) < 3 && Math.Abs(bytes.B - light * color.B) < 3;
-    }
+    /// <summary>The only kind of shape that has a colour in some light; null if none or several have it.</summary>
+    public static string? OnlyKindOf(Scene scene, (byte R, byte G, byte B) shown) =>
+        Shade.ModelsOf(scene, shown).Select(model => scene.Models[model].Kind).Distinct().Take(2).ToArray() is [var only] ? only : null;
 }

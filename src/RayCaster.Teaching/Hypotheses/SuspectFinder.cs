@@ -19,6 +19,7 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, PictureSample sampl
         }
         var isSame = own.Scatters == likeliest.Programs[0].Scatters && sample.AreAlike(drawn, likeliest.Programs[0]);
         var isTypical = hypothesis.Residual.Unexplained <= Decision.Explained * sample.WrongCount && hypothesis.IsUsual;
+        shown = [.. shown.Select(mistake => Fits(mistake, hypothesis, drawn) ? mistake : MutantNaming.Unnamed(mistake))];
         return new(shown, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.Missing, isSame,
             isSame || hypothesis.Total - likeliest.Total < Priors.AsLikely, isTypical);
     }
@@ -36,6 +37,15 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, PictureSample sampl
                orderby !hiding.Changes[^1].IsUsual, mistake.Steps.Count // the commonest, then those of few shapes
                select hiding with { Residuals = best.Residuals, Total = best.Total };
     }
+
+    /// <summary>Whether the question of a mistake fits a slip that has its name. A question about a size fits only if the picture is also that of
+    /// what people write who make the mistake: "half of the height" is no question about one that is twice too large.</summary>
+    private bool Fits(Change slip, Hypothesis hypothesis, PictureSample.Drawn drawn) => slip is not { Mutant: { } mutant, Mistake: { } mistake }
+        || !IsOfSize(mutant)
+        || mistake.Changes.Any(change => AreAlike(drawn, With(hypothesis.Changes.Select(own => own == slip ? change : own))));
+
+    private static bool IsOfSize(Mutant mutant) => mutant.Operator is MutationOperator.Constant or MutationOperator.Halved or MutationOperator.Doubled
+        || mutant is { Section.Kind: StepKind.Camera, Formula.Right.Dimension.Kind: ValueKind.Number };
 
     private bool AreAlike(PictureSample.Drawn drawn, Hypothesis? other) => other is not null && sample.AreAlike(drawn, other.Programs[0]);
 

@@ -85,7 +85,7 @@ public sealed class HitLedger
         if (shown < 0) return;
 
         Models[shown][Outcome.Shows]++;
-        var color = Scene.Shade(nearest, Scene.Models[shown]).ToBytes();
+        var color = Scene.Shade(new(nearest, shown)).ToBytes();
         OnlyColor = Hits == 0 || OnlyColor == color ? color : null;
         Hits++;
         if (nearest >= Scene.Camera.FadeDistance) Unlit++;

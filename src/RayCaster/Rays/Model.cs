@@ -24,9 +24,6 @@ public abstract class Model
     /// <summary>A box around it; null if the shape does not implement <see cref="IBounded"/>.</summary>
     public virtual Bounds? Bounds => (this as IBounded)?.Bounds;
 
-    /// <summary>The shape's formula for rays over the numbers N; null for models that have none: meshes and scalar shapes.</summary>
-    public virtual Crossings<N>? Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
-
     /// <summary>Calls the visitor with the shape, and returns what that returns; false for models without a formula: meshes and scalar
     /// shapes.</summary>
     public virtual bool Accept(IShapeVisitor visitor) => false;
@@ -58,9 +55,6 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 
     /// <inheritdoc/>
     public override Bounds? Bounds => (Primitive as IBounded)?.Bounds;
-
-    /// <inheritdoc/>
-    public override Crossings<N>? Intersect<N>(in Ray<N> ray) => Primitive.Intersect(ray);
 
     /// <inheritdoc/>
     public override bool Accept(IShapeVisitor visitor) => visitor.Visit(Primitive);

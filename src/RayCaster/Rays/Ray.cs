@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A ray X(t) = P + t d, and its nearest hit so far (slide "Ray").</summary>
+/// <summary>A ray X(t) = P + t d (slide "Ray").</summary>
 public sealed class Ray(Vector3 origin, Vector3 direction)
 {
     /// <summary>P, where the ray starts.</summary>
@@ -18,25 +18,12 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     /// is 1 if they limit the distance.</summary>
     public double DepthPerT { get; init; } = 1;
 
-    /// <summary>The t of the nearest hit so far; +∞ before the first.</summary>
-    public double HitParameter { get; private set; } = double.PositiveInfinity;
-
-    /// <summary>The model of the nearest hit so far; null before the first.</summary>
-    public Model? HitModel { get; private set; }
-
     /// <summary>The point X(t) = P + t d. The formulas that draw use <see cref="Ray{N}.At"/>.</summary>
     public Vector3 At(double t) => Origin + t * Direction;
 
     /// <summary>Whether a crossing at t counts: not behind, beyond the bias, within the clip range. False for NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Counts(double t) => ClipRange.CountsMask<Scalar>(t, DepthPerT).Holds;
-
-    /// <summary>Intersects a model, and keeps its hit if that is nearer than all before. Of equal ones the first is kept.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Intersect(Model model)
-    {
-        if (model.Intersect(this) is { } t && IsNearer<Scalar>(t, HitParameter).Holds) (HitParameter, HitModel) = (t, model);
-    }
 
     /// <summary>Whether a hit replaces the nearest one before it; false where t is NaN.</summary>
     /// <param name="nearest">The parameter of the nearest hit before it; +∞ before the first.</param>

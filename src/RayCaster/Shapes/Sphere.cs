@@ -25,19 +25,4 @@ public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive
         var t_hc = N.Sqrt(Radius * Radius - D * D).As("t_hc"); // NaN where the ray passes by; the slide's t_hc² on the left is an error of the slide
         return new(t_ca - t_hc, t_ca + t_hc);
     }
-
-    /// <summary>
-    /// Slide "Sphere – Analytical Solution": the roots of a t² + b t + c = 0. The same crossings, but b² and 4 a c lose digits for far spheres,
-    /// so no picture is drawn by it.
-    /// </summary>
-    public Crossings<N> IntersectAnalytically<N>(in Ray<N> ray) where N : struct, IReal<N>
-    {
-        var CP = ray.Origin - Center;
-        var a = ray.Direction * ray.Direction; // 1 but for rounding
-        var b = 2 * (ray.Direction * CP);
-        var c = CP * CP - Radius * Radius;
-        var discriminant = b * b - 4 * a * c;
-        var root = N.Sqrt(discriminant); // NaN where the ray passes by
-        return new((-b - root) / (2 * a), (-b + root) / (2 * a));
-    }
 }

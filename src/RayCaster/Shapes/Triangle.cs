@@ -45,13 +45,4 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
         var t = (w * a.Z + u * b.Z + v * c.Z) / ((w + u + v) * along.Dz);
         return new(N.If(inside & between, t));
     }
-
-    /// <summary>
-    /// Whether three points span no area: |e1 × e2| ≤ 1e-12 · (longest side)². This limit is relative, so the unit of length does not matter.
-    /// </summary>
-    public static bool IsOnOneLine(Vector3 a, Vector3 b, Vector3 c)
-    {
-        var longest = Math.Max((b - a).Length, Math.Max((c - b).Length, (a - c).Length));
-        return ((b - a) % (c - a)).Length <= 1e-12 * longest * longest;
-    }
 }

@@ -6,7 +6,7 @@ namespace RayCaster.Cli.Tests.Fuzzing;
 /// <summary>Command lines of right and wrong words in any order.</summary>
 internal static class OddCommandLine
 {
-    private static readonly CommandList commands = new(Program.Groups);
+    private static readonly CommandList commands = new();
 
     private static readonly string[] words =
     [

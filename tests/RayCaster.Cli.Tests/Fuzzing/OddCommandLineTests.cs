@@ -28,7 +28,7 @@ public class OddCommandLineTests
     {
         try
         {
-            var command = new CommandList(Program.Groups).Of(words, out var rest);
+            var command = new CommandList().Find(words, out var rest);
             CommandLine.Parse(command.Name, command.Options, rest).Exactly("<one>", "<other>");
         }
         catch (ProblemException e)

@@ -19,7 +19,7 @@ public class EdgeOnTriangleTests
             var camera = new Camera(Vector3.Zero, d, up: Some.Direction(random), fovY: 1, width: 1, height: 1, sample: PixelSample.Center, zNear: 0);
             d = camera.RayThrough(0, 0).Direction;
             var triangle = new Triangle(Corner(), Corner(), Corner());
-            var t = ScalarRenderer.Cast(new Scene(camera, [Model.Of(triangle)]), 0, 0).HitParameter;
+            var t = ScalarRenderer.Cast(new Scene(camera, [Model.Of(triangle)]), 0, 0).T;
             var distance = Distance(triangle.Bounds);
             if (!(t < 0.999 * distance)) continue;
 
@@ -28,7 +28,7 @@ public class EdgeOnTriangleTests
             var scene = new Scene(camera,
                 [between, between, between, between, between, Model.Of(triangle),
                     .. Enumerable.Repeat(Model.Of(new Sphere(-10 * d, 1)), companions)]);
-            Assert.Equal(ScalarRenderer.Cast(scene, 0, 0).HitParameter, new Renderer(scene, threads: 1).CastHits().T[0]);
+            Assert.Equal(ScalarRenderer.Cast(scene, 0, 0).T, new Renderer(scene, threads: 1).CastHits().T[0]);
 
             Vector3 Corner() => (1 + 4 * random.NextDouble()) * d + 4 * (random.NextDouble() - 0.5) * across;
         }

@@ -286,16 +286,16 @@ public class RendererTests
     /// <returns>How many models show; the background counts as one.</returns>
     internal static int AssertEqual(Scene scene, string what)
     {
-        var definition = new Ray[scene.Camera.Height, scene.Camera.Width];
+        var definition = new Hit[scene.Camera.Height, scene.Camera.Width];
         for (var row = 0; row < scene.Camera.Height; row++)
             for (var column = 0; column < scene.Camera.Width; column++)
                 definition[row, column] = ScalarRenderer.Cast(scene, column, row);
         AssertEqual(scene, definition, new Renderer(scene, threads: 1), what);
         AssertEqual(scene, definition, new Renderer(scene) { ManyFrames = true }, $"{what}, one of many frames");
-        return definition.Cast<Ray>().DistinctBy(ray => ray.HitModel).Count();
+        return definition.Cast<Hit>().DistinctBy(hit => hit.Model).Count();
     }
 
-    private static void AssertEqual(Scene scene, Ray[,] definition, Renderer renderer, string what)
+    private static void AssertEqual(Scene scene, Hit[,] definition, Renderer renderer, string what)
     {
         var hits = renderer.CastHits();
         var picture = new Picture(hits.Width, hits.Height);
@@ -305,13 +305,11 @@ public class RendererTests
             for (var column = 0; column < hits.Width; column++)
             {
                 var row = hits.Height - 1 - line;
-                var ray = definition[row, column];
-                var (t, index) = (hits.T[line * hits.Width + column], hits.Model[line * hits.Width + column]);
-                var model = index < 0 ? null : scene.Models[index];
-                var bytes = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
-                if (model == ray.HitModel && t.Equals(ray.HitParameter) && picture[column, line] == bytes) continue;
-                Assert.Fail($"{what}: column {column}, row {row}: the definition hits {ray.HitModel?.Name ?? "nothing"} at {ray.HitParameter:R}, " +
-                    $"the renderer {model?.Name ?? "nothing"} at {t:R}; bytes {bytes} and {picture[column, line]}");
+                var (expected, hit) = (definition[row, column], hits[column, line]);
+                var bytes = scene.Shade(expected).ToBytes();
+                if (hit == expected && picture[column, line] == bytes) continue;
+                Assert.Fail($"{what}: column {column}, row {row}: the definition gives {expected}, the renderer {hit}; " +
+                    $"bytes {bytes} and {picture[column, line]}");
             }
         }
     }

@@ -17,7 +17,7 @@ public class TileTests
             var column = width / 2 + random.Next(1, 20);
             var edge = camera.PlaneWidth * column / width - camera.PlaneWidth / 2;
             var box = new Aabb(new(-1, edge, -1), new(-1, edge + 0.1, 1));
-            if (ScalarRenderer.Cast(new Scene(camera, [Model.Of(box)]), column, 0).HitModel is null) continue;
+            if (ScalarRenderer.Cast(new Scene(camera, [Model.Of(box)]), column, 0).Model < 0) continue;
             hits++;
             var pixel = new PixelRect(column, 0, 1, 1);
             if (!new ScreenBounds(camera).TileOf(box.Bounds).Overlaps(pixel)) lost++;

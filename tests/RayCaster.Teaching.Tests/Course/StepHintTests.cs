@@ -26,7 +26,7 @@ public class StepHintTests
     {
         var (hint, finding) = Hint(file, 7, MistakeCatalog.Named("slab-noswap")!.Usual);
         Assert.Equal(DiagnosisKind.TellsNothing, finding);
-        Assert.StartsWith("  Not to be seen where it should be: aabb.", hint);
+        Assert.StartsWith("  Missing where it should show: aabb.", hint);
         Assert.Contains("What if d is negative?", hint);
     }
 
@@ -57,7 +57,7 @@ public class StepHintTests
         var scene = LabSteps.SceneAt(SceneFolder.Small("sphere", 5), 8);
         var black = Picture.Of(scene.Camera.Width, scene.Camera.Height, (_, _) => (0, 0, 0));
         Assert.Equal("""
-              Not to be seen where it should be: sphere.
+              Missing where it should show: sphere.
               Ask yourself: Take a ray through the centre: what are t_ca, D and t_hc? What if the camera is inside?
             """, StepHint.Of(scene, black, 8, HintLevel.Question));
     }

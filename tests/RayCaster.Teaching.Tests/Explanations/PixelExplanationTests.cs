@@ -204,7 +204,7 @@ public class PixelExplanationTests
         var light = 1.0;
         if (pixel.Winner is { } index)
         {
-            var t = pixel.Ray.HitParameter;
+            var t = pixel.Hit.T;
             full = pixel.Scene.Models[index].Color;
             light = Math.Max(0, 1 - t / pixel.Scene.Camera.FadeDistance);
             Assert.Equal(light, pixel.ColorSteps.Single(step => step.Name == "attenuation").Value);

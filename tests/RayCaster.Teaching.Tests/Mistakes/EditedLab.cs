@@ -40,7 +40,10 @@ internal static partial class EditedLab
         ["Aabb", "Camera", "Circle", "Color", "Model", "Plane", "Ray", "Scene", "SceneFile", "Sphere", "Triangle", "Vector3"];
 
     private static readonly Dictionary<string, string> source =
-        files.ToDictionary(file => file, file => File.ReadAllText(ProjectFolder.PathOf($"src/RayCaster.Lab/{file}.cs")));
+        files.ToDictionary(file => file, Read);
+
+    private static string Read(string file) =>
+        File.ReadAllText(Directory.GetFiles(ProjectFolder.PathOf("src/RayCaster.Lab"), $"{file}.cs", SearchOption.AllDirectories).Single());
 
     private static readonly MetadataReference[] references =
     [
@@ -73,7 +76,7 @@ internal static partial class EditedLab
     {
         var text = new Dictionary<string, string>(source);
         foreach (var more in (string[])["Pixel", "Todo", "BodyCalls"])
-            text[more] = File.ReadAllText(ProjectFolder.PathOf($"src/RayCaster.Lab/{more}.cs"));
+            text[more] = Read(more);
         var start = text[file].IndexOf(old, StringComparison.Ordinal);
         if (start < 0) throw new InvalidOperationException($"the lab's {file}.cs does not have \"{old}\"");
         text[file] = text[file][..start] + @new + text[file][(start + old.Length)..];

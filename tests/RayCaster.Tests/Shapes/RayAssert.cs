@@ -18,20 +18,14 @@ internal static class RayAssert
     public static void Crosses(IPrimitive shape, Vector3 origin, Vector3 direction, double near, double far, double tolerance = 0)
     {
         var ray = new Ray(origin, direction.Normalized);
-        Crosses(shape, ray, near, far, shape.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)), tolerance);
+        var got = shape.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction));
+        Check(shape, ray, (near, far), (got.Near, got.Far), tolerance, "no crossing");
     }
 
-    /// <summary>The same for a second formula of a shape.</summary>
-    /// <param name="slide">Null for that of the formula that draws.</param>
-    public static void Crosses(
-        IPrimitive shape, Ray ray, double near, double far, Crossings<Scalar> got, double tolerance, string? slide = null) =>
-        Check(shape, ray, (near, far), (got.Near, got.Far), tolerance, "no crossing", slide);
-
     /// <summary>Lines for the end of a message: the ray and the shape, the slide, and the formula's file.</summary>
-    /// <param name="slide">Null for that of the formula that draws.</param>
-    public static string Describe(IPrimitive shape, Vector3 origin, Vector3 direction, string? slide = null)
+    public static string Describe(IPrimitive shape, Vector3 origin, Vector3 direction)
     {
-        var (letters, ofShape) = shape switch
+        var (letters, slide) = shape switch
         {
             Plane p => ($"Plane    Q = {p.Point}, n = {p.Normal}", "Ray – Plane Intersection"),
             Sphere s => (FormattableString.Invariant($"Sphere   C = {s.Center}, R = {s.Radius}"), "Sphere – Geometric Solution"),
@@ -44,15 +38,15 @@ internal static class RayAssert
 
               Ray      P = {origin}, d = {direction}
               {letters}
-              Slide "{slide ?? ofShape}": src/RayCaster/Shapes/{shape.GetType().Name}.cs
+              Slide "{slide}": src/RayCaster/Shapes/{shape.GetType().Name}.cs
             """;
     }
 
     private static void Check(
-        IPrimitive shape, Ray ray, (double, double) expected, (double, double) got, double tolerance, string none, string? slide = null)
+        IPrimitive shape, Ray ray, (double, double) expected, (double, double) got, double tolerance, string none)
     {
         if (AreEqual(expected.Item1, got.Item1, tolerance) && AreEqual(expected.Item2, got.Item2, tolerance)) return;
-        Assert.Fail($"expected {Text(expected, none)}, but got {Text(got, none)}.{Describe(shape, ray.Origin, ray.Direction, slide)}");
+        Assert.Fail($"expected {Text(expected, none)}, but got {Text(got, none)}.{Describe(shape, ray.Origin, ray.Direction)}");
     }
 
     private static bool AreEqual(double a, double b, double tolerance) => a.Equals(b) || Math.Abs(a - b) <= tolerance;

@@ -51,8 +51,6 @@ public class SphereTests
 
             var root = Math.Sqrt(discriminant); // NaN where the ray passes by
             RayAssert.Crosses(shape, origin, d, -b - root, -b + root, 1e-10);
-            var analytical = shape.IntersectAnalytically(new Ray<Scalar>(origin, d));
-            RayAssert.Crosses(shape, new Ray(origin, d), -b - root, -b + root, analytical, 1e-10, "Sphere – Analytical Solution");
             if (discriminant >= 0) hits++;
         }
         Assert.InRange(hits, 500, 19_500);

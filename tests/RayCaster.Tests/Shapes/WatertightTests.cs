@@ -90,7 +90,7 @@ public class WatertightTests(ITestOutputHelper output)
     }
 
     private static bool IsHit(Scene scene, (int Column, int Row) pixel) =>
-        ScalarRenderer.Cast(scene, pixel.Column, pixel.Row).HitModel is not null;
+        ScalarRenderer.Cast(scene, pixel.Column, pixel.Row).Model >= 0;
 
     private static Model Box(double size) => Model.Of(new Aabb(-size * new Vector3(1, 1, 1), size * new Vector3(1, 1, 1)));
 

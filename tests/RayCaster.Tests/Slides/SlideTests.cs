@@ -59,10 +59,11 @@ public class SlideTests
     [Fact]
     public void SlideAttenuationHalvesTheColourAtTheTarget()
     {
-        var ray = new Ray(Position, new(-1, 0, 0));
-        ray.Intersect(Model.Of(new Plane(Target, new(1, 0, 0))));
-        var attenuation = 1 - ray.HitParameter / (2 * (Target - Position)).Length;
+        var camera = new Camera(Position, Target, sample: PixelSample.Center, width: 1, height: 1);
+        var scene = new Scene(camera, [Model.Of(new Plane(Target, new(1, 0, 0)))]);
+        var hit = ScalarRenderer.Cast(scene, 0, 0);
+        var attenuation = 1 - hit.T / (2 * (Target - Position)).Length;
         Assert.Equal(0.5, attenuation);
-        Assert.Equal(new Color(0.5, 0.5, 0.5), attenuation * ray.HitModel!.Color);
+        Assert.Equal(new Color(0.5, 0.5, 0.5), attenuation * scene.Models[hit.Model].Color);
     }
 }

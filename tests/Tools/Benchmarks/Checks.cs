@@ -17,13 +17,10 @@ internal static class Checks
         int rays = 0, hits = 0;
         for (var i = 0; i < t.Length; i += step, rays++)
         {
-            var ray = ScalarRenderer.Cast(scene, i % Width, Height - 1 - i / Width);
-            var hitModel = model[i] < 0 ? null : scene.Models[model[i]];
-            var rgb = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
-            if (ray.HitModel != hitModel || (hitModel is not null && ray.HitParameter != t[i])
-                || rgb != (bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]))
+            var hit = ScalarRenderer.Cast(scene, i % Width, Height - 1 - i / Width);
+            if (hit != map[i] || scene.Shade(hit).ToBytes() != (bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]))
                 throw new InvalidOperationException($"{benchmark.Name}: the engine and its definition differ in pixel {i % Width}, {i / Width}");
-            if (hitModel is not null) hits++;
+            if (hit.Model >= 0) hits++;
         }
         Console.WriteLine($"{benchmark.Title}: engine and definition agree to the bit in {rays} of {rays} pixels, {hits} of them hits");
 

@@ -13,19 +13,15 @@ internal static class OwnWays
     public static IEnumerable<Way> All(BenchmarkScene scene, int width, int height)
     {
         var (map, picture) = (new Lazy<HitMap>(() => new(width, height)), new Lazy<Picture>(() => new(width, height)));
-        var frames = new[]
-        {
-            ("", (Func<Scene>)Fresh, (Func<Scene, Scene>)SpatialOrder.Of), (", later frame", Moving(scene, width, height), frame => frame),
-        };
-        foreach (var (suffix, next, ordered) in frames)
+        foreach (var (suffix, next) in new[] { ("", (Func<Scene>)Fresh), (", later frame", Moving(scene, width, height)) })
         {
             yield return new($"exact t{suffix}", Answer.Hits, threads => Time(next(), threads,
-                frame => new Renderer(ordered(frame), threads) { ManyFrames = true }.CastHits(map.Value)));
+                frame => new Renderer(frame, threads) { ManyFrames = true }.CastHits(map.Value)));
             yield return new($"bytes{suffix}", Answer.Bytes, threads => Time(next(), threads,
-                frame => new Renderer(ordered(frame), threads) { ManyFrames = true }.DrawInto(picture.Value)));
+                frame => new Renderer(frame, threads) { ManyFrames = true }.DrawInto(picture.Value)));
         }
         yield return new("bytes of a single picture", Answer.Bytes, threads => Time(Fresh(), threads,
-            frame => new Renderer(SpatialOrder.Of(frame), threads).Draw(.., _ => { })));
+            frame => new Renderer(frame, threads).Draw(.., _ => { })));
 
         Scene Fresh()
         {
@@ -39,7 +35,7 @@ internal static class OwnWays
     private static Func<Scene> Moving(BenchmarkScene scene, int width, int height)
     {
         const int Frames = 16, OfOrbit = 720;
-        var (kept, frame) = (new Lazy<Scene>(() => SpatialOrder.Of(scene.Create(width, height))), 0);
+        var (kept, frame) = (new Lazy<Scene>(() => scene.Create(width, height)), 0);
         return () => kept.Value with { Camera = CameraMotion.Orbit(kept.Value.Camera, frame++ % Frames, OfOrbit) };
     }
 

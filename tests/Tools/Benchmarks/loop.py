@@ -9,7 +9,7 @@ Works in a copy of the project's files, changes nothing here, and prints the tab
 import argparse, os, pathlib, re, shutil, subprocess, sys, tempfile, time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-SPHERE = "src/RayCaster/Shapes/Sphere.cs"
+SPHERE, LAB_SPHERE = "src/RayCaster/Shapes/Sphere.cs", "src/RayCaster.Lab/Sphere.cs"
 ENVIRONMENT = dict(os.environ, DOTNET_NOLOGO="1", DOTNET_CLI_TELEMETRY_OPTOUT="1")
 ENVIRONMENT.pop("Strict", None)
 
@@ -51,12 +51,12 @@ def edit_xunit(folder, i):
     (folder / "Tests.cs").write_text(f"public class Tests {{ [Xunit.Fact] public void Adds() => Xunit.Assert.Equal({i + 1}, {i} + 1); }}\n")
 
 
-def edit_sphere(clone, i):
+def edit_sphere(clone, i, sphere=SPHERE, radius="Radius"):
     """Another body of the same meaning: what is added to R is lost in rounding."""
-    file = clone / SPHERE
+    file = clone / sphere
     text = file.read_text()
-    changed = re.sub(r"(?:Radius|\(Radius \+ 1e-\d+\)) \* Radius", f"(Radius + 1e-{300 - i}) * Radius", text, count=1)
-    assert changed != text, "Sphere.cs has no line to edit"
+    changed = re.sub(rf"(?:\b{radius}|\({radius} \+ 1e-\d+\)) \* {radius}\b", f"({radius} + 1e-{300 - i}) * {radius}", text, count=1)
+    assert changed != text, f"{sphere} has no line to edit"
     file.write_text(changed)
 
 
@@ -74,6 +74,7 @@ def main():
     arguments.add_argument("--rounds", type=int, default=5, help="how often each is measured; the least counts")
     rounds = arguments.parse_args().rounds
     draw = ("dotnet", "run", "--project", "src/RayCaster.Cli", "--", "scenes/room.json", "-o", "room.png", "-q")
+    draw_lab = ("dotnet", "run", "--project", "src/RayCaster.Lab", "--", "scenes/room.json")
     empty_run, empty_test = ("dotnet", "run"), ("dotnet", "test")
     course = ("dotnet", "test", "--project", "tests/RayCaster.Tests")
     everything = ("dotnet", "test", "-c", "Release")
@@ -94,17 +95,22 @@ def main():
                 times.append(sum(seconds(clone, *command) for command in commands))
 
         seconds(clone, *everything)  # builds all
-        pairs = {"sphere": ([], []), "tests": ([], [])}
+        pairs = {"sphere": ([], []), "lab": ([], []), "tests": ([], [])}
         for i in range(1, rounds + 1):
             edit_console(console, i)
             pairs["sphere"][1].append(seconds(console, *empty_run))
             edit_sphere(clone, i)
             pairs["sphere"][0].append(seconds(clone, *draw))
+            edit_console(console, i + 100)
+            pairs["lab"][1].append(seconds(console, *empty_run))
+            edit_sphere(clone, i, LAB_SPHERE, "R")
+            pairs["lab"][0].append(seconds(clone, *draw_lab))
             edit_xunit(xunit, i)
             pairs["tests"][1].append(seconds(xunit, *empty_test))
             edit_sphere(clone, i + 100)
             pairs["tests"][0].append(seconds(clone, *course))
-        shutil.copyfile(ROOT / SPHERE, clone / SPHERE)  # some tests quote its lines
+        for sphere in (SPHERE, LAB_SPHERE):
+            shutil.copyfile(ROOT / sphere, clone / sphere)  # some tests quote its lines
         seconds(clone, "dotnet", "build", "-c", "Release")
         all_tests = min(seconds(clone, *everything) for _ in range(2))
 
@@ -113,6 +119,7 @@ def main():
 
     rows = [
         ("edit a body in `Sphere.cs`, then `dotnet run … scenes/room.json`", "an empty console project's edit and run", ratio("sphere"), 1.8),
+        ("edit a body in the lab's `Sphere.cs`, then `dotnet run` it", "an empty console project's edit and run", ratio("lab"), 1.6),
         ("edit `Sphere.cs`, then `dotnet test --project tests/RayCaster.Tests`", "an empty xunit project's edit and test", ratio("tests"), 2.5),
         ("all of `dotnet test -c Release`, built", "an empty xunit project's edit and test", all_tests / min(pairs["tests"][1]), 14),
         ("the first `dotnet run` of a fresh clone", "building the five projects and running what was built", min(first) / min(minimum), 1.3),

@@ -22,7 +22,7 @@ public class FineMeshTests
         for (var i = 0; i < 60; i++)
         {
             var (column, row) = (random.Next(camera.Width), random.Next(camera.Height));
-            Assert.Equal(ScalarRenderer.Cast(scene, column, row).HitParameter, hits.T[(camera.Height - 1 - row) * camera.Width + column]);
+            Assert.Equal(ScalarRenderer.Cast(scene, column, row).T, hits.T[(camera.Height - 1 - row) * camera.Width + column]);
         }
     }
 

@@ -22,7 +22,7 @@ public class GroupTests
             var fast = new Renderer(scene, threads: 1).CastHits();
             foreach (var (column, row) in pixels)
             {
-                var t = ScalarRenderer.Cast(scene, column, row).HitParameter;
+                var t = ScalarRenderer.Cast(scene, column, row).T;
                 Assert.Equal(t, fast.T[(63 - row) * 64 + column]);
                 if (t < 3.499) hits++;
             }

@@ -75,7 +75,7 @@ public static class PictureAssert
     {
         var where = difference.WrongMiddle is var (x, y)
             ? $"in the widest wrong area at column {x}, line {y} from the top: expected {reference[x, y]}, but got {difference.Mine[x, y]}"
-            : "by one level: round, do not cut";
+            : "by one level of 255. Which byte does your program make of 127.9?";
         return $"{difference.CountBeyond(0):N0} of {difference.Pixels:N0} pixels differ, {where}";
     }
 

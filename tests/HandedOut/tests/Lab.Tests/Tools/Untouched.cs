@@ -25,7 +25,7 @@ public sealed class Untouched
             if (!was.Equals(now))
                 Assert.Fail($"""
                     the call has changed {name} from {RayAssert.Text(was)} to {RayAssert.Text(now)}.
-                      A class has names, not copies: after L = ray.Origin, L.X = … changes the ray. Use operators, which make new objects.
+                      L = ray.Origin makes no copy: both names mean one vector, so L.X = … changes the ray, too. Use operators: they make new vectors.
                       {RayAssert.Cite(slide)}
                     """);
     }

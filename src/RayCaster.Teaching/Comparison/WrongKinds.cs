@@ -1,0 +1,154 @@
+namespace RayCaster.Teaching.Comparison;
+
+/// <summary>
+/// Which kinds of shape are wrong by themselves in a picture, and which models prove that the rays are right. A kind is wrong by itself if each
+/// wrong pixel shows what lies behind it, or its colour in a light that covers what lies behind: then everything else may be right.
+/// </summary>
+internal sealed class WrongKinds
+{
+    /// <summary>The share of the wrong pixels that may be otherwise: pixels on outlines are uncertain.</summary>
+    private const double Uncertain = 0.01;
+
+    /// <summary>As many pixels of its own show that a model is drawn at a place.</summary>
+    public const int LeastShown = 3;
+
+    /// <summary>How many pixels prove that a model agrees, and how many of these must tell the picture from a mirrored or turned one.</summary>
+    private const int LeastAgreeing = 20, LeastTurned = 8;
+
+    /// <summary>How many models are mentioned.</summary>
+    private const int MaxNames = 3;
+
+    private readonly Scene scene;
+    private readonly HitMap hits;
+    private readonly PictureDifference difference;
+    private readonly int[] wrong;
+
+    /// <param name="hits">What the rays hit in the scene.</param>
+    /// <param name="difference">That of the picture to the scene's own.</param>
+    public WrongKinds(Scene scene, HitMap hits, PictureDifference difference, int? threads)
+    {
+        (this.scene, this.hits, this.difference) = (scene, hits, difference);
+        wrong = [.. Enumerable.Range(0, difference.Pixels).Where(IsWrong)];
+        string[] all = [.. scene.Models.Select(model => model.Kind).Distinct()];
+        if (wrong.Length == 0 || all.Length < 2) return;
+        Kinds = Only(all.Select(kind => (string[])[kind]), threads);
+        Agreeing = ProofWithout(Kinds);
+        if (Kinds.Count > 0 || Agreeing.Count == 0) return;
+        string[] suspected = [.. all.Where(kind => !Agreeing.Any(model => scene.Models[model].Kind == kind))];
+        Kinds = Only(suspected.SelectMany((one, i) => suspected.Skip(i + 1).Select(other => (string[])[one, other]))
+            .Where(pair => pair.Length < all.Length), threads);
+    }
+
+    /// <summary>The kinds, as scene files call them; empty if it is not certain which ones they are.</summary>
+    public IReadOnlyList<string> Kinds { get; } = [];
+
+    /// <summary>The models that agree and prove that the rays are right; empty if nothing proves it.</summary>
+    public IReadOnlyList<int> Agreeing { get; } = [];
+
+    /// <summary>Whether something is certain, so that the picture is of this scene.</summary>
+    public bool IsCertain => Kinds.Count + Agreeing.Count > 0;
+
+    /// <summary>What is certain, in words; null if nothing is.</summary>
+    public string? Sentence
+    {
+        get
+        {
+            if (!IsCertain) return null;
+            var right = Agreeing.Count == 0 ? "" : $"The rays are right: {Names(Agreeing)} agree{(Agreeing.Count == 1 ? "s" : "")}. ";
+            if (Kinds.Count == 0) return right.TrimEnd();
+            var many = string.Join(" and ", Kinds.Select(ManyOf));
+            var (its, formula) = Kinds.Count == 1 ? ("their", "formula") : ("their", "formulas, and at what these share");
+            int[] bad = [.. ModelsOf(Kinds).Where(IsBad)], good = [.. ModelsOf(Kinds).Where(model => AgreesWholly(model))];
+            var what = good.Length > 0 && bad.Length > 0
+                ? $"Of the {many}, only {Names(bad)} {(bad.Length == 1 ? "is" : "are")} wrong: look at the numbers, and at {its} {formula}."
+                : right == "" ? $"Only {many} are wrong: look at {its} {formula}."
+                : $"{char.ToUpperInvariant(many[0])}{many[1..]} do not: look at {its} {formula}.";
+            int[] elsewhere = [.. bad.Where(ShowsElsewhere)];
+            return right + what + (elsewhere.Length == 0 ? ""
+                : $" {Names(elsewhere)} {(elsewhere.Length == 1 ? "shows" : "show")} where {(elsewhere.Length == 1 ? "it" : "they")} should not.");
+        }
+    }
+
+    /// <summary>Whether a model is of one of the kinds.</summary>
+    public bool Has(int model) => model >= 0 && Kinds.Contains(scene.Models[model].Kind);
+
+    /// <summary>Whether bytes are the colour of a model of one of the kinds.</summary>
+    public bool ShowsColor((byte, byte, byte) shown) => ModelsOf(Kinds).Any(model => Shade.IsOf(shown, scene.Models[model].Color));
+
+    /// <summary>The one set of kinds that may be wrong alone; none if several may.</summary>
+    private IReadOnlyList<string> Only(IEnumerable<string[]> sets, int? threads)
+    {
+        string[][] possible = [.. sets.Where(kinds => MayBeOnly(kinds, threads)).Take(2)];
+        return possible is [var only] ? only : [];
+    }
+
+    /// <summary>Whether all else may be right.</summary>
+    private bool MayBeOnly(string[] kinds, int? threads)
+    {
+        var rest = scene with { Models = [.. scene.Models.Where(model => !kinds.Contains(model.Kind))] };
+        var behind = new Renderer(rest, threads).CastHits();
+        Color[] colors = [.. ModelsOf(kinds).Select(model => scene.Models[model].Color).Distinct()];
+        var otherwise = 0;
+        var most = Uncertain * wrong.Length;
+        foreach (var i in wrong)
+        {
+            var shown = difference.Mine.At(i);
+            if (!PictureJudge.IsNear(shown, rest.BytesAt(behind, i)) && !colors.Any(color => Covers(shown, color, LightBehind(i)))
+                && ++otherwise > most) return false;
+        }
+        return true;
+
+        double LightBehind(int i) => behind.Model[i] < 0 ? 0 : scene.Attenuation<Scalar>(behind.T[i]);
+    }
+
+    /// <summary>Whether a pixel shows a colour that lies before something in a light: what is nearer is brighter.</summary>
+    private static bool Covers((byte, byte, byte) shown, Color color, double lightBehind) =>
+        Shade.IsOf(shown, color) ? Shade.MostLightOf(shown, color) >= lightBehind : Shade.IsTooBright(shown, color);
+
+    /// <summary>
+    /// The models of other kinds that agree, if they prove that the rays are right: other rays would change them. A plane looks the same from
+    /// beside, so planes prove it only together with another shape.
+    /// </summary>
+    private IReadOnlyList<int> ProofWithout(IReadOnlyCollection<string> kinds)
+    {
+        int[] models =
+        [
+            .. Enumerable.Range(0, scene.Models.Count).Where(model => !kinds.Contains(scene.Models[model].Kind)
+                && (kinds.Count > 0 ? CountRight(model) >= LeastAgreeing : AgreesWholly(model))),
+        ];
+        if (models.All(model => scene.Models[model] is Model<Plane>)) return [];
+        var right = difference.Reference;
+        int[] pixels = [.. Enumerable.Range(0, difference.Pixels).Where(i => !IsWrong(i) && models.Contains(hits.Model[i]))];
+        return IsOther((x, y) => right[right.Width - 1 - x, y]) && IsOther((x, y) => right[x, right.Height - 1 - y])
+            && IsOther((x, y) => right[right.Width - 1 - x, right.Height - 1 - y])
+            ? [.. models.OrderBy(model => !AgreesWholly(model)).ThenBy(model => scene.Models[model] is Model<Plane>).ThenByDescending(CountRight)] : [];
+
+        bool IsOther(Func<int, int, (byte, byte, byte)> turned) =>
+            pixels.Where(i => !PictureJudge.IsNear(right.At(i), turned(i % right.Width, i / right.Width))).Skip(LeastTurned - 1).Any();
+    }
+
+    private bool AgreesWholly(int model) => CountRight(model) is var right && right >= LeastAgreeing && !wrong.Any(i => hits.Model[i] == model);
+
+    private int CountRight(int model) => Enumerable.Range(0, difference.Pixels).Count(i => hits.Model[i] == model && !IsWrong(i));
+
+    private bool IsBad(int model) => wrong.Any(i => hits.Model[i] == model) || ShowsElsewhere(model);
+
+    /// <summary>Whether wrong pixels that should show something else show a model's colour, which no other model has.</summary>
+    public bool ShowsElsewhere(int model) => wrong.Where(i => hits.Model[i] != model
+        && Shade.ModelsOf(scene, difference.Mine.At(i)).Take(2).SequenceEqual([model])).Skip(LeastShown - 1).Any();
+
+    private IEnumerable<int> ModelsOf(IReadOnlyCollection<string> kinds) =>
+        Enumerable.Range(0, scene.Models.Count).Where(model => kinds.Contains(scene.Models[model].Kind));
+
+    private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > PictureJudge.Tolerance;
+
+    private string Names(IReadOnlyList<int> models)
+    {
+        string[] names = [.. models.Take(MaxNames).Select(model => ModelName.Of(scene, model))];
+        return models.Count > MaxNames ? $"{string.Join(", ", names)} and others"
+            : names is [.. var first, var last] && first.Length > 0 ? $"{string.Join(", ", first)} and {last}" : names[0];
+    }
+
+    /// <summary>A kind in the plural.</summary>
+    public static string ManyOf(string kind) => ShapeKind.Of(kind)?.Many ?? $"shapes of the type {kind}";
+}

@@ -1,0 +1,196 @@
+namespace RayCaster.Teaching.Formulas;
+
+/// <summary>Crosses the parts of a scene with the rays of some pixels, by the formulas of their shapes and by the rule that says which crossing
+/// counts.</summary>
+/// <param name="count">How many values each array has.</param>
+/// <param name="right">The program that others differ from; null if nothing of it is kept.</param>
+internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts, PixelArithmetic arithmetic, int count, FormulaProgram? right)
+{
+    /// <summary>What a ray through a mesh's tree, or to a shape of one's own, takes, as so many computed numbers do.</summary>
+    private const int WorkOfRay = 200;
+
+    private static readonly Symbol pointP = Symbol.Of("P"), direction = Symbol.Of("d"), parameter = Symbol.Of("t"), axisW = Symbol.Of("W");
+
+    private readonly Dictionary<(int Part, Step Section), PixelValues[]> rightFrames = [];
+    private readonly PixelValues[] ofShape = new PixelValues[Symbol.Max], ofRule = new PixelValues[Symbol.Max]; // used again and again
+
+    /// <summary>The hits of a part.</summary>
+    /// <param name="camera">What camera and pixel have computed.</param>
+    /// <param name="changed">The names in it that have other values than in the right program.</param>
+    /// <param name="rightCamera">The same of the right program; null if there is none.</param>
+    /// <param name="withAll">Whether a t that is no number may be a hit, and the second crossing is needed, too.</param>
+    public PartHits Cross(
+        int part, FormulaProgram program, Step rule, PixelValues[] camera, UInt128 changed, PixelValues[]? rightCamera, bool withAll)
+    {
+        var (model, kind, numbers) = parts[part];
+        if (kind is null || (parts[part].IsLarge && !program.MutatesTriangles)) return HitsOf(model, rule, camera);
+        var used = arithmetic.Used;
+        var section = program[kind.Value];
+        if (parts[part].IsLarge)
+            return program.ProposesTriangles ? Decided(ProposedBy((Mesh)model, camera)) : OfAll((Mesh)model);
+
+        var before = right is null || rightCamera is null ? null : StyleOf(section, right);
+        var old = before is null ? null : RightFrame(part, before, rightCamera!);
+        var frame = PixelArithmetic.FrameOf(camera, ofShape, numbers);
+        foreach (var (symbol, _) in numbers) changed &= ~symbol.Bit;
+        arithmetic.Define(section, frame, before, old, ref changed);
+        var crossed = Counted(section, rule, frame, camera, withAll);
+        arithmetic.GiveBack(used, crossed.T, crossed.IsHit, crossed.Far, crossed.Ends?.X);
+        return crossed;
+
+        PartHits Decided((Symbol, PixelValues)[] triangles)
+        {
+            var own = PixelArithmetic.FrameOf(camera, ofShape, triangles);
+            arithmetic.Define(section, own);
+            return Counted(section, rule, own, camera, withAll);
+        }
+
+        // Each triangle is offered to the nearest one of the mesh so far.
+        PartHits OfAll(Mesh mesh)
+        {
+            var nearest = arithmetic.New(count);
+            Array.Fill(nearest, double.NaN);
+            var ends = arithmetic.New(count);
+            Array.Clear(ends);
+            var before = arithmetic.Used;
+            for (var k = 0; k < mesh.TriangleCount; k++)
+            {
+                var of = Decided(ShapePart.NumbersOf(mesh[k]));
+                PartHits.Offer(nearest, of.T);
+                for (var i = 0; of.Ends is { } own && i < count; i++) ends[i] = Math.Max(ends[i], own[i]);
+                arithmetic.GiveBack(before);
+            }
+            return new(nearest) { Ends = rule.Has(Formula.Ends) ? new(ends) : null };
+        }
+    }
+
+    /// <summary>The first crossing of a shape that counts, in each pixel.</summary>
+    /// <param name="frame">What the shape's formulas have computed.</param>
+    /// <param name="withAll">Whether a t that is no number may be a hit, and the second crossing is needed, too.</param>
+    private PartHits Counted(Step section, Step rule, PixelValues[] frame, PixelValues[] camera, bool withAll)
+    {
+        var one = PixelValues.Of(1);
+        var when = section.Has(Formula.When) ? frame[Formula.When.Place] : one;
+        var first = ByRule(frame[Formula.Near.Place], rule, camera);
+        var second = section.Has(Formula.Far) ? ByRule(frame[Formula.Far.Place], rule, camera) : default;
+        var t = arithmetic.New(count);
+        var isHit = withAll ? arithmetic.New(count) : null;
+        for (var i = 0; i < count; i++)
+        {
+            var isFirst = first.Counts[i] != 0;
+            var isSecond = !isFirst && second.T.X is not null && second.Counts[i] != 0 && (first.Second is not { } tried || tried[i] != 0);
+            t[i] = when[i] == 0 || !(isFirst || isSecond) ? double.NaN : isFirst ? first.T[i] : second.T[i];
+            if (isHit is not null) isHit[i] = when[i] != 0 && (isFirst || isSecond) ? 1 : 0;
+        }
+        PixelValues? ends = null;
+        if (first.Ends is { } all)
+        {
+            var own = arithmetic.New(count);
+            for (var i = 0; i < count; i++) own[i] = when[i] != 0 && double.IsFinite(first.T[i]) ? all[i] : 0;
+            ends = new(own);
+        }
+        double[]? far = null;
+        if (withAll && second.T.X is not null)
+        {
+            far = arithmetic.New(count);
+            for (var i = 0; i < count; i++) far[i] = when[i] != 0 && second.Counts[i] != 0 && second.T[i] > t[i] ? second.T[i] : double.NaN;
+        }
+        return new(t) { IsHit = isHit, Far = far, Ends = ends };
+    }
+
+    /// <summary>A crossing's t as the rule has it, and whether it counts.</summary>
+    private (PixelValues T, PixelValues Counts, PixelValues? Ends, PixelValues? Second) ByRule(PixelValues crossing, Step rule, PixelValues[] camera)
+    {
+        var frame = PixelArithmetic.FrameOf(camera, ofRule, []);
+        frame[parameter.Place] = crossing;
+        arithmetic.Define(rule, frame);
+        var counts = rule.Has(Formula.When) ? frame[Formula.When.Place] : PixelValues.Of(1);
+        return (frame[Formula.Near.Place], counts, Of(Formula.Ends), Of(Formula.Second));
+
+        PixelValues? Of(Symbol name) => rule.Has(name) ? frame[name.Place] : null;
+    }
+
+    /// <summary>The unedited section in the same style.</summary>
+    private static Step StyleOf(Step section, FormulaProgram program) =>
+        program[section.Kind].Style == section.Style ? program[section.Kind] : FormulaBook.Slides[section.Kind, section.Style];
+
+    /// <summary>A shape's frame in a style, as the program that others differ from has it.</summary>
+    private PixelValues[] RightFrame(int part, Step section, PixelValues[] camera)
+    {
+        if (rightFrames.TryGetValue((part, section), out var frame)) return frame;
+        var (functions, used, work) = (arithmetic.Functions, arithmetic.Used, arithmetic.Work);
+        arithmetic.Functions = right![StepKind.Vectors];
+        frame = PixelArithmetic.FrameOf(camera, new PixelValues[Symbol.Max], parts[part].Numbers);
+        arithmetic.Define(section, frame);
+        foreach (var formula in section.Formulas) frame[formula.Name.Place] = frame[formula.Name.Place].Copy();
+        arithmetic.Functions = functions;
+        arithmetic.GiveBack(used);
+        arithmetic.Work = work; // which thread needs the frame first must not matter
+        return rightFrames[(part, section)] = frame;
+    }
+
+    /// <summary>For each pixel the triangle of a mesh that the definition hits first; corners of NaN where it hits none.</summary>
+    private (Symbol Name, PixelValues Value)[] ProposedBy(Mesh mesh, PixelValues[] camera)
+    {
+        var corners = (A: arithmetic.NewVector(count), B: arithmetic.NewVector(count), C: arithmetic.NewVector(count));
+        var none = new Vector3(double.NaN, double.NaN, double.NaN);
+        arithmetic.Work += WorkOfRay * count;
+        for (var i = 0; i < count; i++)
+        {
+            var origin = camera[pointP.Place].At(i);
+            var d = camera[direction.Place].At(i);
+            var (nearest, least) = (-1, double.PositiveInfinity);
+            if (!double.IsNaN(d.X + d.Y + d.Z))
+                mesh.Tree.Nearest(origin, d, triangle =>
+                {
+                    var t = (double)mesh[triangle].Intersect(new Ray<Scalar>(origin, d)).Near;
+                    if (!(t > scene.Camera.Bias)) return null;
+                    if (t < least) (nearest, least) = (triangle, t);
+                    return t;
+                });
+            var (a, b, c) = nearest < 0 ? (none, none, none) : (mesh[nearest].A, mesh[nearest].B, mesh[nearest].C);
+            corners.A.Set(i, a);
+            corners.B.Set(i, b);
+            corners.C.Set(i, c);
+        }
+        return ShapePart.Named(StepKind.Triangle, [corners.A, corners.B, corners.C]);
+    }
+
+    /// <summary>The hits of a model whose own formulas are the definition's: a large mesh, a shape of one's own.</summary>
+    private PartHits HitsOf(Model model, Step rule, PixelValues[] camera)
+    {
+        var isUsual = FormulaBook.Slides.StylesOf(StepKind.Rule).Contains(rule) && rule.Style != "aim";
+        var hits = arithmetic.New(count);
+        arithmetic.Work += WorkOfRay * count;
+        for (var i = 0; i < count; i++)
+        {
+            var origin = camera[pointP.Place].At(i);
+            var d = camera[direction.Place].At(i);
+            if (double.IsNaN(d.X + d.Y + d.Z))
+            {
+                hits[i] = double.NaN;
+                continue;
+            }
+            var ray = new Ray(origin, d)
+            {
+                ClipRange = scene.Camera.ClipRange,
+                DepthPerT = scene.Camera.Clip == ClipMode.Depth ? -(d * camera[axisW.Place].At(i)) : 1,
+            };
+            hits[i] = (model is not Mesh mesh ? model.Intersect(ray) : mesh.Tree.Nearest(origin, d, triangle =>
+            {
+                var t = (double)mesh[triangle].Intersect(new Ray<Scalar>(origin, d)).Near;
+                return !isUsual ? Counts(t, i) : ray.Counts(t) ? t : null;
+            })) ?? double.NaN;
+        }
+        return new(hits);
+
+        double? Counts(double t, int pixel)
+        {
+            if (double.IsNaN(t)) return null;
+            var only = (PixelValues[])camera.Clone();
+            only[direction.Place] = PixelValues.Of(camera[direction.Place].At(pixel));
+            var (own, counts, _, _) = ByRule(PixelValues.Of(t), rule, only);
+            return counts[0] != 0 ? own[0] : null;
+        }
+    }
+}

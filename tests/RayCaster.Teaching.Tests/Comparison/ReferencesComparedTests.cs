@@ -1,0 +1,34 @@
+namespace RayCaster.Teaching.Tests.Comparison;
+
+/// <summary>What another program draws is the same, and what half a pixel changes is not, with the scene and without it.</summary>
+public class ReferencesComparedTests
+{
+    private static readonly string[] some = ["room", "mesh", "sample-center", "clip-depth"];
+
+    public static IEnumerable<TheoryDataRow<string>> Names =>
+        Reference.Names.Select(name => new TheoryDataRow<string>(name) { Explicit = !some.Contains(name) });
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public void ThePictureThatPovRayDrawsIsTheSame(string name)
+    {
+        var (scene, reference) = Read(name);
+        var mine = Renderer.Render(scene);
+        Assert.True(new PictureComparison(mine, reference, scene).Likeness.IsSame());
+        Assert.True(new PictureComparison(mine, reference).Likeness.IsSame());
+    }
+
+    [Theory]
+    [InlineData("room", Explicit = true)]
+    [InlineData("mesh", Explicit = true)]
+    [InlineData("sample-center")]
+    public void HalfAPixelIsDifferent(string name)
+    {
+        var (scene, reference) = Read(name);
+        var mine = Renderer.Render(Reference.HalfAPixelAway(scene));
+        Assert.False(new PictureComparison(mine, reference, scene).Likeness.IsSame());
+        Assert.False(new PictureComparison(mine, reference).Likeness.IsSame());
+    }
+
+    private static (Scene Scene, Picture Reference) Read(string name) => (Reference.SceneOf(name), Reference.Read(Reference.Folder, name).Picture);
+}

@@ -1,0 +1,90 @@
+namespace RayCaster.Teaching.Tests.Hypotheses;
+
+/// <summary>A search that has done its work tells what it has found, and that it has left something out; how much it does is the same everywhere.
+/// </summary>
+public class SearchBudgetTests
+{
+    private const long Half = 200_000_000; // about, of what the picture takes
+
+    /// <summary>What is done in any case: the right program is compared, and other numbers in the scene are tried.</summary>
+    private static readonly Lazy<long> least = new(() => Spent(new(0)));
+
+    private static readonly Scene room = SceneFolder.Read(SceneFolder.FileOf("room")).WithSize(60, 60);
+    private static readonly Picture wrong = MistakeCatalog.Draw(
+        room, [MistakeCatalog.Named("rows")!.Usual, MistakeCatalog.Named("bgr")!.Usual, MistakeCatalog.Named("fov-horiz")!.Usual]);
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(Half / 10)]
+    [InlineData(Half)]
+    public void ADiagnosisEndsWhenItsWorkIsDone(long work)
+    {
+        var budget = new SearchBudget(work);
+        var diagnosis = Diagnosis.Of(room, wrong, budget);
+        Assert.NotEqual(DiagnosisKind.Matches, diagnosis.Kind);
+        Assert.Equal("the usual amount of work", budget.UsedUp);
+        var all = Spent(new(long.MaxValue));
+        Assert.InRange(budget.Done, work, work + least.Value + all / 10);
+        Assert.True(budget.Done < all);
+    }
+
+    [Fact]
+    public void ItsWorkDoesNotDependOnTheNumberOfThreads()
+    {
+        var (one, many) = (new SearchBudget(Half), new SearchBudget(Half));
+        Assert.Equal(Json(1, one), Json(8, many));
+        Assert.Equal(one.Done, many.Done);
+
+        static string Json(int threads, SearchBudget budget) =>
+            DiagnosisReport.Json(new SceneDiagnosis(room, threads, budget: budget).Judge(wrong), (60, 60), (60, 60), [], null);
+    }
+
+    [Fact]
+    public void ItEndsWhenItsTimeIsOverAlthoughItsWorkIsNotDone()
+    {
+        var budget = new SearchBudget(long.MaxValue, TimeSpan.Zero);
+        Assert.Equal(least.Value, Spent(budget));
+        Assert.Equal("0 s of processor time", budget.UsedUp);
+    }
+
+    [Fact]
+    public void ACancelledDiagnosisEnds()
+    {
+        var budget = new SearchBudget(long.MaxValue, TimeSpan.FromHours(1), new(canceled: true));
+        Assert.Equal(least.Value, Spent(budget));
+        Assert.NotNull(budget.UsedUp);
+    }
+
+    [Fact]
+    public void WhatWasNotTriedIsNamed()
+    {
+        var fitness = MutationCoverage.Of([room], budget: new(0));
+        Assert.True(fitness.IsCut);
+        Assert.NotEmpty(fitness.NotTried);
+        Assert.Contains("shows 0 of the 0 known mistakes that were tried; 95 were not (--all tries them).", CoverageReport.Text(fitness));
+        Assert.Contains("Not tried, since the usual amount of work is done (--all tries them): ", CoverageReport.Text(fitness));
+    }
+
+    [Fact]
+    public void WhatARightPictureCannotProveIsCountedAmongWhatWasTried()
+    {
+        Assert.Matches("cannot show [0-9]+ of the 95 known mistakes: ", DiagnosisReport.HiddenText(new(room)));
+        Assert.Matches(@"cannot show [0-9]+ of the [0-9]+ known mistakes that were tried \(of 95\): ",
+            DiagnosisReport.HiddenText(new(room, budget: new(30_000_000))));
+    }
+
+    [Fact]
+    public void WithWorkEnoughNothingIsLeftOut()
+    {
+        var budget = new SearchBudget(long.MaxValue, TimeSpan.FromHours(1));
+        var picture = MistakeCatalog.Draw(room, [MistakeCatalog.Named("bgr")!.Usual]);
+        Assert.Equal("bgr", Diagnosis.Of(room, picture, budget).Suspects[0].Mistakes.Single().Id);
+        Assert.Null(budget.UsedUp);
+    }
+
+    private static long Spent(SearchBudget budget)
+    {
+        Diagnosis.Of(room, wrong, budget);
+        return budget.Done;
+    }
+}
