@@ -40,6 +40,9 @@ internal sealed record JointDiagnosis
     /// <summary>What the teacher should know about these steps.</summary>
     public string? Note { get; private init; }
 
+    /// <summary>What the wrong pictures show that is no mistake of the formulas; null if nothing does.</summary>
+    public string? Cause { get; private init; }
+
     /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
     public bool TellsNothing { get; private init; }
 
@@ -50,8 +53,10 @@ internal sealed record JointDiagnosis
     {
         int[] wrong = [.. Enumerable.Range(0, pictures.Count).Where(i => !pictures[i].Sample.IsRight)];
         if (wrong.Length == 0) return new();
-        if (pictures.All(picture => picture.Sample.Picture.IsOneColor))
+        if (pictures.All(picture => picture.Sample.Picture.IsNearlyOneColor))
             return new() { TellsNothing = true, Unexplained = [.. wrong.Select(i => pictures[i].Scene)] };
+        if (NotTheFormulas([.. wrong.Select(i => pictures[i])]) is { } cause)
+            return new() { Unexplained = [.. wrong.Select(i => pictures[i].Scene)], Cause = cause };
         var found = Search(pictures, known);
         int[] unexplained = [.. wrong.Where(i => !pictures[i].Sample.IsExplainedBy(found.Verdict.Programs[i]))];
         if (2 * unexplained.Length < wrong.Length)
@@ -71,6 +76,21 @@ internal sealed record JointDiagnosis
             Steps = steps,
             Note = note ?? OnlyKind([.. wrong.Select(i => pictures[i])]),
         };
+    }
+
+    /// <summary>A sentence for the first of some pictures if each has too few colours, or is right but for pixels that no loop reached.</summary>
+    private static string? NotTheFormulas(SubmittedPicture[] wrong)
+    {
+        string?[] causes = [.. wrong.Select(CauseOf)];
+        return causes.Contains(null) ? null : causes[0];
+
+        static string? CauseOf(SubmittedPicture picture)
+        {
+            if (!picture.Sample.HasRightSize) return null;
+            var difference = new PictureDifference(picture.Picture!, picture.Scene.Right);
+            return FewColors.Find(difference)
+                ?? (UnreachedPixels.Find(difference, picture.Scene.Scene) is { IsRestRight: true } unreached ? unreached.Sentence : null);
+        }
     }
 
     /// <summary>Whether a kind of shape shows in the pictures that the verdict draws.</summary>

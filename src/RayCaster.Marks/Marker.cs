@@ -169,12 +169,15 @@ internal sealed class Marker(Rubric rubric)
             yield return $"{(isAll ? "all scenes" : string.Join(", ", group.Select(picture => picture.Scene.Name)))}: " +
                 group.First().ProblemOf(several: group.Count() > 1);
         }
+        foreach (var same in submitted.Where(picture => picture.OnAlpha is not null).GroupBy(picture => picture.OnAlpha))
+            yield return $"{string.Join(", ", same.Select(picture => picture.Scene.Name))}: {same.Key}";
         string[][] repeated = [.. Repeated(submitted)];
         foreach (var scenes in repeated)
             yield return $"{string.Join(", ", scenes)}: the same picture of different scenes, so the program does not draw the scene yet";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
         string[] unexplained = [.. diagnosis.Unexplained.Select(scene => scene.Name).Except(repeated.SelectMany(scenes => scenes))];
-        if (!diagnosis.TellsNothing && unexplained.Length > 0)
+        if (diagnosis.Cause is { } notTheFormulas && unexplained.Length > 0) yield return $"{string.Join(", ", unexplained)}: {notTheFormulas}";
+        else if (!diagnosis.TellsNothing && unexplained.Length > 0)
             yield return $"{string.Join(", ", unexplained)}: " +
                 (diagnosis.Note is { } note ? $"no known mistake explains this, but {note}"
                     : "no known mistake explains this" +

@@ -15,6 +15,9 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
 
     private const int Pixels = 3000;
 
+    /// <summary>What is odd about the file's alpha, in a sentence; null if each pixel is opaque.</summary>
+    public string? OnAlpha { get; private init; }
+
     /// <summary>Whether it has a size in which it can be judged (<see cref="SceneDiagnosis.CanJudge"/>).</summary>
     public bool CanBeJudged => Picture is not null && SceneDiagnosis.CanJudge(Scene.Scene, Picture);
 
@@ -43,9 +46,12 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
                 return new(scene, null,
                     FormattableString.Invariant($"the picture file has {file.Length:N0} bytes, too many for the scene's {pixels:N0} pixels"));
             using var stream = file.OpenRead();
-            var picture = PictureFile.Read(stream, 3 * SizeFactor * pixels);
+            var picture = PictureFile.Read(stream, 3 * SizeFactor * pixels, out var alpha);
             return new(scene, picture, SceneDiagnosis.CanJudge(scene.Scene, picture) ? null
-                : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels");
+                : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels")
+            {
+                OnAlpha = AlphaText.Of(alpha, picture, scene.Right),
+            };
         }
         catch (Exception e) when (e is ProblemException || ProblemException.IsCausedByFile(e))
         {

@@ -16,11 +16,37 @@ public static class PictureFile
     /// </summary>
     /// <param name="warn">Gets what is odd about a file that is read all the same, in a line that names the file.</param>
     /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
-    public static Picture Read(string path, Action<string>? warn = null) => Open(path, file =>
+    public static Picture Read(string path, Action<string>? warn = null) => Read(path, warn, withAlpha: false).Picture;
+
+    /// <summary>Reads a picture as <see cref="Read(string, Action{string})"/> does, and its alpha.</summary>
+    /// <param name="alpha">The alpha; null if each pixel is opaque.</param>
+    /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
+    public static Picture Read(string path, Action<string>? warn, out AlphaChannel? alpha)
+    {
+        (var picture, alpha) = Read(path, warn, withAlpha: true);
+        return picture;
+    }
+
+    /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string, Action{string})"/> does; the messages name no file.</summary>
+    /// <exception cref="ProblemException">The data are damaged, of another kind, or too large.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
+    /// <param name="limit">The most bytes that the picture may take in memory, three for each pixel; those of the largest array if left out.</param>
+    public static Picture Read(Stream stream, long? limit = null) => Read(stream, limit, withAlpha: false).Picture;
+
+    /// <summary>Reads a picture from the rest of a stream, and its alpha.</summary>
+    /// <param name="alpha">The alpha; null if each pixel is opaque.</param>
+    /// <inheritdoc cref="Read(Stream, long?)"/>
+    public static Picture Read(Stream stream, long? limit, out AlphaChannel? alpha)
+    {
+        (var picture, alpha) = Read(stream, limit, withAlpha: true);
+        return picture;
+    }
+
+    private static (Picture Picture, AlphaChannel? Alpha) Read(string path, Action<string>? warn, bool withAlpha) => Open(path, file =>
     {
         try
         {
-            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: warning: {odd}"));
+            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: warning: {odd}"), withAlpha);
         }
         catch (IOException e)
         {
@@ -28,15 +54,11 @@ public static class PictureFile
         }
     });
 
-    /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string, Action{string})"/> does; the messages name no file.</summary>
-    /// <exception cref="ProblemException">The data are damaged, of another kind, or too large.</exception>
-    /// <exception cref="IOException">The stream fails.</exception>
-    /// <param name="limit">The most bytes that the picture may take in memory, three for each pixel; those of the largest array if left out.</param>
-    public static Picture Read(Stream stream, long? limit = null)
+    private static (Picture Picture, AlphaChannel? Alpha) Read(Stream stream, long? limit, bool withAlpha)
     {
         try
         {
-            return Read(stream, limit ?? MaxBytes, _ => { });
+            return Read(stream, limit ?? MaxBytes, _ => { }, withAlpha);
         }
         catch (ProblemException e) when (e.Line > 0)
         {
@@ -44,18 +66,19 @@ public static class PictureFile
         }
     }
 
-    private static Picture Read(Stream stream, long maxBytes, Action<string> warn)
+    private static (Picture Picture, AlphaChannel? Alpha) Read(Stream stream, long maxBytes, Action<string> warn, bool withAlpha)
     {
         try
         {
             var first = stream.ReadByte(); // shows the format; a pipe cannot seek back
             if (first < 0) throw new ProblemException("the file is empty");
-            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), maxBytes, warn);
-            if (first == 'P') return PnmReader.Read(stream, maxBytes, warn);
+            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), maxBytes, warn, withAlpha);
+            if (first == 'P') return (PnmReader.Read(stream, maxBytes, warn), null);
             var begun = new byte[FileKind.Bytes];
             begun[0] = (byte)first;
             var count = 1 + stream.ReadAtLeast(begun.AsSpan(1, 3), 3, throwOnEndOfStream: false);
-            if (begun.AsSpan(0, count) is [0xEF, 0xBB, 0xBF, (byte)'P']) return PnmReader.Read(stream, maxBytes, warn); // after a byte order mark
+            if (begun.AsSpan(0, count) is [0xEF, 0xBB, 0xBF, (byte)'P'])
+                return (PnmReader.Read(stream, maxBytes, warn), null); // after a byte order mark
             count += stream.ReadAtLeast(begun.AsSpan(count), begun.Length - count, throwOnEndOfStream: false);
             throw new ProblemException(KindOf(begun.AsSpan(0, count)));
         }

@@ -3,7 +3,7 @@ using System.IO.Compression;
 namespace RayCaster.Files;
 
 /// <summary>
-/// Reads PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checks all checksums, and drops alpha and transparency. A picture
+/// Reads PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checks all checksums, and leaves alpha out of the colours. A picture
 /// that is not interlaced can be read line by line, in memory that does not grow with the number of lines.
 /// </summary>
 internal sealed class PngReader
@@ -15,7 +15,7 @@ internal sealed class PngReader
     private const int MaxText = 4096;
 
     private readonly PngChunkReader chunks;
-    private readonly byte[] palette = [];
+    private readonly byte[] palette = [], transparency = []; // transparency: the alpha of the palette's first colours
     private readonly long firstData;
 
     /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
@@ -43,6 +43,9 @@ internal sealed class PngReader
                 case "PLTE":
                     paletteBytes = chunks.Left;
                     palette = chunks.ReadUpTo(3 * 256);
+                    break;
+                case "tRNS" when header?.ColorType == PngHeader.Palette && firstData == 0 && chunks.Left <= 256:
+                    transparency = chunks.ReadUpTo(256);
                     break;
                 case "IDAT" when firstData != 0 && before != "IDAT":
                     throw new ProblemException("its chunks IDAT do not follow one another");
@@ -86,12 +89,14 @@ internal sealed class PngReader
     /// <summary>The file's first text under the keyword; null if there is none.</summary>
     public string? Text { get; }
 
-    public static Picture Read(Stream file, long maxBytes, Action<string> warn)
+    /// <param name="withAlpha">Whether alpha is kept; without it, null is returned.</param>
+    public static (Picture Picture, AlphaChannel? Alpha) Read(Stream file, long maxBytes, Action<string> warn, bool withAlpha = false)
     {
         var reader = new PngReader(file, maxBytes, warn);
         var picture = new Picture(reader.Header.Width, reader.Header.Height);
-        reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { });
-        return picture;
+        var alpha = withAlpha && reader.HasAlpha ? new byte[picture.Width * picture.Height] : null;
+        reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { }, alpha);
+        return (picture, alpha.AsSpan().ContainsAnyExcept(byte.MaxValue) ? new(alpha!) : null);
     }
 
     /// <summary>Reads all lines, three bytes for each pixel, and checks the end of the data.</summary>
@@ -104,7 +109,8 @@ internal sealed class PngReader
 
     /// <param name="lineAt">The memory for the colours of a line.</param>
     /// <param name="isRead">Called after each line of a pass.</param>
-    private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead)
+    /// <param name="alpha">Gets the alpha of each pixel; null if it is not wanted.</param>
+    private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead, byte[]? alpha = null)
     {
         chunks.Return(firstData);
         using var data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
@@ -114,7 +120,12 @@ internal sealed class PngReader
             lines.Begin(pass);
             for (var y = pass.Y; y < Header.Height; y += pass.StepY)
             {
-                Decode(y, () => ReadLine(lines.Next(), pass, lineAt(y).Span));
+                Decode(y, () =>
+                {
+                    var samples = lines.Next();
+                    ReadLine(samples, pass, lineAt(y).Span);
+                    if (alpha is not null) ReadAlpha(samples, pass, alpha.AsSpan(y * Header.Width, Header.Width));
+                });
                 isRead(y);
             }
         }
@@ -127,6 +138,15 @@ internal sealed class PngReader
         else
             for (var at = 3 * pass.X; at < rgb.Length; at += 3 * pass.StepX, samples = samples[Header.Channels..])
                 (rgb[at], rgb[at + 1], rgb[at + 2]) = ColorOf(samples);
+    }
+
+    private bool HasAlpha => Header.ColorType is 4 or 6 || transparency.Length > 0;
+
+    private void ReadAlpha(ReadOnlySpan<byte> samples, PngPass pass, Span<byte> line)
+    {
+        for (var x = pass.X; x < line.Length; x += pass.StepX, samples = samples[Header.Channels..])
+            line[x] = Header.ColorType != PngHeader.Palette ? samples[Header.Channels - 1]
+                : samples[0] < transparency.Length ? transparency[samples[0]] : byte.MaxValue;
     }
 
     /// <summary>Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>

@@ -18,7 +18,13 @@ public sealed class PictureComparison
         else Crop = Crop.Find(mine, reference);
         var judge = new PictureJudge(reference, ByModels is { IsReferenceOwn: true } ? Scene : null);
         Likeness = Difference is null ? Likeness.Wrong : judge.Judge(Difference);
-        if (Likeness == Likeness.Wrong) Recognition = new TransformFinder(mine, reference, Difference, judge).Find();
+        if (Likeness != Likeness.Wrong) return;
+        if (Difference is not null)
+        {
+            FewColors = Comparison.FewColors.Find(Difference);
+            if (FewColors is null) Unreached = UnreachedPixels.Find(Difference, Scene);
+        }
+        if (FewColors is null && Unreached is not { IsRestRight: true }) Recognition = new TransformFinder(mine, reference, Difference, judge).Find();
     }
 
     /// <summary>The picture in question.</summary>
@@ -41,6 +47,12 @@ public sealed class PictureComparison
 
     /// <summary>What the picture lacks at its border, if it is right but for that.</summary>
     internal Crop? Crop { get; }
+
+    /// <summary>The pixels that no loop reached; null if there are none.</summary>
+    internal UnreachedPixels? Unreached { get; }
+
+    /// <summary>A sentence if the picture is right but for the number of its colours; otherwise null.</summary>
+    internal string? FewColors { get; }
 
     /// <summary>The difference model by model; null without a scene, or if the sizes differ.</summary>
     internal SceneDifference? ByModels { get; }

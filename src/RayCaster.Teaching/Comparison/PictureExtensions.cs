@@ -3,6 +3,9 @@ namespace RayCaster.Teaching.Comparison;
 /// <summary>More members of scenes, meshes and pictures.</summary>
 internal static class PictureExtensions
 {
+    /// <summary>By how many levels the pixels of a picture may differ that has nearly one colour.</summary>
+    private const int NearlyEqual = 2;
+
     private static readonly ConditionalWeakTable<Mesh, TriangleTree> trees = [];
 
     extension(Mesh mesh)
@@ -35,5 +38,34 @@ internal static class PictureExtensions
 
         /// <summary>Whether all pixels are equal, so that the picture proves nothing.</summary>
         public bool IsOneColor => picture.Rgb.AsSpan(3).SequenceEqual(picture.Rgb.AsSpan(0, picture.Rgb.Length - 3));
+
+        /// <summary>Whether all pixels are equal but for a level or two: such a picture proves as little.</summary>
+        public bool IsNearlyOneColor
+        {
+            get
+            {
+                for (var channel = 0; channel < 3; channel++)
+                {
+                    var (least, most) = (byte.MaxValue, byte.MinValue);
+                    for (var i = channel; i < picture.Rgb.Length; i += 3)
+                    {
+                        (least, most) = (Math.Min(least, picture.Rgb[i]), Math.Max(most, picture.Rgb[i]));
+                        if (most - least > NearlyEqual) return false;
+                    }
+                }
+                return true;
+            }
+        }
+
+        /// <summary>The one colour of a picture in words: <c>black, (0, 0, 0)</c>.</summary>
+        public string OneColorInWords
+        {
+            get
+            {
+                var color = picture.At(picture.Count / 2);
+                var word = picture.IsOneColor && color == default ? "black, " : picture.IsOneColor && color == (255, 255, 255) ? "white, " : "";
+                return $"{word}{color}{(picture.IsOneColor ? "" : ", but for a level or two")}";
+            }
+        }
     }
 }

@@ -11,6 +11,9 @@ public sealed class PictureJudge(Picture reference, Scene? scene = null)
     /// <summary>By how many levels a channel may differ.</summary>
     public const int Tolerance = 1;
 
+    /// <summary>The share of the pixels that rounding may change by a level.</summary>
+    internal const double Rounded = 0.01;
+
     /// <summary>In pixels: more than the error of a program that computes in floats, and much less than a shift by half a pixel.</summary>
     private const double Nudge = 1e-3;
 
@@ -41,7 +44,7 @@ public sealed class PictureJudge(Picture reference, Scene? scene = null)
     internal Likeness Judge(PictureDifference difference) =>
         difference.Largest == 0 ? Likeness.Identical
         : difference.Wrong > 0 && !AreStray(difference, WrongPixels(difference)) ? Likeness.Wrong
-        : difference.OffByOne > difference.Pixels / 100 ? Likeness.RoundedOtherwise
+        : difference.OffByOne > Rounded * difference.Pixels ? Likeness.RoundedOtherwise
         : difference.Wrong == 0 ? Likeness.WithinRounding
         : Likeness.OutlinesOnly;
 

@@ -4,7 +4,9 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
 /// <param name="done">What the program certainly draws.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
-internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Change>? likely)
+/// <param name="isLeftOut">Which pixels are not compared, by their places; none if null.</param>
+internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Change>? likely,
+    Func<int, bool>? isLeftOut = null)
 {
     /// <summary>What explains a picture leaves at most this share of the wrong pixels.</summary>
     public const double Explained = 0.1;
@@ -24,17 +26,17 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     /// <summary>How many pixels are drawn with each mistake, at most.</summary>
     private const int Pixels = 6000;
 
-    private readonly PictureSample sample = SampleOf(prepared, picture);
+    private readonly PictureSample sample = SampleOf(prepared, picture, isLeftOut);
 
     private SuspectFinder Suspects => new(prepared, sample);
 
     /// <summary>What is known before a mistake is tried.</summary>
-    private Diagnosis Facts => new()
+    public Diagnosis Facts => new()
     {
         TooManyModels = prepared.TooManyModels,
         NotTried = prepared.NotTried,
-        ProvesNothing = prepared.Right.IsOneColor,
-        Shift = sample.Shift,
+        ProvesNothing = prepared.Right.IsNearlyOneColor,
+        Shift = picture.IsNearlyOneColor ? null : sample.Shift,
         PixelCount = sample.PixelCount,
         WrongCount = sample.WrongCount,
         OutlineCount = sample.OutlineCount,
@@ -47,28 +49,75 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         if (prepared.Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
             return Facts with { Kind = DiagnosisKind.Cropped, Missing = crop.Missing };
         if (sample.WrongCount == 0 || (prepared.TooManyModels && sample.IsOnlyOutlines)) return Facts with { Kind = DiagnosisKind.Matches };
+        if (WithoutFormulas() is { } diagnosis) return diagnosis;
         var plain = PlainPicture.Describe(prepared.Scene, picture, prepared.Right);
         var tellsNothing = Facts with { Kind = DiagnosisKind.TellsNothing, Likely = plain is null ? [] : [plain] };
         if (plain is not null && (prepared.TooManyModels || !PlainPicture.IsOneShade(prepared.Scene, picture))) return tellsNothing;
         if (prepared.TooManyModels) return Facts with { Kind = DiagnosisKind.NoneOfThese };
         var found = Search();
         if (plain is null) return found;
-        // several mistakes, or one of thousands of slips, would explain one colour by chance
+        // All but a mistake that casts the same ray through all pixels would explain one colour by chance.
         found = found with
         {
-            Suspects = [.. found.Suspects.Where(suspect => suspect is { Mistakes: [{ Id: not Change.NoName }], NotYet.Count: 0 })],
+            Suspects = [.. found.Suspects.Take(1).Where(IsOneRay)],
         };
         return found.Suspects.Count > 0 ? found : tellsNothing with { MissingModel = found.MissingModel };
     }
 
+    /// <summary>Whether a mistake of the rays alone explains all of a picture.</summary>
+    private static bool IsOneRay(Suspect suspect) =>
+        suspect is { Mistakes: [{ Id: not Change.NoName } mistake], NotYet.Count: 0, Unexplained: < 0.5 } && mistake.Steps.All(step => step.IsOfRays());
+
+    /// <summary>What is said if the picture has fewer colours than it should, or pixels that no loop reached; otherwise null. The rest of the
+    /// picture is judged by itself.</summary>
+    private Diagnosis? WithoutFormulas()
+    {
+        if (!sample.HasRightSize) return null;
+        var difference = new PictureDifference(picture, prepared.Right);
+        if (FewColors.Find(difference) is { } few) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [few] };
+        if (UnreachedPixels.Find(difference, prepared.Scene) is not { } unreached) return null;
+        if (!prepared.TooManyModels && IsDrawnByAMistake(unreached))
+        {
+            if (!unreached.IsRestRight) return null;
+            var found = Search();
+            return IsOfFile(found) ? found with { Likely = [unreached.Sentence, .. found.Likely] } : found;
+        }
+        if (unreached.IsRestRight) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [unreached.Sentence] };
+        if (prepared.TooManyModels) return null;
+        var rest = new Decision(prepared, unreached.Rest, done, likely, unreached.Contains).Decide();
+        return rest with
+        {
+            Kind = rest.Kind == DiagnosisKind.Matches ? DiagnosisKind.NotTheFormulas : rest.Kind,
+            Likely = [unreached.Sentence, .. rest.Likely],
+            WrongCount = sample.WrongCount,
+        };
+    }
+
+    /// <summary>Whether the first suspect is a mistake in the places that a program writes to.</summary>
+    private static bool IsOfFile(Diagnosis found) =>
+        found.Suspects is [{ Mistakes: [var mistake] }, ..] && mistake.Steps.All(step => step == StepKind.File);
+
+    /// <summary>Whether a known mistake, or a shape that is not drawn, gives these pixels their colour and explains much of the picture.</summary>
+    private bool IsDrawnByAMistake(UnreachedPixels unreached)
+    {
+        var area = new PictureSample(prepared.Scene, prepared.Right, picture, Pixels, forgiveOutlines: false, prepared.Budget,
+            pixel => !unreached.Contains(pixel));
+        var camera = prepared.Scene.Camera;
+        return prepared.Known.SelectMany(mistake => mistake.Changes).Select(change => change.In(FormulaProgram.For(camera)))
+            .Concat(prepared.Scene.Models.Select(model => model.Kind).Distinct()
+                .Select(kind => ChangeSource.Missing(kind).In(FormulaProgram.For(camera))))
+            .Any(program => area.Residual(program, 0.1).Unexplained <= Explained * area.WrongCount
+                && sample.Residual(program).Unexplained <= sample.WrongCount - (1 - Explained) * area.WrongCount);
+    }
+
     /// <summary>The pixels that count. If most of the wrong ones lie on outlines, these count too where one mistake explains all of them: a box
     /// that loses its edge to 0 · ∞ is not forgiven.</summary>
-    private static PictureSample SampleOf(SceneDiagnosis prepared, Picture picture)
+    private static PictureSample SampleOf(SceneDiagnosis prepared, Picture picture, Func<int, bool>? isLeftOut)
     {
         var (scene, right) = (prepared.Scene, prepared.Right);
-        var sample = new PictureSample(scene, right, picture, Pixels, !prepared.TooManyModels, prepared.Budget);
+        var sample = new PictureSample(scene, right, picture, Pixels, !prepared.TooManyModels, prepared.Budget, isLeftOut);
         if (sample.WrongCount >= sample.OutlineCount || sample.OutlineCount <= MutationCoverage.LeastPixels) return sample;
-        var strict = new PictureSample(scene, right, picture, Pixels, forgiveOutlines: false, prepared.Budget);
+        var strict = new PictureSample(scene, right, picture, Pixels, forgiveOutlines: false, prepared.Budget, isLeftOut);
         return prepared.Known.Any(IsAll) ? strict : sample;
 
         // A mistake of the camera may by chance be the last bits of another program.

@@ -22,6 +22,7 @@ public static class DiagnosisReport
         if (diagnosis.Kind == DiagnosisKind.Matches)
         {
             AppendMatch(text, diagnosis, picture, scene);
+            AppendAlpha(text, diagnosis);
             return text.ToString();
         }
         if (diagnosis.Missing is { } missingPart)
@@ -38,11 +39,17 @@ public static class DiagnosisReport
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
         AppendLost(text, diagnosis);
         foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
+        AppendAlpha(text, diagnosis);
         if (diagnosis.Kind == DiagnosisKind.TellsNothing)
             text.Wrap("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how each pixel should get its colour.");
         else if (diagnosis.Kind == DiagnosisKind.NoneOfThese) AppendNone(text, diagnosis, picture, scene, level);
         else if (diagnosis.Kind == DiagnosisKind.Mistake) AppendSuspects(text, diagnosis, level);
         return text.ToString();
+    }
+
+    private static void AppendAlpha(StringBuilder text, Diagnosis diagnosis)
+    {
+        if (diagnosis.Alpha is { } alpha) text.Wrap("", alpha);
     }
 
     private static bool IsRestRight(Diagnosis diagnosis) =>
@@ -62,9 +69,9 @@ public static class DiagnosisReport
         text.AppendLine($"{picture} matches: it is the picture of {scene}" +
             $"{(outlines > 0 ? $", but for {Digits.Count(outlines, "pixel")} on outlines" : "")}.");
         if (diagnosis.Shift is { } levels) text.AppendLine(ComparisonText.Shifted(levels));
-        else if (diagnosis.DarkerShare > 0.05)
-            text.AppendLine($"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker: the slide rounds " +
-                "a channel, 255 x + 0.5, where truncating takes 255 x.");
+        else if (diagnosis.DarkerShare > PictureJudge.Rounded)
+            text.AppendLine($"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker, where 1 % may be: " +
+                "truncated instead of rounded? The slide rounds a channel: 255 x + 0.5.");
     }
 
     /// <summary>After "matches": the mistakes that the scene cannot show, because a right picture does not prove a right program.</summary>
@@ -157,6 +164,7 @@ public static class DiagnosisReport
             ["missing"] = diagnosis.MissingModel ?? diagnosis.Missing,
             ["notYet"] = Json(diagnosis.NotYet),
             ["likely"] = Json(diagnosis.Likely),
+            ["alpha"] = diagnosis.Alpha,
             ["cannotShow"] = Json(hidden.Select(mistake => mistake.Id)),
             ["suspects"] = new JsonArray([.. suspects]),
         });

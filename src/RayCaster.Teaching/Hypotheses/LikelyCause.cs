@@ -6,9 +6,6 @@ internal static class LikelyCause
     /// <summary>The share of the wrong pixels that may be left unexplained.</summary>
     private const double Explained = 0.1;
 
-    /// <summary>Fewer black lines at a border may be a mistake by one line.</summary>
-    private const int LeastLines = 4;
-
     /// <summary>A certain cause: one number of the scene is another, or one model is missing or has another colour.</summary>
     /// <returns>What it leaves unexplained, and a sentence; null for no cause.</returns>
     public static (Residual Residual, string? Sentence) Certain(SceneDiagnosis prepared, SceneDifference byModels, PictureSample sample)
@@ -23,13 +20,6 @@ internal static class LikelyCause
     public static IEnumerable<string> Hints(SceneDifference byModels, PictureSample sample)
     {
         var scene = sample.Scene;
-        var picture = sample.Picture;
-        var right = sample.Right;
-        if (Unwritten(picture, right) is { } unwritten)
-        {
-            yield return unwritten;
-            yield break;
-        }
         var certain = byModels.WrongKinds;
         var meant = ModelsText.Meant(byModels);
         var kinds = meant.Where(model => model.Model >= 0).Select(model => scene.Models[model.Model].Kind).Distinct().ToArray();
@@ -126,29 +116,5 @@ internal static class LikelyCause
         }
         // A cut through an area is about as long as its side.
         return count.Values.Sum() >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong) ? count : none;
-    }
-
-    /// <summary>A sentence if the picture's upper or lower lines are black but should not be; otherwise null.</summary>
-    private static string? Unwritten(Picture picture, Picture right)
-    {
-        var top = 0;
-        var bottom = picture.Height;
-        while (top < bottom && IsBlack(picture, top)) top++;
-        while (top < bottom && IsBlack(picture, bottom - 1)) bottom--;
-        while (top > 0 && IsBlack(right, top - 1)) top--;
-        while (bottom < picture.Height && IsBlack(right, bottom)) bottom++;
-        var difference = new PictureDifference(picture, right);
-        var rest = (bottom - top) * picture.Width;
-        if (Enumerable.Range(top * picture.Width, rest).Count(i => difference.LevelsAt(i) > PictureJudge.Tolerance) > Explained * rest) return null;
-        return (top, picture.Height - bottom) switch
-        {
-            ( >= LeastLines, 0) => Sentence($"Its {top} upper lines are black"),
-            (0, >= LeastLines and var lines) => Sentence($"Its {lines} lower lines are black"),
-            _ => null,
-        };
-
-        static bool IsBlack(Picture picture, int y) => !picture.Rgb.AsSpan(3 * picture.Width * y, 3 * picture.Width).ContainsAnyExcept((byte)0);
-
-        static string Sentence(string lines) => lines + ": did the program draw them, and write them all?";
     }
 }

@@ -37,7 +37,9 @@ internal sealed class PictureSample
     /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
     /// <param name="pixels">The most pixels that are compared; fewer in a scene of many models.</param>
     /// <param name="budget">What drawing spends; null if it is not counted.</param>
-    public PictureSample(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true, SearchBudget? budget = null)
+    /// <param name="isLeftOut">Which pixels are not compared, by their places; none if null.</param>
+    public PictureSample(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true, SearchBudget? budget = null,
+        Func<int, bool>? isLeftOut = null)
     {
         (Scene, Picture, Right, this.budget) = (scene, picture, right, budget);
         shownKinds = new(FindShownKinds);
@@ -45,7 +47,8 @@ internal sealed class PictureSample
         var difference = HasRightSize ? new PictureDifference(picture, right) : null;
         var judge = new PictureJudge(right, scene);
         List<int> wrong = [], other = [];
-        for (var i = 0; i < PixelCount; i++) (difference is null || difference.LevelsAt(i) > PictureJudge.Tolerance ? wrong : other).Add(i);
+        for (var i = 0; i < PixelCount; i++)
+            if (isLeftOut?.Invoke(i) != true) (difference is null || difference.LevelsAt(i) > PictureJudge.Tolerance ? wrong : other).Add(i);
         Shift = difference?.Shift;
         DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
         if (forgiveOutlines && difference is not null && wrong.Count <= FewPixels * PixelCount)

@@ -9,9 +9,10 @@ internal static class PlainPicture
     /// <summary>What such a picture shows, and where to look; null if the picture shows more, or the right one shows as little.</summary>
     public static string? Describe(Scene scene, Picture picture, Picture right)
     {
-        if (IsOneShade(scene, picture)) return $"Every pixel has the same colour, {picture[0, 0]}: do the rays of two pixels differ?";
+        if (picture.IsNearlyOneColor && (IsOneShade(scene, picture) || right.IsNearlyOneColor))
+            return $"Every pixel has the same colour, {picture.OneColorInWords}: do the rays of two pixels differ?";
         var background = scene.Background.ToBytes();
-        if (!picture.IsOneColor && Count(right, IsColored) < Enough * right.Count) return null;
+        if (!picture.IsNearlyOneColor && Count(right, IsColored) < Enough * right.Count) return null;
         var most = Hardly * picture.Count;
         if (Count(picture, IsColored) > most)
         {
@@ -28,8 +29,8 @@ internal static class PlainPicture
         bool IsColored((byte, byte, byte) shown) => PlainPicture.IsColored(scene, shown);
     }
 
-    /// <summary>Whether every pixel has the same colour, and that of a model in some light: few mistakes draw it.</summary>
-    public static bool IsOneShade(Scene scene, Picture picture) => picture.IsOneColor && IsColored(scene, picture[0, 0]);
+    /// <summary>Whether every pixel has the same colour but for a level or two, and neither black nor the background's.</summary>
+    public static bool IsOneShade(Scene scene, Picture picture) => picture.IsNearlyOneColor && IsColored(scene, picture.At(picture.Count / 2));
 
     private static bool IsColored(Scene scene, (byte, byte, byte) shown) =>
         !IsBlack(shown) && !PictureJudge.IsNear(shown, scene.Background.ToBytes());

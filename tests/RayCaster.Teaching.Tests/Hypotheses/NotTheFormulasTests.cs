@@ -1,0 +1,145 @@
+namespace RayCaster.Teaching.Tests.Hypotheses;
+
+/// <summary>Pictures whose fault is in no formula: pixels that no loop reached, few colours, one colour.</summary>
+public class NotTheFormulasTests
+{
+    private static readonly Scene room = SceneFolder.Small("room", 5), generic = SceneFolder.Small("mistakes/generic", 4);
+
+    [Theory]
+    [InlineData("room", "last line and column", "The last line and the last column are (0, 0, 0): does your loop reach them?")]
+    [InlineData("generic", "border of 3", "The first 3 and the last 3 lines and the first 3 and the last 3 columns are (0, 0, 0)")]
+    [InlineData("room", "every second line", "Every second line, from line 1 on, is (0, 0, 0)")]
+    [InlineData("generic", "right half", "columns are (0, 0, 0): does your loop reach them?")]
+    [InlineData("room", "blocks", "blocks of 8 x 8 pixels are (205, 205, 205)")]
+    public void PixelsThatNoLoopReachedAreTold(string name, string which, string says)
+    {
+        var diagnosis = Diagnosis.Of(SceneOf(name), Spoilt(Renderer.Render(SceneOf(name)), which));
+        Assert.Equal((DiagnosisKind.NotTheFormulas, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
+        Assert.Contains(says, Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    public void OneUnreachedLineIsToldAndIsAKnownMistake()
+    {
+        var diagnosis = Diagnosis.Of(room, Spoilt(Renderer.Render(room), "last line"));
+        Assert.Equal("row-off", diagnosis.Suspects[0].Mistakes.Single().Id);
+        Assert.Equal("The last line is (0, 0, 0): does your loop reach it?", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    public void AMistakeBesideUnreachedLinesIsStillNamed()
+    {
+        var diagnosis = Diagnosis.Of(generic, Spoilt(EditedLab.Render(generic, PlantedMistake.Named("tri-uv")), "border of 3"));
+        Assert.Equal("tri-uv", diagnosis.Suspects[0].Mistakes.Single().Id);
+        Assert.StartsWith("The first 3 and the last 3 lines", diagnosis.Likely[0]);
+    }
+
+    [Theory]
+    [InlineData("room", 8)]
+    [InlineData("generic", 16)]
+    [InlineData("generic", 51)]
+    public void FewColoursAreNoMistakeOfTheFormulas(string name, int step)
+    {
+        var right = Renderer.Render(SceneOf(name));
+        var diagnosis = Diagnosis.Of(SceneOf(name), Picture.Of(right.Width, right.Height, (x, y) => Rounded(right[x, y])));
+        Assert.Equal((DiagnosisKind.NotTheFormulas, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
+        Assert.StartsWith("The picture was saved with fewer colours", Assert.Single(diagnosis.Likely));
+
+        (byte, byte, byte) Rounded((byte R, byte G, byte B) color) => (Near(color.R), Near(color.G), Near(color.B));
+
+        byte Near(byte value) => (byte)Math.Min(255, (value + step / 2) / step * step);
+    }
+
+    [Theory]
+    [InlineData(0, 0, "is all black, (0, 0, 0)")]
+    [InlineData(255, 0, "is all white, (255, 255, 255)")]
+    [InlineData(96, 1, "but for a level or two")]
+    public void APictureOfNearlyOneColourProvesNothing(int level, int more, string says)
+    {
+        var right = Renderer.Render(room);
+        var picture = Picture.Of(right.Width, right.Height, (x, y) => Grey((byte)(level + (x * y % 3 == 0 ? more : 0))));
+        var diagnosis = Diagnosis.Of(room, picture);
+        Assert.Equal((DiagnosisKind.TellsNothing, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
+        var compared = ComparisonText.Of(new PictureComparison(picture, right, room), "mine.png", "right.png");
+        Assert.Contains(says, compared);
+        Assert.DoesNotContain("is a number added", compared);
+    }
+
+    [Fact]
+    public void ADitheredPictureHasFewColours()
+    {
+        var right = Renderer.Render(generic);
+        var error = new double[3 * right.Width];
+        var picture = Picture.Of(right.Width, right.Height, (x, y) => (Next(x, 0, right[x, y].R), Next(x, 1, right[x, y].G), Next(x, 2, right[x, y].B)));
+        Assert.StartsWith("The picture was saved with fewer colours", Assert.Single(Diagnosis.Of(generic, picture).Likely));
+
+        // the error of a pixel goes to the one below, and to the next one
+        byte Next(int x, int channel, byte value)
+        {
+            var at = 3 * x + channel;
+            var wanted = value + error[at];
+            var shown = Math.Clamp(Math.Round(wanted / 51) * 51, 0, 255);
+            error[at] = (wanted - shown) / 2;
+            if (at + 3 < error.Length) error[at + 3] += (wanted - shown) / 2;
+            return (byte)shown;
+        }
+    }
+
+    [Theory]
+    [InlineData(0, "The file's alpha is 0 in every pixel: a viewer shows nothing.")]
+    [InlineData(128, "The file's alpha is 128 in every pixel")]
+    public void AnAlphaIsToldOfARightPicture(byte alpha, string says)
+    {
+        var right = Renderer.Render(room);
+        var diagnosis = new SceneDiagnosis(room).Judge(right, alpha: Alpha(right, _ => alpha));
+        Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);
+        Assert.Contains(says, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings(" "));
+    }
+
+    [Theory]
+    [InlineData("room", 127, 0)]
+    [InlineData("generic", 40, 2)]
+    public void ColoursMultipliedByAlphaAreToldAsThat(string name, int first, int step)
+    {
+        var right = Renderer.Render(SceneOf(name));
+        var alpha = Alpha(right, x => (byte)(first + step * x));
+        var multiplied = Picture.Of(right.Width, right.Height, (x, y) => Times(right[x, y], first + step * x));
+        var diagnosis = new SceneDiagnosis(SceneOf(name)).Judge(multiplied, alpha: alpha);
+        Assert.Equal((DiagnosisKind.NotTheFormulas, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
+        Assert.Contains("multiplied by the file's alpha", diagnosis.Alpha);
+
+        static (byte, byte, byte) Times((byte R, byte G, byte B) color, int alpha) =>
+            ((byte)(color.R * alpha / 255), (byte)(color.G * alpha / 255), (byte)(color.B * alpha / 255));
+    }
+
+    [Fact]
+    public void ARightPictureOfOneColourIsNotAccused()
+    {
+        var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, fovY: 3, width: 20, height: 20), [new Model<Plane>(new(new(-5, 0, 0), new(1, 0, 0)))]);
+        var diagnosis = Diagnosis.Of(wall, Renderer.Render(wall));
+        Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);
+        Assert.True(diagnosis.ProvesNothing);
+    }
+
+    private static AlphaChannel Alpha(Picture picture, Func<int, byte> at) =>
+        new([.. Enumerable.Range(0, picture.Width * picture.Height).Select(i => at(i % picture.Width))]);
+
+    private static Scene SceneOf(string name) => name == "room" ? room : generic;
+
+    private static (byte, byte, byte) Grey(byte level) => (level, level, level);
+
+    private static Picture Spoilt(Picture picture, string which)
+    {
+        var (width, height) = (picture.Width, picture.Height);
+        return Picture.Of(width, height, (x, y) => which switch
+        {
+            "last line" when y == height - 1 => default,
+            "last line and column" when y == height - 1 || x == width - 1 => default,
+            "border of 3" when x < 3 || x >= width - 3 || y < 3 || y >= height - 3 => default,
+            "every second line" when y % 2 == 1 => default,
+            "right half" when x >= width / 2 => default,
+            "blocks" when (x / 8 + y / 8) % 2 == 1 => Grey(205),
+            _ => picture[x, y],
+        });
+    }
+}
