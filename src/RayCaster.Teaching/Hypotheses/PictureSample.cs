@@ -17,8 +17,9 @@ internal sealed class PictureSample
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.05;
 
-    /// <summary>The share of a shape's pixels that lie inside its outline, at least, if last bits decide which of them show.</summary>
-    private const double LeastOfScattered = 0.8;
+    /// <summary>If a smaller share of a shape's pixels shows, but a greater share of these has a neighbour that shows, last bits do not decide.
+    /// </summary>
+    private const double Few = 0.3, Together = 0.6;
 
     /// <summary>The share of a picture's pixels that last bits may change.</summary>
     private const double LastBits = 0.002;
@@ -32,6 +33,7 @@ internal sealed class PictureSample
     private readonly int most;
     private readonly int allWrong; // also those that a first mistake explains
     private readonly Lazy<Dictionary<string, (int X, int Y)[]>> shownKinds;
+    private readonly Lazy<string[]> pieces;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
     /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
@@ -43,6 +45,7 @@ internal sealed class PictureSample
     {
         (Scene, Picture, Right, this.budget) = (scene, picture, right, budget);
         shownKinds = new(FindShownKinds);
+        pieces = new(() => [.. shownKinds.Value.Keys.Where(ShowsOnlyAPieceOf)]);
         most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
         var difference = HasRightSize ? new PictureDifference(picture, right) : null;
         var judge = new PictureJudge(right, scene);
@@ -67,7 +70,7 @@ internal sealed class PictureSample
     public PictureSample(PictureSample whole, FormulaProgram first)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
-        shownKinds = whole.shownKinds;
+        (shownKinds, pieces) = (whole.shownKinds, whole.pieces);
         basis = first with { MovedBytes = 0 };
         var drawn = whole.Draw(first);
         var isExplained = whole.wrongPixels[..drawn.Wrong].Concat(whole.otherPixels[..drawn.Other]).Index()
@@ -81,7 +84,7 @@ internal sealed class PictureSample
     private PictureSample(PictureSample whole, int[] pixels)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
-        shownKinds = whole.shownKinds;
+        (shownKinds, pieces) = (whole.shownKinds, whole.pieces);
         (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
     }
 
@@ -181,6 +184,7 @@ internal sealed class PictureSample
     public bool Denies(FormulaProgram program, Predicate<string> isAbout)
     {
         if (!CanDraw(program)) return false;
+        if (program.Scatters && pieces.Value.Any(kind => isAbout(kind))) return true;
         return Lost(Scene, program).Any(kind =>
             isAbout(kind) || ColorsOf(Draw(program)).All(color => ShownColors.OnlyKindOf(Scene, color) != kind));
 
@@ -192,11 +196,19 @@ internal sealed class PictureSample
     public IEnumerable<string> Lost(Scene scene, FormulaProgram program) =>
         from shown in shownKinds.Value
         let places = shown.Value
-        // a program whose last bits decide draws some of the pixels that it draws without them: nearly all of those that show
         let drawn = FormulaEvaluator.Draw(scene, program with { Scatters = false }, places, budget)
-        let right = places.Index().Count(place => PictureJudge.IsNear(At(drawn, place.Index), Picture[place.Item.X, place.Item.Y]))
-        where right <= (program.Scatters ? LeastOfScattered * places.Length : 0)
+        where !places.Index().Any(place => PictureJudge.IsNear(At(drawn, place.Index), Picture[place.Item.X, place.Item.Y]))
         select shown.Key;
+
+    /// <summary>Whether the picture shows few pixels of a kind of shape, but these in a piece: last bits would scatter them.</summary>
+    private bool ShowsOnlyAPieceOf(string kind)
+    {
+        var shown = Enumerable.Range(0, Picture.Count).Count(i => IsOf(Picture, i));
+        var beside = Enumerable.Range(0, Picture.Count - 1).Count(i => IsOf(Picture, i) && IsOf(Picture, i + 1));
+        return shown < Few * Enumerable.Range(0, Right.Count).Count(i => IsOf(Right, i)) && beside > Together * shown;
+
+        bool IsOf(Picture picture, int i) => ShownColors.OnlyKindOf(Scene, picture.At(i)) == kind;
+    }
 
     /// <summary>The share that a program explains of those wrong pixels that show certain colours; 0 if none does.</summary>
     public double ShareExplained(FormulaProgram program, Predicate<(byte, byte, byte)> ofColor)
