@@ -53,8 +53,7 @@ internal sealed class UnreachedPixels
         {
             int[] lines = Whole(height, width, (along, across) => across * width + along);
             int[] columns = Whole(width, height, (along, across) => along * width + across);
-            foreach (var i in Enumerable.Range(0, difference.Pixels))
-                isFound[i] = isWrong[i] && (lines.Contains(i / width) || columns.Contains(i % width));
+            foreach (var i in Enumerable.Range(0, difference.Pixels)) isFound[i] = isWrong[i] && IsInWhole(i);
             var blocks = Blocks();
             var found = isFound.Count(pixel => pixel);
             var left = isWrong.Count(pixel => pixel) - found;
@@ -65,7 +64,11 @@ internal sealed class UnreachedPixels
             // Where much else is wrong, an area of the background is that of another camera, or of a shape that is not drawn.
             var isBackground = scene is not null && PictureJudge.IsNear(color, scene.Background.ToBytes());
             if (!isRestRight && isBackground && lines.Length + columns.Length > 4 && !IsPeriodic(lines) && blocks is null) return null;
-            return new(Sentence(lines, columns, blocks), isRestRight, isFound, rest);
+            // By chance some of them are right: another mistake would draw these otherwise.
+            bool[] unreached = [.. isFound.Select((isOne, i) => isOne || (Has(i) && IsInWhole(i)))];
+            return new(Sentence(lines, columns, blocks), isRestRight, unreached, rest);
+
+            bool IsInWhole(int pixel) => lines.Contains(pixel / width) || columns.Contains(pixel % width);
         }
 
         /// <summary>The lines, or the columns, that have the colour from one end to the other and should not.</summary>

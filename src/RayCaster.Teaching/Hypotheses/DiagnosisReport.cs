@@ -219,7 +219,8 @@ public static class DiagnosisReport
     {
         var shown = Shown(suspect);
         text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely:" : "Most likely:")
-            + (level == HintLevel.Answer ? " " + Names(suspect) : shown.Count > 1 ? $" {shown.Count} mistakes" : "") // an id says what is wrong
+            + (level == HintLevel.Answer ? " " + Names(suspect) // an id says what is wrong
+                : shown is [{ Place: not null } slip] ? " " + NameOf(slip with { Similar = null }) : shown.Count > 1 ? $" {shown.Count} mistakes" : "")
             + (shown.Count switch { 1 => "", 2 => ", both at once", _ => ", all at once" }));
         foreach (var mistake in shown)
         {
