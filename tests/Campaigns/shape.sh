@@ -42,7 +42,8 @@ build
 raycaster tube.json -o scalar.png
 
 block 'struct Tube' >src/RayCaster/Shapes/Tube.cs
-block 'new Cylinder(' | sed 's/"cylinder"/"tube"/; s/new Cylinder(/Model.Of(new Tube(/; s/Limits.Positive)))/Limits.Positive))))/' | insert $list 'new("triangle"'
+block 'new Cylinder(' | sed 's/"cylinder"/"tube"/; s/new Cylinder(/Model.Of(new Tube(/; s/Limits.Positive)))/Limits.Positive))))/' |
+    insert $list 'new("triangle"'
 echo '    Tube,' | insert $steps '    Triangle,'
 block 'StepKind.Tube' | insert $steps 'new("mesh"'
 { echo; block '[tube]'; } >>src/RayCaster.Teaching/Formulas/Shapes.txt

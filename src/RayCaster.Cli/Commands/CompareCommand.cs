@@ -11,7 +11,8 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         "Says whether two pictures are the same, and where they differ. If a change of the whole picture explains the difference, names it: " +
         "flipped, moved, red and blue swapped, ... Two pictures are the same if they are identical, or if at most 1 % of the pixels differ by " +
         "1 of 255 levels. Also, a pixel on an outline may show the other side of the outline. Colours are compared as they are stored: " +
-        "transparency and colour profiles are ignored. Two pictures can be compared without their scene, so this is an option here, while diagnose " +
+        "transparency and colour profiles are ignored. Two pictures can be compared without their scene, so this is an option here, " +
+        "while diagnose " +
         "and explain begin with it.";
 
     public override IReadOnlyList<(string, string)> Arguments =>

@@ -18,8 +18,8 @@ internal static class SpatialOrder
 
     private static readonly ConditionalWeakTable<Mesh, Mesh> kept = [];
 
-    /// <summary>A mesh of the same triangles, of which each pixel shows the same t; the mesh itself if its order is not random. It stays in memory as
-    /// long as the mesh does.</summary>
+    /// <summary>A mesh of the same triangles, of which each pixel shows the same t; the mesh itself if its order is not random. It stays in
+    /// memory as long as the mesh does.</summary>
     public static Mesh Of(Mesh mesh) =>
         mesh.TriangleCount < FewTriangles ? mesh : kept.GetValue(mesh, static mesh => IsRandom(mesh) ? Sorted(mesh) : mesh);
 

@@ -34,7 +34,8 @@ public sealed class TriangleTree
     {
         var ray = rays.RaysAt<N>(pixel);
         return Nearest(
-            rays.Origin, ray.Direction, rays.DirectionAt(pixel), 0, rays.NearestAt<N>(pixel), new FormulaHits<N>(vertices, indices, rays, pixel, ray));
+            rays.Origin, ray.Direction, rays.DirectionAt(pixel), 0, rays.NearestAt<N>(pixel),
+            new FormulaHits<N>(vertices, indices, rays, pixel, ray));
     }
 
     /// <summary>The nearest hit of each ray that lies from <paramref name="least"/> on and before <paramref name="best"/>; NaN for none.</summary>

@@ -50,7 +50,8 @@ public static class ComparisonText
             $"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n" +
             (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}" : "") +
-            (Math.Abs(d.Shift ?? 0) > 1 && !d.Mine.IsNearlyOneColor ? $"  {Shifted(d.Shift!.Value)}\n" : "") + OneColor(comparison, mine) + Recognized(comparison) +
+            (Math.Abs(d.Shift ?? 0) > 1 && !d.Mine.IsNearlyOneColor ? $"  {Shifted(d.Shift!.Value)}\n" : "") +
+            OneColor(comparison, mine) + Recognized(comparison) +
             ((comparison.FewColors ?? comparison.Unreached?.Sentence) is { } cause ? $"{cause}\n" : "") +
             (comparison.ByModels is { } models ? ModelsText.Of(comparison, models, mine) : "");
     }

@@ -24,7 +24,8 @@ public sealed class PictureComparison
             FewColors = Comparison.FewColors.Find(Difference);
             if (FewColors is null) Unreached = UnreachedPixels.Find(Difference, Scene);
         }
-        if (FewColors is null && Unreached is not { IsRestRight: true }) Recognition = new TransformFinder(mine, reference, Difference, judge).Find();
+        if (FewColors is null && Unreached is not { IsRestRight: true })
+            Recognition = new TransformFinder(mine, reference, Difference, judge).Find();
     }
 
     /// <summary>The picture in question.</summary>

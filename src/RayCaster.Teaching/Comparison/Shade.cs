@@ -41,7 +41,8 @@ internal static class Shade
     public static double MostLightOf((byte R, byte G, byte B) shade, Color color) =>
         Most(color) == 0 ? double.PositiveInfinity : LightOf(shade, color) + Near / (255 * Most(color));
 
-    private static double LightOf((byte R, byte G, byte B) shade, Color color) => Math.Max(shade.R, Math.Max(shade.G, shade.B)) / (255 * Most(color));
+    private static double LightOf((byte R, byte G, byte B) shade, Color color) =>
+        Math.Max(shade.R, Math.Max(shade.G, shade.B)) / (255 * Most(color));
 
     private static double Most(Color color) => Math.Max(color.R, Math.Max(color.G, color.B));
 }

@@ -34,7 +34,8 @@ public sealed record ReferenceExplanation(
             foreach (var crossing in model.Crossings)
             {
                 var t = crossing.Untested ?? crossing.T;
-                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !IsNear(scene.Shade(new(t, result.Index)).ToBytes(), other)) continue;
+                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t)) continue;
+                if (!IsNear(scene.Shade(new(t, result.Index)).ToBytes(), other)) continue;
                 yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {ResultOf(crossing)}";
             }
             if (IsNear(result.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";

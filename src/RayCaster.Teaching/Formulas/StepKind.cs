@@ -45,7 +45,8 @@ internal sealed record ShapeKind(string Name, string One, string Many, StepKind 
     public static readonly ShapeKind[] All =
     [
         new("plane", "plane", "planes", StepKind.Plane, Slides.RayPlane, Numbers<Plane>(p => [PixelValues.Of(p.Point), PixelValues.Of(p.Normal)])),
-        new("sphere", "sphere", "spheres", StepKind.Sphere, Slides.Sphere, Numbers<Sphere>(s => [PixelValues.Of(s.Center), PixelValues.Of(s.Radius)])),
+        new("sphere", "sphere", "spheres", StepKind.Sphere, Slides.Sphere,
+            Numbers<Sphere>(s => [PixelValues.Of(s.Center), PixelValues.Of(s.Radius)])),
         new("aabb", "box", "boxes", StepKind.Aabb, Slides.Box, Numbers<Aabb>(b => [PixelValues.Of(b.Min), PixelValues.Of(b.Max)])),
         new("circle", "circle", "circles", StepKind.Circle, Slides.Circle,
             Numbers<Circle>(c => [PixelValues.Of(c.Center), PixelValues.Of(c.Normal), PixelValues.Of(c.Radius)])),

@@ -66,7 +66,8 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
 
     /// <summary>Whether a mistake of the rays alone explains all of a picture.</summary>
     private static bool IsOneRay(Suspect suspect) =>
-        suspect is { Mistakes: [{ Id: not Change.NoName } mistake], NotYet.Count: 0, Unexplained: < 0.5 } && mistake.Steps.All(step => step.IsOfRays());
+        suspect is { Mistakes: [{ Id: not Change.NoName } mistake], NotYet.Count: 0, Unexplained: < 0.5 }
+        && mistake.Steps.All(step => step.IsOfRays());
 
     /// <summary>What is said if the picture has fewer colours than it should, or pixels that no loop reached; otherwise null. The rest of the
     /// picture is judged by itself.</summary>

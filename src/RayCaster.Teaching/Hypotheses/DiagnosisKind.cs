@@ -21,6 +21,7 @@ public enum DiagnosisKind
     /// <summary>The formulas are right, as far as the picture shows: some pixels were never drawn, or it was saved with fewer colours.</summary>
     NotTheFormulas,
 
-    /// <summary>Nothing but background, one colour, or models that are all black or all white: many mistakes draw such a picture, so none is named.</summary>
+    /// <summary>Nothing but background, one colour, or models that are all black or all white: many mistakes draw such a picture, so none is
+    /// named.</summary>
     TellsNothing,
 }

@@ -70,7 +70,8 @@ public static class DiagnosisReport
             $"{(outlines > 0 ? $", but for {Digits.Count(outlines, "pixel")} on outlines" : "")}.");
         if (diagnosis.Shift is { } levels) text.AppendLine(ComparisonText.Shifted(levels));
         else if (diagnosis.DarkerShare > PictureJudge.Rounded)
-            text.AppendLine($"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker, where 1 % may be: " +
+            text.AppendLine(
+                $"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker, where 1 % may be: " +
                 "truncated instead of rounded? The slide rounds a channel: 255 x + 0.5.");
     }
 
@@ -220,7 +221,8 @@ public static class DiagnosisReport
         var shown = Shown(suspect);
         text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely:" : "Most likely:")
             + (level == HintLevel.Answer ? " " + Names(suspect) // an id says what is wrong
-                : shown is [{ Place: not null } slip] ? " " + NameOf(slip with { Similar = null }) : shown.Count > 1 ? $" {shown.Count} mistakes" : "")
+                : shown is [{ Place: not null } slip] ? " " + NameOf(slip with { Similar = null })
+                : shown.Count > 1 ? $" {shown.Count} mistakes" : "")
             + (shown.Count switch { 1 => "", 2 => ", both at once", _ => ", all at once" }));
         foreach (var mistake in shown)
         {

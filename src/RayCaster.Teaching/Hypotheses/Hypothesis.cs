@@ -55,7 +55,8 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
     public bool IsUsual => Mistakes.All(mistake => mistake.Place is not null || mistake.IsUsual);
 
     /// <summary>Whether one of its mistakes is in the formulas of a kind of shape alone.</summary>
-    public bool IsAbout(string kind) => ShapeKind.Of(kind) is { } shape && Changes.Any(change => change.IsMistake && change.Steps.SetEquals([shape.Step]));
+    public bool IsAbout(string kind) =>
+        ShapeKind.Of(kind) is { } shape && Changes.Any(change => change.IsMistake && change.Steps.SetEquals([shape.Step]));
 
     private bool IsOtherSample => Changes.All(change => change.IsOtherSample);
 

@@ -81,7 +81,8 @@ public sealed class SceneDiagnosis
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for a scene of {Scene.Camera.Width} x {Scene.Camera.Height}", nameof(picture));
         var decision = new Decision(this, picture, done ?? [], likely);
-        var diagnosis = AlphaText.IsMultiplied(alpha, picture, Right) ? decision.Facts with { Kind = DiagnosisKind.NotTheFormulas } : decision.Decide();
+        var diagnosis = AlphaText.IsMultiplied(alpha, picture, Right) ? decision.Facts with { Kind = DiagnosisKind.NotTheFormulas }
+            : decision.Decide();
         return diagnosis with { Alpha = AlphaText.Of(alpha, picture, Right) };
     }
 }

@@ -70,7 +70,8 @@ public class NotTheFormulasTests
     {
         var right = Renderer.Render(generic);
         var error = new double[3 * right.Width];
-        var picture = Picture.Of(right.Width, right.Height, (x, y) => (Next(x, 0, right[x, y].R), Next(x, 1, right[x, y].G), Next(x, 2, right[x, y].B)));
+        var picture = Picture.Of(right.Width, right.Height,
+            (x, y) => (Next(x, 0, right[x, y].R), Next(x, 1, right[x, y].G), Next(x, 2, right[x, y].B)));
         Assert.StartsWith("The picture was saved with fewer colours", Assert.Single(Diagnosis.Of(generic, picture).Likely));
 
         // the error of a pixel goes to the one below, and to the next one
@@ -115,7 +116,8 @@ public class NotTheFormulasTests
     [Fact]
     public void ARightPictureOfOneColourIsNotAccused()
     {
-        var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, fovY: 3, width: 20, height: 20), [new Model<Plane>(new(new(-5, 0, 0), new(1, 0, 0)))]);
+        var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, fovY: 3, width: 20, height: 20),
+            [new Model<Plane>(new(new(-5, 0, 0), new(1, 0, 0)))]);
         var diagnosis = Diagnosis.Of(wall, Renderer.Render(wall));
         Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);
         Assert.True(diagnosis.ProvesNothing);

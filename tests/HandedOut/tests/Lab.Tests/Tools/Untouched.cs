@@ -25,7 +25,8 @@ public sealed class Untouched
             if (!was.Equals(now))
                 Assert.Fail($"""
                     the call has changed {name} from {RayAssert.Text(was)} to {RayAssert.Text(now)}.
-                      L = ray.Origin makes no copy: both names mean one vector, so L.X = … changes the ray, too. Use operators: they make new vectors.
+                      L = ray.Origin makes no copy: both names mean one vector, so L.X = … changes the ray, too.
+                      Use operators: they make new vectors.
                       {RayAssert.Cite(slide)}
                     """);
     }
