@@ -86,8 +86,7 @@ internal sealed record JointDiagnosis
 
         static string? CauseOf(SubmittedPicture picture)
         {
-            if (!picture.Sample.HasRightSize) return null;
-            var difference = new PictureDifference(picture.Picture!, picture.Scene.Right);
+            if (picture.Sample.Difference is not { } difference) return null;
             return FewColors.Find(difference)
                 ?? (UnreachedPixels.Find(difference, picture.Scene.Scene) is { IsRestRight: true } unreached ? unreached.Sentence : null);
         }
@@ -165,8 +164,8 @@ internal sealed record JointDiagnosis
     /// <summary>What the teacher should know where all pictures prove that one kind of shape is wrong and all else is right.</summary>
     private static string? OnlyKind(SubmittedPicture[] wrong)
     {
-        var kinds = wrong.Select(picture => !picture.Sample.HasRightSize ? []
-            : new SceneDifference(picture.Scene.Scene, new(picture.Sample.Picture, picture.Sample.Right), 1).WrongKinds.Kinds).ToArray();
+        var kinds = wrong.Select(picture => picture.Sample.Difference is { } difference
+            ? new SceneDifference(picture.Scene.Scene, difference, 1).WrongKinds.Kinds : []).ToArray();
         return kinds.All(kind => kind.Count == 1) && kinds.Select(kind => kind[0]).Distinct().ToArray() is [var only]
             ? $"only {WrongKinds.ManyOf(only)} are wrong" : null;
     }

@@ -12,8 +12,7 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         "flipped, moved, red and blue swapped, ... Two pictures are the same if they are identical, or if at most 1 % of the pixels differ by " +
         "1 of 255 levels. Also, a pixel on an outline may show the other side of the outline. Colours are compared as they are stored: " +
         "transparency and colour profiles are ignored. Two pictures can be compared without their scene, so this is an option here, " +
-        "while diagnose " +
-        "and explain begin with it.";
+        "while diagnose and explain begin with it.";
 
     public override IReadOnlyList<(string, string)> Arguments =>
         [("<mine>", "The picture in question: PNG, PPM, PGM or PBM."), ("<reference>", "The picture that it should be.")];

@@ -73,6 +73,9 @@ public sealed class PictureDifference
     /// <summary>The largest difference of a pixel's three channels, by its index in reading order.</summary>
     public int LevelsAt(int pixel) => levels[pixel];
 
+    /// <summary>Whether a pixel differs by more than rounding, by its index in reading order.</summary>
+    public bool IsWrong(int pixel) => levels[pixel] > PictureJudge.Tolerance;
+
     /// <summary>The largest difference of two colours' three channels.</summary>
     internal static int Levels((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
         Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));

@@ -51,7 +51,7 @@ public sealed class PictureJudge(Picture reference, Scene? scene = null)
     /// <summary>The pixels that differ by more than rounding and are not on outlines, by their index in reading order.</summary>
     internal IEnumerable<int> WrongPixels(PictureDifference difference)
     {
-        var wrong = Enumerable.Range(0, difference.Pixels).Where(i => difference.LevelsAt(i) > Tolerance);
+        var wrong = Enumerable.Range(0, difference.Pixels).Where(difference.IsWrong);
         if (scene is not null && (1 + scene.ShapeCount) * rays.Length * difference.Wrong <= MaxWork)
             return wrong.Where(i => !ShownBeside(i).Any(shown => IsNear(difference.Mine.At(i), shown)));
         return AreOnThinOutlines(difference) ? [] : wrong;
@@ -105,7 +105,7 @@ public sealed class PictureJudge(Picture reference, Scene? scene = null)
         }
         return (difference.Wrong - 1) * Rarity < outlines;
 
-        bool IsWrong(int x, int y) => x < width && y < height && difference.LevelsAt(y * width + x) > Tolerance;
+        bool IsWrong(int x, int y) => x < width && y < height && difference.IsWrong(y * width + x);
 
         bool IsThick(int x, int y) => IsWrong(x + 1, y) && IsWrong(x, y + 1) && IsWrong(x + 1, y + 1); // the upper left one of four
     }

@@ -77,7 +77,7 @@ internal sealed class SceneDifference
     }
 
     private ModelDifference CountWrong(IGrouping<int, int> pixels) =>
-        new(pixels.Key, ModelName.Of(scene, pixels.Key), pixels.Count(), pixels.Count(IsWrong))
+        new(pixels.Key, ModelName.Of(scene, pixels.Key), pixels.Count(), pixels.Count(difference.IsWrong))
         {
             Color = pixels.Key < 0 ? scene.Background : scene.Models[pixels.Key].Color,
         };
@@ -85,7 +85,7 @@ internal sealed class SceneDifference
     /// <summary>What the wrong pixels of each model show, the most frequent first: another model that alone fits, and in how many pixels.</summary>
     private ILookup<int, (int Model, int Pixels)> Shown(List<ModelDifference> models)
     {
-        var wrong = Enumerable.Range(0, difference.Pixels).Where(IsWrong).ToArray();
+        var wrong = Enumerable.Range(0, difference.Pixels).Where(difference.IsWrong).ToArray();
         var fitting = new Dictionary<int, int?>(); // the model that a wrong pixel shows; null where several fit
         var background = scene.Background.ToBytes();
         foreach (var i in wrong)
@@ -141,8 +141,6 @@ internal sealed class SceneDifference
     }
 
     private double LightAt(int pixel, int model) => model < 0 ? 1 : scene.Attenuation<Scalar>(hits.T[pixel]);
-
-    private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > PictureJudge.Tolerance;
 
     private bool Shows(int pixel, (byte, byte, byte) color) => PictureJudge.IsNear(difference.Mine.At(pixel), color);
 }

@@ -37,7 +37,7 @@ internal sealed class UnreachedPixels
     public static UnreachedPixels? Find(PictureDifference difference, Scene? scene)
     {
         if (difference.Mine.IsNearlyOneColor) return null;
-        int[] wrong = [.. Enumerable.Range(0, difference.Pixels).Where(i => difference.LevelsAt(i) > PictureJudge.Tolerance)];
+        int[] wrong = [.. Enumerable.Range(0, difference.Pixels).Where(difference.IsWrong)];
         return wrong.CountBy(difference.Mine.At).OrderByDescending(color => color.Value).Take(Colors)
             .Select(color => new Finder(difference, wrong, color.Key).Find(scene)).FirstOrDefault(found => found is not null);
     }
@@ -53,6 +53,7 @@ internal sealed class UnreachedPixels
         {
             int[] lines = Whole(height, width, (along, across) => across * width + along);
             int[] columns = Whole(width, height, (along, across) => along * width + across);
+            HashSet<int> wholeLines = [.. lines], wholeColumns = [.. columns];
             foreach (var i in Enumerable.Range(0, difference.Pixels)) isFound[i] = isWrong[i] && IsInWhole(i);
             var blocks = Blocks();
             var found = isFound.Count(pixel => pixel);
@@ -68,7 +69,7 @@ internal sealed class UnreachedPixels
             bool[] unreached = [.. isFound.Select((isOne, i) => isOne || (Has(i) && IsInWhole(i)))];
             return new(Sentence(lines, columns, blocks), isRestRight, unreached, rest);
 
-            bool IsInWhole(int pixel) => lines.Contains(pixel / width) || columns.Contains(pixel % width);
+            bool IsInWhole(int pixel) => wholeLines.Contains(pixel / width) || wholeColumns.Contains(pixel % width);
         }
 
         /// <summary>The lines, or the columns, that have the colour from one end to the other and should not.</summary>

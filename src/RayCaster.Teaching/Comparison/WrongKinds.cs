@@ -22,13 +22,17 @@ internal sealed class WrongKinds
     private readonly HitMap hits;
     private readonly PictureDifference difference;
     private readonly int[] wrong;
+    private readonly int[] rightOf, wrongOf; // how many pixels of each model are right, and wrong
 
     /// <param name="hits">What the rays hit in the scene.</param>
     /// <param name="difference">That of the picture to the scene's own.</param>
     public WrongKinds(Scene scene, HitMap hits, PictureDifference difference, int? threads)
     {
         (this.scene, this.hits, this.difference) = (scene, hits, difference);
-        wrong = [.. Enumerable.Range(0, difference.Pixels).Where(IsWrong)];
+        wrong = [.. Enumerable.Range(0, difference.Pixels).Where(difference.IsWrong)];
+        (rightOf, wrongOf) = (new int[scene.Models.Count], new int[scene.Models.Count]);
+        for (var i = 0; i < difference.Pixels; i++)
+            if (hits.Model[i] is >= 0 and var model) (difference.IsWrong(i) ? wrongOf : rightOf)[model]++;
         string[] all = [.. scene.Models.Select(model => model.Kind).Distinct()];
         if (wrong.Length == 0 || all.Length < 2) return;
         Kinds = Only(all.Select(kind => (string[])[kind]), threads);
@@ -114,25 +118,24 @@ internal sealed class WrongKinds
         int[] models =
         [
             .. Enumerable.Range(0, scene.Models.Count).Where(model => !kinds.Contains(scene.Models[model].Kind)
-                && (kinds.Count > 0 ? CountRight(model) >= LeastAgreeing : AgreesWholly(model))),
+                && (kinds.Count > 0 ? rightOf[model] >= LeastAgreeing : AgreesWholly(model))),
         ];
         if (models.All(model => scene.Models[model] is Model<Plane>)) return [];
         var right = difference.Reference;
-        int[] pixels = [.. Enumerable.Range(0, difference.Pixels).Where(i => !IsWrong(i) && models.Contains(hits.Model[i]))];
+        int[] pixels = [.. Enumerable.Range(0, difference.Pixels).Where(i => !difference.IsWrong(i) && models.Contains(hits.Model[i]))];
         return IsOther((x, y) => right[right.Width - 1 - x, y]) && IsOther((x, y) => right[x, right.Height - 1 - y])
             && IsOther((x, y) => right[right.Width - 1 - x, right.Height - 1 - y])
-            ? [.. models.OrderBy(model => !AgreesWholly(model)).ThenBy(model => scene.Models[model] is Model<Plane>).ThenByDescending(CountRight)]
+            ? [.. models.OrderBy(model => !AgreesWholly(model)).ThenBy(model => scene.Models[model] is Model<Plane>)
+                .ThenByDescending(model => rightOf[model])]
             : [];
 
         bool IsOther(Func<int, int, (byte, byte, byte)> turned) =>
             pixels.Where(i => !PictureJudge.IsNear(right.At(i), turned(i % right.Width, i / right.Width))).Skip(LeastTurned - 1).Any();
     }
 
-    private bool AgreesWholly(int model) => CountRight(model) is var right && right >= LeastAgreeing && !wrong.Any(i => hits.Model[i] == model);
+    private bool AgreesWholly(int model) => rightOf[model] >= LeastAgreeing && wrongOf[model] == 0;
 
-    private int CountRight(int model) => Enumerable.Range(0, difference.Pixels).Count(i => hits.Model[i] == model && !IsWrong(i));
-
-    private bool IsBad(int model) => wrong.Any(i => hits.Model[i] == model) || ShowsElsewhere(model);
+    private bool IsBad(int model) => wrongOf[model] > 0 || ShowsElsewhere(model);
 
     /// <summary>Whether wrong pixels that should show something else show a model's colour, which no other model has.</summary>
     public bool ShowsElsewhere(int model) => wrong.Where(i => hits.Model[i] != model
@@ -140,8 +143,6 @@ internal sealed class WrongKinds
 
     private IEnumerable<int> ModelsOf(IReadOnlyCollection<string> kinds) =>
         Enumerable.Range(0, scene.Models.Count).Where(model => kinds.Contains(scene.Models[model].Kind));
-
-    private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > PictureJudge.Tolerance;
 
     private string Names(IReadOnlyList<int> models)
     {

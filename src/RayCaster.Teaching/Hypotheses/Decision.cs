@@ -73,8 +73,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     /// picture is judged by itself.</summary>
     private Diagnosis? WithoutFormulas()
     {
-        if (!sample.HasRightSize) return null;
-        var difference = new PictureDifference(picture, prepared.Right);
+        if (sample.Difference is not { } difference) return null;
         if (FewColors.Find(difference) is { } few) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [few] };
         if (UnreachedPixels.Find(difference, prepared.Scene) is not { } unreached) return null;
         if (!prepared.TooManyModels && IsDrawnByAMistake(unreached))
@@ -129,7 +128,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     /// <summary>Searches, and decides: named is what is shorter than any other explanation.</summary>
     private Diagnosis Search()
     {
-        var byModels = sample.HasRightSize ? new SceneDifference(prepared.Scene, new(picture, prepared.Right), prepared.Threads) : null;
+        var byModels = sample.Difference is { } difference ? new SceneDifference(prepared.Scene, difference, prepared.Threads) : null;
         var missing = byModels?.MissingModel;
         var byMissingModel = missing is { } model ? Priors.MissingModel + sample.BitsOf(sample.Residual(
             prepared.Scene with { Models = [.. prepared.Scene.Models.Where((_, i) => i != model)] }, FormulaProgram.For(prepared.Scene.Camera)))

@@ -3,9 +3,6 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <summary>The kind of difference that a wrong picture shows, if no mistake of the catalogue is certain.</summary>
 internal static class LikelyCause
 {
-    /// <summary>The share of the wrong pixels that may be left unexplained.</summary>
-    private const double Explained = 0.1;
-
     /// <summary>A certain cause: one number of the scene is another, or one model is missing or has another colour.</summary>
     /// <returns>What it leaves unexplained, and a sentence; null for no cause.</returns>
     public static (Residual Residual, string? Sentence) Certain(SceneDiagnosis prepared, SceneDifference byModels, PictureSample sample)
@@ -13,7 +10,7 @@ internal static class LikelyCause
         if (ModelsText.Meant(byModels) is [{ IsExplained: true }])
             return (default, ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault());
         var (residual, sentence) = OtherNumber.Find(prepared.Scene, byModels, sample, prepared.Threads);
-        return residual.Unexplained <= Explained * sample.WrongCount ? (residual, sentence) : default;
+        return residual.Unexplained <= Decision.Explained * sample.WrongCount ? (residual, sentence) : default;
     }
 
     /// <summary>Other hints.</summary>

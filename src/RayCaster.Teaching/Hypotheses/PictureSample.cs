@@ -17,9 +17,9 @@ internal sealed class PictureSample
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.05;
 
-    /// <summary>If a smaller share of a shape's pixels shows, but a greater share of these has a neighbour that shows, last bits do not decide.
-    /// </summary>
-    private const double Few = 0.3, Together = 0.6;
+    /// <summary>A piece of a shape is a smaller share of its pixels, of which a greater share has a neighbour that shows, too. Last bits would leave
+    /// more pixels, and scatter them.</summary>
+    private const double MostOfPiece = 0.3, LeastBeside = 0.6;
 
     /// <summary>The share of a picture's pixels that last bits may change.</summary>
     private const double LastBits = 0.002;
@@ -47,11 +47,11 @@ internal sealed class PictureSample
         shownKinds = new(FindShownKinds);
         pieces = new(() => [.. shownKinds.Value.Keys.Where(ShowsOnlyAPieceOf)]);
         most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
-        var difference = HasRightSize ? new PictureDifference(picture, right) : null;
+        var difference = Difference = HasRightSize ? new PictureDifference(picture, right) : null;
         var judge = new PictureJudge(right, scene);
         List<int> wrong = [], other = [];
         for (var i = 0; i < PixelCount; i++)
-            if (isLeftOut?.Invoke(i) != true) (difference is null || difference.LevelsAt(i) > PictureJudge.Tolerance ? wrong : other).Add(i);
+            if (isLeftOut?.Invoke(i) != true) (difference is null || difference.IsWrong(i) ? wrong : other).Add(i);
         Shift = difference?.Shift;
         DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
         if (forgiveOutlines && difference is not null && wrong.Count <= FewPixels * PixelCount)
@@ -123,6 +123,9 @@ internal sealed class PictureSample
 
     /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
     public bool IsOnlyOutlines { get; }
+
+    /// <summary>How the picture differs from the right one; null if it has another size, and for a second mistake.</summary>
+    public PictureDifference? Difference { get; }
 
     /// <summary>Whether the picture has the size of the scene's own.</summary>
     public bool HasRightSize => (Right.Width, Right.Height) == (Picture.Width, Picture.Height);
@@ -205,7 +208,7 @@ internal sealed class PictureSample
     {
         var shown = Enumerable.Range(0, Picture.Count).Count(i => IsOf(Picture, i));
         var beside = Enumerable.Range(0, Picture.Count - 1).Count(i => IsOf(Picture, i) && IsOf(Picture, i + 1));
-        return shown < Few * Enumerable.Range(0, Right.Count).Count(i => IsOf(Right, i)) && beside > Together * shown;
+        return shown < MostOfPiece * Enumerable.Range(0, Right.Count).Count(i => IsOf(Right, i)) && beside > LeastBeside * shown;
 
         bool IsOf(Picture picture, int i) => ShownColors.OnlyKindOf(Scene, picture.At(i)) == kind;
     }
