@@ -12,7 +12,7 @@ internal static class CarriedTool
         "raycaster.runtimeconfig.json",
     ];
 
-    private static readonly string[] page = [LiveProgram.Name, "raycaster-live.runtimeconfig.json"];
+    private static readonly string[] page = [LiveProgram.Name, "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"];
 
     public static void Copy(string folder, CancellationToken cancellation)
     {

@@ -48,6 +48,7 @@ internal sealed class UnreachedPixels
         private readonly int width = difference.Mine.Width, height = difference.Mine.Height;
         private readonly bool[] isWrong = Marked(difference, wrong, color); // and of the colour
         private readonly bool[] isFound = new bool[difference.Pixels];
+        private readonly bool isOfMemory = color.R == color.G && color.G == color.B; // new memory has one value in all bytes
 
         public UnreachedPixels? Find(Scene? scene)
         {
@@ -92,6 +93,7 @@ internal sealed class UnreachedPixels
                     var first = start == 0 ? 0 : start - side;
                     var blocks = others.Select(i => (X: i % width / side, Y: (i / width - first) / side)).Distinct().ToArray();
                     if (!blocks.All(block => IsFull(block.X * side, first + block.Y * side, side, side))) continue;
+                    if (blocks.Length == 1 && !isOfMemory) continue;
                     foreach (var i in others) isFound[i] = true;
                     return blocks.Length == 1 ? Rectangle(others)
                         : $"{Digits.Count(blocks.Length, "block")} of {side} x {side} pixels are";
@@ -99,7 +101,7 @@ internal sealed class UnreachedPixels
             }
             var (left, right) = (others.Min(i => i % width), others.Max(i => i % width));
             var (top, bottom) = (others.Min(i => i / width), others.Max(i => i / width));
-            if (right - left < 3 || bottom - top < 3 || !IsFull(left, top, right - left + 1, bottom - top + 1)) return null;
+            if (!isOfMemory || right - left < 3 || bottom - top < 3 || !IsFull(left, top, right - left + 1, bottom - top + 1)) return null;
             foreach (var i in others) isFound[i] = true;
             return Rectangle(others);
         }

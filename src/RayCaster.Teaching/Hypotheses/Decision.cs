@@ -76,7 +76,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         if (sample.Difference is not { } difference) return null;
         if (FewColors.Find(difference) is { } few) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [few] };
         if (UnreachedPixels.Find(difference, prepared.Scene) is not { } unreached) return null;
-        if (!prepared.TooManyModels && IsDrawnByAMistake(unreached))
+        if (!prepared.TooManyModels && AreDrawn(unreached, OneChange()))
         {
             if (!unreached.IsRestRight) return null;
             var found = Search();
@@ -85,6 +85,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         if (unreached.IsRestRight) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [unreached.Sentence] };
         if (prepared.TooManyModels) return null;
         var rest = new Decision(prepared, unreached.Rest, done, likely, unreached.Contains).Decide();
+        if (rest.Suspects is [var suspect, ..] && AreDrawn(unreached, [Hypothesis.Of([prepared.Scene], suspect.Mistakes)?.Programs[0]])) return null;
         return rest with
         {
             Kind = rest.Kind == DiagnosisKind.Matches ? DiagnosisKind.NotTheFormulas : rest.Kind,
@@ -97,17 +98,21 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     private static bool IsOfFile(Diagnosis found) =>
         found.Suspects is [{ Mistakes: [var mistake] }, ..] && mistake.Steps.All(step => step == StepKind.File);
 
-    /// <summary>Whether a known mistake, or a shape that is not drawn, gives these pixels their colour and explains much of the picture.</summary>
-    private bool IsDrawnByAMistake(UnreachedPixels unreached)
+    /// <summary>The programs with one known mistake, or without a kind of shape.</summary>
+    private IEnumerable<FormulaProgram?> OneChange()
+    {
+        var right = FormulaProgram.For(prepared.Scene.Camera);
+        return prepared.Known.SelectMany(mistake => mistake.Changes)
+            .Concat(prepared.Scene.Models.Select(model => model.Kind).Distinct().Select(ChangeSource.Missing)).Select(change => change.In(right));
+    }
+
+    /// <summary>Whether one of some programs gives these pixels their colour and explains much of the picture: then it has reached them.</summary>
+    private bool AreDrawn(UnreachedPixels unreached, IEnumerable<FormulaProgram?> programs)
     {
         var area = new PictureSample(prepared.Scene, prepared.Right, picture, Pixels, forgiveOutlines: false, prepared.Budget,
             pixel => !unreached.Contains(pixel));
-        var camera = prepared.Scene.Camera;
-        return prepared.Known.SelectMany(mistake => mistake.Changes).Select(change => change.In(FormulaProgram.For(camera)))
-            .Concat(prepared.Scene.Models.Select(model => model.Kind).Distinct()
-                .Select(kind => ChangeSource.Missing(kind).In(FormulaProgram.For(camera))))
-            .Any(program => area.Residual(program, 0.1).Unexplained <= Explained * area.WrongCount
-                && sample.Residual(program).Unexplained <= sample.WrongCount - (1 - Explained) * area.WrongCount);
+        return programs.Any(program => area.Residual(program, 0.1).Unexplained <= Explained * area.WrongCount
+            && sample.Residual(program).Unexplained <= sample.WrongCount - (1 - Explained) * area.WrongCount);
     }
 
     /// <summary>The pixels that count. If most of the wrong ones lie on outlines, these count too where one mistake explains all of them: a box

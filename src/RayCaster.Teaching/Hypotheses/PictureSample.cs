@@ -44,7 +44,7 @@ internal sealed class PictureSample
         Func<int, bool>? isLeftOut = null)
     {
         (Scene, Picture, Right, this.budget) = (scene, picture, right, budget);
-        shownKinds = new(FindShownKinds);
+        shownKinds = new(() => FindShownKinds(isLeftOut));
         pieces = new(() => [.. shownKinds.Value.Keys.Where(ShowsOnlyAPieceOf)]);
         most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
         var difference = Difference = HasRightSize ? new PictureDifference(picture, right) : null;
@@ -274,7 +274,9 @@ internal sealed class PictureSample
     private static (byte, byte, byte) At(byte[] rgb, int i) => (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
 
     /// <summary>Some of the pixels that show a colour that only one kind of shape has, for each kind that shows.</summary>
-    private Dictionary<string, (int X, int Y)[]> FindShownKinds() => Enumerable.Range(0, Picture.Count)
+    /// <param name="isLeftOut">Which pixels show nothing of the program.</param>
+    private Dictionary<string, (int X, int Y)[]> FindShownKinds(Func<int, bool>? isLeftOut) => Enumerable.Range(0, Picture.Count)
+        .Where(i => isLeftOut?.Invoke(i) != true)
         .ToLookup(i => ShownColors.OnlyKindOf(Scene, Picture.At(i)) ?? "", i => (i % Picture.Width, i / Picture.Width))
         .Where(kind => kind.Key != "" && kind.Count() >= WrongKinds.LeastShown).ToDictionary(kind => kind.Key, kind =>
         {
