@@ -56,8 +56,9 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <inheritdoc cref="TileHits{N}.Paint"/>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => hits.Paint(painter, rgb, first, step);
 
-    /// <summary>An inverse depth between those of near and of far triangles.</summary>
-    private static float MiddleInverseDepth(ReadOnlySpan<TriangleCluster> all)
+    /// <summary>Triangles of at least this inverse depth count as near. It is 0.7 of the way from the least inverse depth to the greatest, of some of
+    /// them: with more, too few triangles are near to hide the others; with less, too many are drawn before anything is hidden.</summary>
+    private static float MinOfNear(ReadOnlySpan<TriangleCluster> all)
     {
         const int Samples = 16;
         var (least, most) = (float.PositiveInfinity, 0f);
@@ -80,15 +81,15 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     {
         if (all.Length == 0) return;
         if (isEmpty) Begin();
-        var middle = MiddleInverseDepth(all);
-        Add(set, all, middle, areNear: true);
+        var minOfNear = MinOfNear(all);
+        Add(set, all, minOfNear, areNear: true);
         Refresh();
-        Add(set, all, middle, areNear: false);
+        Add(set, all, minOfNear, areNear: false);
     }
 
     /// <summary>Adds what is not hidden of near triangles, or of the others.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all, float middle, bool areNear)
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all, float minOfNear, bool areNear)
     {
         var firstRow = tile.Row % Tile.MaxSide;
         Span<TriangleRun> seen = stackalloc TriangleRun[RunsAtOnce];
@@ -97,7 +98,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             var (count, triangles) = (0, 0);
             for (; next < all.Length && count < seen.Length && triangles < TrianglesAtOnce; next++)
             {
-                var isNear = all[next].MaxInverseDepth >= middle;
+                var isNear = all[next].MaxInverseDepth >= minOfNear;
                 if (isNear != areNear || coarse.Hides(all[next].Cells, firstRow, all[next].MaxInverseDepth)) continue;
                 seen[count++] = all[next].Run;
                 triangles += all[next].Run.Count;

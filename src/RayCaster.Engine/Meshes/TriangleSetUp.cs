@@ -39,10 +39,8 @@ internal struct TriangleSetUp
         top = Lanes.Lesser(Vector256.Floor(top + margin), Vector256.Create(tile.Height - 1f));
         var shows = Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top);
 
-        // Twice the areas of the triangles that a sample makes with the sides: (b − s) × (c − s). With corners off by δ such a product is off by 2 δ
-        // · size, since a sample in the box is not farther from a corner than the box is wide and high. It, and its steps to the right and upwards,
-        // round seven times by 2⁻²⁴ · size times how far a sample may be from a corner, and of that δ holds 2 · 2⁻²⁴ (ScreenSpace.Margin): less than
-        // 4 δ · size.
+        // An edge function of a sample s is twice the area of the triangle that s makes with a side: (b − s) × (c − s). The slack is the most by
+        // which it may be wrong: 2 δ · size since the corners are off by δ, and less than 4 δ · size by rounding (margins.md, 1).
         var area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
         var sign = Vector256.ConditionalSelect(Vector256.LessThan(area, zero), -one, one);
         area *= sign;
@@ -59,8 +57,8 @@ internal struct TriangleSetUp
         shows &= Reaches(e0, e0Right, e0Up, across, upwards, slack) & Reaches(e1, e1Right, e1Up, across, upwards, slack)
             & Reaches(e2, e2Right, e2Up, across, upwards, slack);
 
-        // A triangle with next to no area (MinWidth) has no side functions to speak of, and the formula may put its t anywhere that its corners
-        // span along the axis that the ray follows most. Of a corner s pixels beside the ray that is its depth stretched by at most √3 s / scale.
+        // In a triangle with next to no area the formula may find the t of any corner. So the filter takes the greatest inverse depth that a corner
+        // may have along the axis that the ray follows most (margins.md, 2).
         var (maxInverseDepth, minInverseDepth) = (t.MaxInverseDepth, t.MinInverseDepth);
         var ratio = maxInverseDepth / minInverseDepth;
         var isSliver = ~Vector256.GreaterThan(area, size * Vector256.Create(screen.MinWidth) * ratio * ratio);
@@ -69,8 +67,7 @@ internal struct TriangleSetUp
         var slopeRight = ((t.B.InverseDepth - t.A.InverseDepth) * e1Right + (t.C.InverseDepth - t.A.InverseDepth) * e2Right) / area;
         var slopeUp = ((t.B.InverseDepth - t.A.InverseDepth) * e1Up + (t.C.InverseDepth - t.A.InverseDepth) * e2Up) / area;
         var inverseDepth = t.A.InverseDepth + (left - ax) * slopeRight + (bottom - ay) * slopeUp;
-        // Corners off by δ move the plane of inverse depth by its slope · δ; the slope itself is rounded by the area's 2⁻²⁴ size² / area; inverse
-        // depth by 2⁻²⁴ of itself.
+        // How far inverse depth may be wrong at a sample: margins.md, 3.
         var slope = Vector256.Abs(slopeRight) + Vector256.Abs(slopeUp);
         var inverseDepthSlack = Vector256.Create(4f) * slope * (margin + rounding * size * (one + size * size / area)) +
             Vector256.Create(4f) * rounding * maxInverseDepth;
@@ -99,8 +96,8 @@ internal struct TriangleSetUp
     /// <summary>Where a sample in a triangle's box is certainly outside the triangle.</summary>
     /// <param name="size">The boxes' widths and heights together.</param>
     /// <param name="margin">How far off the corners may be.</param>
-    /// <remarks><see cref="Of"/> derives the error of the areas. The orientation of a sliver is not known, so one area must certainly be below 0,
-    /// and one above.</remarks>
+    /// <remarks>The areas that the sample makes with the sides have different signs, by more than their error (margins.md, 1). Which sign is inside
+    /// does not matter here; of a sliver it is not known.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> IsOutside(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
         Vector256<float> margin)
@@ -114,7 +111,8 @@ internal struct TriangleSetUp
 
     /// <summary>The greatest inverse depth that the formula may find for triangles with next to no area; float.MaxValue if it may be any.</summary>
     /// <param name="maxInverseDepth">The greatest inverse depth of the corners.</param>
-    /// <param name="size">The boxes' widths and heights together; <see cref="Of"/> derives the stretch.</param>
+    /// <param name="size">The boxes' widths and heights together.</param>
+    /// <remarks>margins.md, 2 derives the stretch.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> StretchedInverseDepth(Vector256<float> maxInverseDepth, Vector256<float> size, ScreenSpace screen)
     {

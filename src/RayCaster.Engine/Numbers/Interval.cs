@@ -2,16 +2,16 @@ using Numbers = RayCaster.Engine.WidePacket;
 
 namespace RayCaster.Engine;
 
-/// <summary>All numbers from Lo to Hi, and NaN if that is marked. A formula over it gives the range of its results for all rays of a part of the
-/// picture; each lane is another part. As a mask, Lo is where it certainly holds, Hi where it may hold.</summary>
+/// <summary>The numbers from Lo to Hi, and NaN if that is marked: what a formula gives for the rays of a part of the picture. Each lane is another
+/// part. Of a mask, Lo says where it holds for all rays, and Hi where it may hold for some.</summary>
 /// <remarks>
-/// It holds what doubles compute, not what real numbers would give, so nothing is rounded outwards: each operation is monotonic in each operand, and
-/// so is rounding to nearest; so the result for operands between two ends lies between the results for the ends. Where a divisor may be 0, or an end
-/// is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything". Of a quotient whose divisor may be 0,
-/// <c>Gap</c> is then a lower bound of the absolute value: rays nearly parallel to a plane cross it far away, in front of the eye or behind it.
+/// An interval holds what doubles compute. Each operation, and rounding, keeps the order of numbers: so a result lies between the results for the
+/// ends, and the ends need not be rounded outwards. If a divisor may be 0, or an end is infinite or NaN, the result is "anything", since 0 · ∞, ∞ − ∞
+/// or 0 / 0 may occur between the ends. A quotient whose divisor may be 0 is large on both sides: rays that are nearly parallel to a plane cross it
+/// far in front of the eye, or far behind it. <c>Gap</c> says how far from 0 it is at least.
 /// </remarks>
 /// <param name="nan">The <see cref="Occurrence"/> of NaN; where it is always, the ends mean nothing.</param>
-/// <param name="gap">No number is nearer to 0 than this: the mignitude of interval arithmetic.</param>
+/// <param name="gap">The least absolute value of a number in it, which interval arithmetic calls mignitude; or less, down to 0.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Interval(Numbers lo, Numbers hi, Numbers nan, Numbers gap) : IReal<Interval>
 {

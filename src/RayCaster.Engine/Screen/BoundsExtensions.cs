@@ -13,9 +13,10 @@ public static class BoundsExtensions
 
     /// <summary>The corners of boxes seen from a point, with a margin for what is rounded.</summary>
     /// <remarks>
-    /// What a formula computes from differences to the ray's origin moves a hit sideways by a few units of 2⁻⁵³ of the distance; without a margin,
-    /// hits at the silhouettes of far objects are lost. What it computes from coordinates, as X(t) or a corner of the bounds, is rounded by as much
-    /// of these, which far from the origin of space is more. Both margins hold dozens of such roundings.
+    /// A formula rounds by a few units of 2⁻⁵³ (1.1e-16). What it computes from differences to the ray's origin is then wrong by that part of the
+    /// distance, and a hit at the silhouette of a far object may lie beside the box: 1e-12 of the distance holds thousands of such roundings. What
+    /// it computes from coordinates, as X(t), is wrong by that part of the coordinates, which may be larger than the distance: 1e-14 of them holds
+    /// dozens.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static (Vector3<N> Min, Vector3<N> Max) Padded<N>(Vector3<N> min, Vector3<N> max, Vector3<N> origin) where N : struct, IReal<N>
@@ -33,10 +34,11 @@ public static class BoundsExtensions
 
     /// <summary>No ray from the origin of space has a hit in a box at a lesser t; 0 where the box contains that origin.</summary>
     /// <remarks>
-    /// It is a little less than the distance. A triangle's t is a mean of its corners' depths along the axis k that the ray follows most
-    /// (<see cref="RaySpace{N}"/>), t = z / d_k. For a triangle that is seen almost exactly edge-on the weights of that mean are all rounding,
-    /// and t may be the depth of any corner: the ray meets the box, but only the hit's coordinate along k is sure to lie in it. Of rays that
-    /// meet the box, |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), where i and j are the two other axes.
+    /// It is a little less than the distance to the box. Along the axis k that a ray follows most, the triangle's formula computes a hit's coordinate
+    /// z_k as a mean of the corners' coordinates, and t = z_k / d_k (<see cref="RaySpace{N}"/>). If a ray sees the triangle edge-on, rounding
+    /// decides the mean's weights. Then z_k still lies in the box, so |z_k| ≥ near_k; the hit's two other coordinates need not. The ray itself meets
+    /// the box, so |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), where i and j are the two other axes. Both together give the least t along k, and
+    /// the least of the three axes' is the result.
     /// </remarks>
     /// <param name="near">How far the box is from the origin along each axis.</param>
     /// <param name="far">How far it reaches, to either side.</param>
