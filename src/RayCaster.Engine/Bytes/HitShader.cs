@@ -15,7 +15,7 @@ internal sealed class HitShader
         var (r, g, b) = scene.Background.ToBytes();
         for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
         (colors, var most) = ColorsOf(scene, threads);
-        floats = usesFloats ? FloatShader.For(scene, colors, most.Max(), threads) : null;
+        floats = usesFloats ? FloatShader.For(scene, colors, most.Max()) : null;
     }
 
     public Scene Scene { get; }

@@ -6,58 +6,43 @@ namespace RayCaster.Engine;
 /// more than writing to them.</summary>
 internal sealed class Bins<T> where T : struct
 {
-    private readonly int[] starts;
-    private readonly int first; // the first bin that holds anything: most meshes show in a small part of a picture
-    private T[] sorted;
+    private readonly int[] starts; // the first position of each bin, and the number of items as the last
+    private readonly int first;    // the first bin that holds anything: most meshes show in a small part of a picture
+    private readonly T[] sorted;
 
-    /// <param name="lists">What to sort, each list on a thread; the lists are emptied.</param>
+    /// <param name="lists">What to sort; the lists are emptied.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public Bins(PooledList<(int Bin, T Item)>[] lists)
     {
-        var ranges = new (int First, int Last)[lists.Length];
-        ThreadTeam.Each(lists.Length, lists.Length, list => ranges[list] = RangeOf(lists[list].Items));
-        first = ranges.Length > 0 ? ranges.Min(range => range.First) : 0;
-        var bins = ranges.Length > 0 ? Math.Max(0, ranges.Max(range => range.Last) - first + 1) : 0;
-        var total = lists.Sum(list => list.Count);
-        sorted = total > 0 ? ArrayPool<T>.Shared.Rent(total) : [];
-        starts = CountingSort.Sort(
-            lists.Length, bins, (list, counts) => Count(lists[list].Items, counts), (list, next) => Put(lists[list].Items, next));
-        foreach (var list in lists) list.Free();
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private static (int First, int Last) RangeOf(ReadOnlySpan<(int Bin, T Item)> items)
-    {
-        var (least, most) = (int.MaxValue, -1);
-        foreach (ref readonly var item in items) (least, most) = (Math.Min(least, item.Bin), Math.Max(most, item.Bin));
-        return (least, most);
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Count(ReadOnlySpan<(int Bin, T Item)> items, int[] counts)
-    {
-        foreach (ref readonly var item in items) counts[item.Bin - first]++;
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Put(ReadOnlySpan<(int Bin, T Item)> items, int[] next)
-    {
-        var to = sorted;
-        foreach (ref readonly var item in items) to[next[item.Bin - first]++] = item.Item;
-    }
-
-    /// <summary>Returns the memory; the object cannot be used any more.</summary>
-    public void Free()
-    {
-        if (sorted.Length > 0) ArrayPool<T>.Shared.Return(sorted);
-        sorted = [];
-    }
-
-    public ReadOnlySpan<T> this[int bin]
-    {
-        get
+        var (first, last, total) = (int.MaxValue, -1, 0);
+        foreach (var list in lists)
         {
-            var p = (long)bin - first;
-            return p >= 0 && p < starts.Length - 1 ? sorted.AsSpan(starts[p], starts[p + 1] - starts[p]) : [];
+            total += list.Count;
+            foreach (ref readonly var item in list.Items) (first, last) = (Math.Min(first, item.Bin), Math.Max(last, item.Bin));
+        }
+        var next = new int[total > 0 ? last - first + 2 : 1];
+        var to = ArrayPool<T>.Shared.Rent(total);
+        (this.first, starts, sorted) = (first, next, to);
+        foreach (var list in lists)
+            foreach (ref readonly var item in list.Items)
+                next[item.Bin - first]++;
+        for (var bin = 1; bin < next.Length; bin++) next[bin] += next[bin - 1];
+        for (var i = lists.Length - 1; i >= 0; i--) // a bin is filled from its end to its start
+        {
+            var items = lists[i].Items;
+            for (var k = items.Length - 1; k >= 0; k--) to[--next[items[k].Bin - first]] = items[k].Item;
+            lists[i].Free();
         }
     }
+
+    /// <summary>All items, in the order of their bins.</summary>
+    public Span<T> Items => sorted.AsSpan(0, starts[^1]);
+
+    public ReadOnlySpan<T> this[int bin] => Items[StartOf(bin)..StartOf(bin + 1)];
+
+    /// <summary>How many items lie in the bins before this one.</summary>
+    public int StartOf(int bin) => starts[Math.Clamp((long)bin - first, 0, starts.Length - 1)];
+
+    /// <summary>Returns the memory; the object cannot be used any more.</summary>
+    public void Free() => ArrayPool<T>.Shared.Return(sorted);
 }

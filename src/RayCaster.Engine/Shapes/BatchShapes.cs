@@ -6,21 +6,21 @@ namespace RayCaster.Engine;
 internal abstract class BatchShapes<N> where N : struct, IPacket<N>
 {
     /// <summary>Finds where the shapes show.</summary>
-    /// <param name="members">Takes those that may show.</param>
+    /// <param name="members">Takes those that may show, with their bins in the grid.</param>
     /// <param name="others">Takes the models of which nothing is known.</param>
-    public abstract void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds screenBounds, int group, int share, int shares);
+    public abstract void AddTo(
+        PooledList<(int Bin, BatchItem Item)> members, List<int> others, ScreenBins grid, ScreenBounds screenBounds, int group, int share, int shares);
 
     /// <summary>Copies the shapes of some members into the order of the members.</summary>
     public abstract void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end);
 
     public abstract void Reserve(int members);
 
-    public abstract void Prefetch(int member);
-
     public abstract void Free();
 
-    /// <summary>Intersects rays with shapes as the part lists them.</summary>
-    public abstract void Intersect(BatchTile<N> part, int first, int end, bool isClear);
+    /// <summary>Intersects the packets that a part lists with a member.</summary>
+    /// <param name="isClear">Whether all of its hits certainly count.</param>
+    public abstract void Intersect(BatchTile<N> part, ReadOnlySpan<int> packets, int member, bool isClear);
 }
 
 internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>
@@ -28,7 +28,8 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
     private readonly PooledList<(P Shape, int Model)> arranged = new();
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public override void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds screenBounds, int group, int share, int shares)
+    public override void AddTo(
+        PooledList<(int Bin, BatchItem Item)> members, List<int> others, ScreenBins grid, ScreenBounds screenBounds, int group, int share, int shares)
     {
         var all = CollectionsMarshal.AsSpan(list.Items);
         var (begin, end) = ((int)((long)all.Length * share / shares), (int)((long)all.Length * (share + 1) / shares));
@@ -40,7 +41,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
             {
                 if (screenBounds.Read(i, out var nearest, out var isClear) is not { } tile) others.Add(all[first + i].Model);
                 else if (new Sides(tile) is { HasPixels: true } sides)
-                    members.Add(new() { Sides = sides, Nearest = nearest, Kind = group, Index = first + i, IsClear = isClear });
+                    members.Add((grid.BinOf(sides), new() { Sides = sides, Nearest = nearest, Kind = group, Index = first + i, IsClear = isClear }));
             }
         }
     }
@@ -73,26 +74,20 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
                 to[i] = from[members[i].Index];
     }
 
-    public override void Prefetch(int member) => Lanes.Prefetch(ref arranged.Items[member]);
-
     public override void Free() => arranged.Free();
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public override void Intersect(BatchTile<N> part, int first, int end, bool isClear)
+    public override void Intersect(BatchTile<N> part, ReadOnlySpan<int> packets, int member, bool isClear)
     {
         var range = clip;
         var rays = part.Rays;
-        var shapes = arranged.Items;
-        var packets = part.Packets;
-        var members = part.Members;
-        for (var i = first; i < end; i++)
+        var (shape, model) = arranged.Items[member];
+        foreach (var at in packets)
         {
-            ref readonly var it = ref shapes[members[i]];
-            var at = packets[i];
-            var crossings = it.Shape.Intersect(rays.RaysAt<N>(at));
+            var crossings = shape.Intersect(rays.RaysAt<N>(at));
             // Testing which crossings count costs about as much as the formula of a sphere.
             var hit = isClear ? N.IfNaN(crossings.Near, crossings.Far) : range.First(crossings, rays.DepthPerTAt<N>(at));
-            rays.MergeNearest(at, hit, Lanes.Broadcast<N>(it.Model));
+            rays.MergeNearest(at, hit, Lanes.Broadcast<N>(model));
         }
     }
 }

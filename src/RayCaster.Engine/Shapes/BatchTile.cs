@@ -2,21 +2,18 @@ namespace RayCaster.Engine;
 
 /// <summary>A part of the picture in which members of a batch are looked for: its rays, the nearest hits so far, and what they hide. Each thread has
 /// its own.</summary>
-/// <remarks>Most members are hidden, wholly or in part, and branch prediction cannot tell where. So for some members at a time, the packets that a
-/// formula must test are listed first, without branches, and then computed without any.</remarks>
+/// <remarks>Most members are hidden, wholly or in part, and branch prediction cannot tell where. So the packets that a member's formula must test
+/// are listed first, without branches, and then computed without any.</remarks>
 internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
 {
     private const int Side = ScreenBins.PartSide;
 
     private const int CellSide = 8, CellsAcross = Side / CellSide, Cells = CellsAcross * CellsAcross;
 
-    private const int MaxListed = Cells * CellSide * CellSide / 4 * DepthOrder.Batch;
-
-    private readonly int[] packets = new int[MaxListed], members = new int[MaxListed];
+    private readonly int[] packets = new int[Side * Side / N.Count + 1]; // with room for one more, which is not kept
     private readonly double[] farthest = new double[Cells]; // the greatest t of the nearest hits in each cell
     private PixelRect tile;
     private Sides sides;
-    private int count;
     private uint touched; // the cells whose farthest hit may have changed
 
     /// <summary>Its rays, and the nearest hits so far.</summary>
@@ -45,19 +42,16 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     /// <summary>Whether all pixels have a hit nearer than this.</summary>
     public bool Hides(double nearest) => Visible(nearest) == 0;
 
-    /// <summary>Clears the list of packets and finds the farthest hit of each cell that they changed.</summary>
+    /// <summary>Finds the farthest hit of each cell that a member may have changed.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Refresh()
     {
         for (; touched != 0; touched &= touched - 1) FindFarthest(BitOperations.TrailingZeroCount(touched));
-        count = 0;
     }
 
-    /// <summary>Lists the packets in a member's rectangle that do not hide it.</summary>
-    /// <param name="index">Its index among all members.</param>
-    /// <returns>The end of the list.</returns>
+    /// <summary>Lists the packets in a member's rectangle that do not hide it, by their first pixels.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public int List(in BatchItem member, int index)
+    public ReadOnlySpan<int> List(in BatchItem member)
     {
         var nearest = member.Nearest;
         var shared = sides.And(member.Sides);
@@ -70,7 +64,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         var cells = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible(nearest);
         touched |= cells;
         var least = Lanes.Broadcast<N>(nearest);
-        var (rays, packets, members, end) = (Rays, this.packets, this.members, count);
+        var (rays, packets, end) = (Rays, this.packets, 0);
         for (; cells != 0; cells &= cells - 1)
         {
             var cell = BitOperations.TrailingZeroCount(cells);
@@ -81,19 +75,12 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
                 for (var x = 0; x < CellSide; x += N.Count)
                 {
                     packets[end] = i + x;
-                    members[end] = index;
                     end += (Lanes.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inCell;
                 }
             }
         }
-        return count = end;
+        return packets.AsSpan(0, end);
     }
-
-    /// <summary>The first pixel of each listed packet.</summary>
-    public ReadOnlySpan<int> Packets => packets;
-
-    /// <summary>The member that each listed packet may hit.</summary>
-    public ReadOnlySpan<int> Members => members;
 
     /// <summary>A bit for each cell in which some pixel's nearest hit is not nearer than this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -4,31 +4,29 @@ namespace RayCaster.Engine;
 /// others are hidden before their formula is computed.</summary>
 internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
 {
-    private const int Batch = DepthOrder.Batch;
-
     private readonly BatchShapes<N>[] groups;
     private readonly ScreenBins grid;
-    private readonly PooledList<BatchItem> members = new(); // in the order of the bins
+    private readonly Bins<BatchItem> members;
 
     /// <summary>Finds where in the picture models may show.</summary>
-    public PrimitiveBatch(Camera camera, ShapeLists shapes, int count, int threads)
+    public PrimitiveBatch(Camera camera, ShapeLists shapes, int models, int threads)
     {
         groups = [.. shapes.Lists.Select(list => list.ForBatch<N>(camera.ClipRange))];
         grid = new(camera);
-        var shares = ThreadTeam.SharesOf(count, threads);
-        var found = new PooledList<BatchItem>[shares];
+        var shares = ThreadTeam.SharesOf(models, threads);
+        var found = new PooledList<(int Bin, BatchItem Item)>[shares];
         var unknown = new List<int>[shares];
         ThreadTeam.Each(shares, shares, share =>
         {
             (found[share], unknown[share]) = (new(), []);
-            found[share].Reserve(count / shares + ScreenBounds.Count);
+            found[share].Reserve(models / shares + ScreenBounds.Count);
             var screenBounds = new ScreenBounds(camera);
-            for (var i = 0; i < groups.Length; i++) groups[i].AddTo(found[share], unknown[share], screenBounds, i, share, shares);
+            for (var i = 0; i < groups.Length; i++) groups[i].AddTo(found[share], unknown[share], grid, screenBounds, i, share, shares);
         });
-        grid.Sort(found, members);
-        foreach (var some in found) some.Free();
-        foreach (var group in groups) group.Reserve(members.Count);
-        ThreadTeam.Shares(shares, members.Count, (_, first, end) =>
+        members = new(found);
+        var count = members.Items.Length;
+        foreach (var group in groups) group.Reserve(count);
+        ThreadTeam.Shares(shares, count, (_, first, end) =>
         {
             for (var i = 0; i < groups.Length; i++) groups[i].Arrange(members.Items, i, first, end);
         });
@@ -41,14 +39,14 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
     /// <summary>Whether members may show in a tile.</summary>
     public bool Shows(in PixelRect tile, DepthOrder order)
     {
-        grid.Find(tile, order.Ranges);
+        grid.Find(tile, members, order.Ranges);
         return order.Ranges.Count > 0;
     }
 
     /// <summary>Sorts the members that may show in a part of the picture.</summary>
     public void Sort(in PixelRect part, DepthOrder order)
     {
-        grid.Find(part, order.Ranges);
+        grid.Find(part, members, order.Ranges);
         order.Sort(members.Items, part);
     }
 
@@ -64,28 +62,11 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
     public void Intersect(BatchTile<N> part, ReadOnlySpan<(int Member, float NearestOfRest)> order)
     {
         var members = this.members.Items;
-        // one call for members of one kind, which nearly always is the whole batch
-        var group = 0;
-        var isClear = false;
-        for (var next = 0; next < order.Length && !part.Hides(order[next].NearestOfRest); next += Batch)
+        for (var i = 0; i < order.Length && !part.Hides(order[i].NearestOfRest); i++)
         {
-            for (var i = next + Batch; i < Math.Min(next + 2 * Batch, order.Length); i++) // the batch that follows
-            {
-                var member = order[i].Member;
-                groups[members[member].Kind].Prefetch(member);
-            }
-            var (first, end) = (0, 0);
-            for (var i = next; i < Math.Min(next + Batch, order.Length); i++)
-            {
-                ref readonly var member = ref members[order[i].Member];
-                if (member.Kind != group || member.IsClear != isClear)
-                {
-                    groups[group].Intersect(part, first, end, isClear);
-                    (first, group, isClear) = (end, member.Kind, member.IsClear);
-                }
-                end = part.List(member, order[i].Member);
-            }
-            groups[group].Intersect(part, first, end, isClear);
+            var index = order[i].Member;
+            ref readonly var member = ref members[index];
+            groups[member.Kind].Intersect(part, part.List(member), index, member.IsClear);
             part.Refresh();
         }
     }

@@ -1,5 +1,3 @@
-using System.Buffers;
-
 namespace RayCaster.Engine;
 
 /// <summary>
@@ -15,8 +13,6 @@ internal sealed class ScreenBins
     public const int PartSide = 32;
 
     private readonly Level[] levels;
-    private readonly int binCount;
-    private int[] starts = []; // of each bin of each grid the first member; one more at the end
 
     public ScreenBins(Camera camera)
     {
@@ -32,41 +28,10 @@ internal sealed class ScreenBins
         }
         while (created[^1].Across > 1 || created[^1].Up > 1);
         levels = [.. created];
-        binCount = first;
-    }
-
-    /// <summary>Sorts members by their bins.</summary>
-    /// <param name="shares">The members; each share has a thread.</param>
-    public void Sort(PooledList<BatchItem>[] shares, PooledList<BatchItem> sorted)
-    {
-        var bins = Array.ConvertAll(shares, share => ArrayPool<int>.Shared.Rent(share.Count)); // of each member
-        sorted.Resize(shares.Sum(share => share.Count));
-        starts = CountingSort.Sort(
-            shares.Length, binCount,
-            (i, counts) => Count(shares[i].Items, bins[i], counts),
-            (i, next) => Place(shares[i].Items, bins[i], next, sorted.Items));
-        foreach (var some in bins) ArrayPool<int>.Shared.Return(some);
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Count(ReadOnlySpan<BatchItem> members, int[] bins, int[] counts)
-    {
-        for (var i = 0; i < members.Length; i++)
-        {
-            var bin = BinOf(members[i]);
-            bins[i] = bin;
-            counts[bin]++;
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private static void Place(ReadOnlySpan<BatchItem> members, int[] bins, int[] next, Span<BatchItem> sorted)
-    {
-        for (var i = 0; i < members.Length; i++) sorted[next[bins[i]]++] = members[i];
     }
 
     /// <summary>Finds ranges that hold all members that may show in a tile, and others.</summary>
-    public void Find(in PixelRect tile, PooledList<(int First, int End)> ranges)
+    public void Find(in PixelRect tile, Bins<BatchItem> members, PooledList<(int First, int End)> ranges)
     {
         ranges.Clear();
         foreach (ref readonly var level in levels.AsSpan())
@@ -76,17 +41,18 @@ internal sealed class ScreenBins
             for (var y = bottom; y <= top; y++)
             {
                 var row = level.First + y * level.Across;
-                var (first, end) = (starts[row + left], starts[row + right + 1]);
+                var (first, end) = (members.StartOf(row + left), members.StartOf(row + right + 1));
                 if (first < end) ranges.Add((first, end));
             }
         }
     }
 
+    /// <summary>The bin of a member's rectangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int BinOf(in BatchItem member)
+    public int BinOf(Sides sides)
     {
-        var (left, bottom) = (member.Sides.Left, member.Sides.Bottom);
-        var size = Math.Max(member.Sides.Right - left, member.Sides.Top - bottom);
+        var (left, bottom) = (sides.Left, sides.Bottom);
+        var size = Math.Max(sides.Right - left, sides.Top - bottom);
         ref readonly var level = ref levels[size <= PartSide ? 0 : BitOperations.Log2((uint)(size - 1) / PartSide) / 2 + 1];
         return level.First + (bottom >> level.Side) * level.Across + (left >> level.Side);
     }

@@ -27,6 +27,5 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
 
     /// <summary>Whether a hit replaces the nearest one before it; false where t is NaN.</summary>
     /// <param name="nearest">The parameter of the nearest hit before it; +∞ before the first.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N IsNearer<N>(N t, N nearest) where N : struct, IReal<N> => t < nearest;
 }

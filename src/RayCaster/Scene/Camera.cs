@@ -139,11 +139,9 @@ public sealed record Camera
     /// <summary>d = (uc U + ur V − W) normalised.</summary>
     /// <param name="c">The column; any kind of number.</param>
     /// <param name="r">The row, from the bottom.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Direction<N>(N c, N r) where N : struct, IReal<N> => Direction(Across(c), Upwards(r));
 
     /// <summary>The same from uc U and ur V, for a caller that computes many rays of one column or row.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
         var pixel = (across + upwards - W).As("pixel", "uc * U + ur * V - W"); // to the picture plane; explanations print this text
@@ -171,7 +169,6 @@ public sealed record Camera
     }
 
     /// <summary>The depth z per unit of t along d: −d·W; 1 if zNear and zFar limit the distance.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N DepthPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
         Clip == ClipMode.Depth ? -(direction * W) : 1;
 }

@@ -78,10 +78,8 @@ public interface IReal<N> where N : struct, IReal<N>
     static virtual Vector3<N> Divide(Vector3<N> a, N b) => new(a.X / b, a.Y / b, a.Z / b);
 
     /// <summary>Gives a step of a formula its name (<see cref="Naming"/>). Only a number that explains uses it.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     static virtual N Named(N value, string name, string formula) => value;
 
     /// <inheritdoc cref="Named(N, string, string)"/>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     static virtual Vector3<N> Named(Vector3<N> value, string name, string formula) => value;
 }
