@@ -142,6 +142,7 @@ public sealed record Camera
     public Vector3<N> Direction<N>(N c, N r) where N : struct, IReal<N> => Direction(Across(c), Upwards(r));
 
     /// <summary>The same from uc U and ur V, for a caller that computes many rays of one column or row.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
         var pixel = (across + upwards - W).As("pixel", "uc * U + ur * V - W"); // to the picture plane; explanations print this text

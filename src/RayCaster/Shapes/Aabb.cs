@@ -29,6 +29,7 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
     /// A ray parallel to the slab (d = 0) divides by 0. Inside this gives −∞ and +∞; outside twice the same infinity, so that the intersection
     /// is empty. Exactly on a face it gives 0 / 0, NaN: the face belongs to the slab, so the ray is inside from −∞ to +∞.
     /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Crossings<N> Slab<N>(N B0, N B1, N P, N d) where N : struct, IReal<N>
     {
         var t0 = ((B0 - P) / d).As("t0");

@@ -29,6 +29,7 @@ public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
     public static Vector3<N> operator -(Vector3<N> a) => new(-a.X, -a.Y, -a.Z);
 
     /// <summary>Multiplies each coordinate by a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<N> operator *(N b, Vector3<N> a) => new(b * a.X, b * a.Y, b * a.Z);
 
     /// <inheritdoc cref="op_Multiply(N, Vector3{N})"/>
