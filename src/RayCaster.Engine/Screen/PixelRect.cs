@@ -17,7 +17,7 @@ public readonly record struct PixelRect(int Column, int Row, int Width, int Heig
     /// <summary>How many pixels; 0 for an empty rectangle.</summary>
     public long Area => (long)Width * Height;
 
-    /// <summary>Whether the rectangles share a pixel.</summary>
+    /// <summary>Whether the rectangles share a pixel. It takes no branch, since of many rectangles the answer is unpredictable.</summary>
     public bool Overlaps(in PixelRect other) =>
-        Column < other.EndColumn && other.Column < EndColumn && Row < other.EndRow && other.Row < EndRow;
+        Column < other.EndColumn & other.Column < EndColumn & Row < other.EndRow & other.Row < EndRow;
 }

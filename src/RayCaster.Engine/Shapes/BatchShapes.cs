@@ -40,8 +40,8 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
             for (var i = 0; i < count; i++)
             {
                 if (screenBounds.Read(i, out var nearest, out var isClear) is not { } tile) others.Add(all[first + i].Model);
-                else if (new Sides(tile) is { HasPixels: true } sides)
-                    members.Add((grid.BinOf(sides), new() { Sides = sides, Nearest = nearest, Kind = group, Index = first + i, IsClear = isClear }));
+                else if (tile is { Width: > 0, Height: > 0 })
+                    members.Add((grid.BinOf(tile), new() { ShowsIn = tile, Nearest = nearest, Kind = group, Index = first + i, IsClear = isClear }));
             }
         }
     }

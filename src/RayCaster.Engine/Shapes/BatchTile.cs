@@ -10,10 +10,9 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
 
     private const int CellSide = 8, CellsAcross = Side / CellSide, Cells = CellsAcross * CellsAcross;
 
-    private readonly int[] packets = new int[Side * Side / N.Count + 1]; // with room for one more, which is not kept
+    private readonly int[] packets = new int[Side * Side / N.Count];
     private readonly double[] farthest = new double[Cells]; // the greatest t of the nearest hits in each cell
     private PixelRect tile;
-    private Sides sides;
     private uint touched; // the cells whose farthest hit may have changed
 
     /// <summary>Its rays, and the nearest hits so far.</summary>
@@ -22,7 +21,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     public void Enter(in PixelRect tile)
     {
         touched = (1u << Cells) - 1; // until Refresh, nothing is known of any cell
-        (this.tile, sides) = (tile, new(tile));
+        this.tile = tile;
         Rays.Enter<N>(tile.Column, tile.Width, Side);
         Rays.Aim<N>(tile.Row, tile.Height);
         for (var i = 0; i < Side; i++) // what lies beyond the picture is hidden
@@ -54,9 +53,9 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     public ReadOnlySpan<int> List(in BatchItem member)
     {
         var nearest = member.Nearest;
-        var shared = sides.And(member.Sides);
-        var (left, right) = (shared.Left - tile.Column, shared.Right - 1 - tile.Column);
-        var (bottom, top) = (shared.Bottom - tile.Row, shared.Top - 1 - tile.Row);
+        ref readonly var rect = ref member.ShowsIn;
+        var (left, right) = (Math.Max(rect.Column - tile.Column, 0), Math.Min(rect.EndColumn - tile.Column, tile.Width) - 1);
+        var (bottom, top) = (Math.Max(rect.Row - tile.Row, 0), Math.Min(rect.EndRow - tile.Row, tile.Height) - 1);
         var columns = (2u << (right / CellSide)) - (1u << (left / CellSide)); // a bit for each cell
         var rows = (uint)((2UL << top) - (1UL << bottom));                      // a bit for each row
         var inRows = (2u << (top / CellSide)) - (1u << (bottom / CellSide));

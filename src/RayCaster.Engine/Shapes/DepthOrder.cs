@@ -34,13 +34,12 @@ internal sealed class DepthOrder
             Array.Resize(ref listed, 2 * (count + end - first));
             sorted = new (int, float)[listed.Length];
         }
-        var sides = new Sides(part);
         var n = count;
         for (var i = first; i < end; i++)
         {
             ref readonly var member = ref members[i];
             listed[n] = (i, BitConverter.SingleToInt32Bits(member.Nearest));
-            n += sides.And(member.Sides).HasPixels ? 1 : 0; // no branch, since it would be unpredictable
+            n += part.Overlaps(member.ShowsIn) ? 1 : 0;
         }
         count = n;
     }

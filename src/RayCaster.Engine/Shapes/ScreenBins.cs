@@ -49,12 +49,11 @@ internal sealed class ScreenBins
 
     /// <summary>The bin of a member's rectangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int BinOf(Sides sides)
+    public int BinOf(in PixelRect rect)
     {
-        var (left, bottom) = (sides.Left, sides.Bottom);
-        var size = Math.Max(sides.Right - left, sides.Top - bottom);
+        var size = Math.Max(rect.Width, rect.Height);
         ref readonly var level = ref levels[size <= PartSide ? 0 : BitOperations.Log2((uint)(size - 1) / PartSide) / 2 + 1];
-        return level.First + (bottom >> level.Side) * level.Across + (left >> level.Side);
+        return level.First + (rect.Row >> level.Side) * level.Across + (rect.Column >> level.Side);
     }
 
     /// <param name="Side">The logarithm of a bin's side in pixels.</param>
