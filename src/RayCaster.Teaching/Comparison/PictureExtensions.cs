@@ -26,7 +26,7 @@ public static class PictureExtensions
     extension(Picture picture)
     {
         /// <summary>A picture of pixels that a function gives for each column and line.</summary>
-        internal static Picture Of(int width, int height, Func<int, int, (byte R, byte G, byte B)> pixel)
+        internal static Picture Create(int width, int height, Func<int, int, (byte R, byte G, byte B)> pixel)
         {
             var made = new Picture(width, height);
             for (var y = 0; y < height; y++)
