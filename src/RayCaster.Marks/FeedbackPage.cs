@@ -3,7 +3,7 @@ namespace RayCaster.Marks;
 /// <summary>A student's page: points, hints, and each picture beside the right one. It has no answers.</summary>
 internal static class FeedbackPage
 {
-    public static string Of(Rubric rubric, StudentMarks marks, IReadOnlyList<SubmittedPicture> pictures)
+    public static string Create(Rubric rubric, StudentMarks marks, IReadOnlyList<SubmittedPicture> pictures)
     {
         var page = new Page($"{rubric.Title}: {marks.Student}");
         page.Element("p", $"{marks.RightPictures} of {marks.Scenes.Count} pictures are right. {NextStep(rubric, marks)}".TrimEnd());
@@ -63,9 +63,9 @@ internal static class FeedbackPage
         else if (scene.Verdict == SceneVerdict.Right) page.Html($"<p>{mine}</p>");
         else
         {
-            var sample = submitted.Sample;
+            var wrong = 100.0 * submitted.Scene.Judge.WrongPixels(submitted.Picture!) / submitted.Picture!.Count;
             page.Element("p",
-                FormattableString.Invariant($"{100.0 * sample.WrongCount / sample.PixelCount:0.##} % of the pixels ") +
+                FormattableString.Invariant($"{wrong:0.##} % of the pixels ") +
                 $"differ by more than {PictureJudge.Tolerance} level. " +
                 "Your picture is left of the line, the right picture right of it:", "small");
             page.Html($"""

@@ -21,8 +21,8 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
         Kind = "comparison",
         Name,
         Problem,
-        Text = Result is null ? null : ForPage(ComparisonText.Of(Result, Name!, SceneName)),
-        Verdict = Result is null ? null : ComparisonText.Of(Result.Likeness),
+        Text = Result is null ? null : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
+        Verdict = Result is null ? null : ComparisonText.Format(Result.Likeness),
         HasLayers = Result?.Difference is not null,
         Middle = Result?.Difference?.WrongMiddle is var (x, y) ? (int[])[x, y] : null,
     });
@@ -47,7 +47,7 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
             if (diagnosis is null)
             {
                 var budget = new SearchBudget(lastResort: time, cancellation: cancellation);
-                var found = await Task.Run(() => Diagnosis.Of(Scene, Mine, budget), CancellationToken.None);
+                var found = await Task.Run(() => Diagnosis.Find(Scene, Mine, budget), CancellationToken.None);
                 cancellation.ThrowIfCancellationRequested();
                 (diagnosis, isCut) = (found, found.IsOpen && budget.UsedUp is not null);
             }

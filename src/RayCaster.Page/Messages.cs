@@ -88,8 +88,8 @@ internal static class Messages
             Column = column,
             Line = line,
             Color = Hex(pixel.Bytes),
-            Sections = ExplanationText.Sections(pixel, mine is null ? null : ReferenceExplanation.Of(pixel, mine)),
-            Drawing = RaySection.Of(pixel),
+            Sections = ExplanationText.Sections(pixel, mine is null ? null : ReferenceExplanation.Create(pixel, mine)),
+            Drawing = RaySection.Create(pixel),
         });
     }
 

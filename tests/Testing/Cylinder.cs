@@ -7,7 +7,7 @@ public sealed class Cylinder(Vector3 center, double radius, double height) : Mod
     {
         var (CP, d) = (ray.Origin - center, ray.Direction);
 
-        // |X − C| = R in the xy plane: a t² + 2 b t + c = 0. b is half of the slide's, so t = (−b ∓ √(b² − a c)) / a, without the slide's 4 and 2.
+        // |X − C| = R in the xy plane: a t² + 2 b t + c = 0, so t = (−b ∓ √(b² − a c)) / a. The slide has b for our 2 b, hence its 4 and 2.
         var a = d.X * d.X + d.Y * d.Y;
         var b = CP.X * d.X + CP.Y * d.Y;
         var c = CP.X * CP.X + CP.Y * CP.Y - radius * radius;

@@ -17,7 +17,7 @@ public readonly record struct Tube(Vector3 Center, double Radius, double Height)
 
     private N IfOnTube<N>(N t, Vector3<N> CP, Vector3<N> d) where N : struct, IReal<N>
     {
-        var z = CP.Z + t * d.Z;
+        var z = (CP.Z + t * d.Z).As("z");
         return N.If((z >= -Height / 2) & (z <= Height / 2), t);
     }
 }

@@ -23,7 +23,7 @@ internal sealed class SceneDifference
     {
         (this.scene, this.difference, this.threads) = (scene, difference, threads);
         hits = new Renderer(scene, threads).CastHits();
-        var own = Picture.Of(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
+        var own = Picture.Create(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
         ReferenceToOwn = new(difference.Reference, own);
         var mineToOwn = new PictureDifference(difference.Mine, own);
         IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
@@ -77,7 +77,7 @@ internal sealed class SceneDifference
     }
 
     private ModelDifference CountWrong(IGrouping<int, int> pixels) =>
-        new(pixels.Key, ModelName.Of(scene, pixels.Key), pixels.Count(), pixels.Count(difference.IsWrong))
+        new(pixels.Key, ModelName.Format(scene, pixels.Key), pixels.Count(), pixels.Count(difference.IsWrong))
         {
             Color = pixels.Key < 0 ? scene.Background : scene.Models[pixels.Key].Color,
         };

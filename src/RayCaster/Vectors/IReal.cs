@@ -11,8 +11,7 @@ namespace RayCaster;
 /// <para>The operations are IEEE 754's on doubles, each rounded once, in the written order, so that all kinds made of doubles compute the
 /// same bits. There is no fused multiply-add: it would round differently.</para>
 /// <para>"No crossing" is NaN (not a number), and every comparison with NaN is false. A comparison gives a mask, for <c>&amp;</c>, <c>|</c>,
-/// <see cref="If"/> and <see cref="Select"/> only. A packet has several answers at once, so a formula selects where other code would
-/// branch.</para>
+/// <see cref="If"/> and <see cref="Select"/> only. A packet has several answers at once, so formulas use Select instead of if.</para>
 /// </remarks>
 /// <typeparam name="N">The number itself.</typeparam>
 public interface IReal<N> where N : struct, IReal<N>

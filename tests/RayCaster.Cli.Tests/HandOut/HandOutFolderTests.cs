@@ -44,7 +44,8 @@ public sealed class HandOutFolderTests(HandOutFolderTests.Lab lab) : IClassFixtu
 
     [Fact]
     public void TheToolComesAlongButForWhatIsTheTeachers() => Assert.Equal(
-        ["RayCaster.Engine.dll", "RayCaster.Files.dll", "RayCaster.Library.dll", "RayCaster.Teaching.dll", "raycaster-live.dll",
+        ["RayCaster.Engine.dll", "RayCaster.Files.dll", "RayCaster.Library.dll", "RayCaster.Page.dll", "RayCaster.Teaching.dll",
+            "raycaster-live.dll",
             "raycaster-live.runtimeconfig.json", "raycaster.dll", "raycaster.runtimeconfig.json"],
         Directory.GetFiles(lab["lib"]).Select(file => Path.GetFileName(file)).Order(StringComparer.Ordinal));
 
