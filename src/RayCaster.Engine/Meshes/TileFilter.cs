@@ -154,10 +154,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         var right = Lanes.Lesser(Vector256.Floor(maxX + margin), column + Vector256.Create(tile.Width - 1f));
         var bottom = Lanes.Greater(Vector256.Ceiling(minY - margin), row);
         var top = Lanes.Lesser(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
-        var isSingle = Vector256.Equals(left, right) & Vector256.Equals(bottom, top);
-        var isOutside = TriangleSetUp.IsOutside(t, left, bottom, maxX - minX + (maxY - minY), margin);
-        var shows = Vector256.AndNot(Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top), isSingle & isOutside)
-            .ExtractMostSignificantBits();
+        var shows = (Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top)).ExtractMostSignificantBits();
         if (count < 8) shows &= (1u << count) - 1;
         if (shows == 0) return;
         if (set.Owners is { } owners)

@@ -93,22 +93,6 @@ internal struct TriangleSetUp
         return shows.ExtractMostSignificantBits();
     }
 
-    /// <summary>Where a sample in a triangle's box is certainly outside the triangle.</summary>
-    /// <param name="size">The boxes' widths and heights together.</param>
-    /// <param name="margin">How far off the corners may be.</param>
-    /// <remarks>The areas that the sample makes with the sides have different signs, by more than their error (margins.md, 1). Which sign is inside
-    /// does not matter here; of a sliver it is not known.</remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<float> IsOutside(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
-        Vector256<float> margin)
-    {
-        var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
-        var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
-        var (e0, e1, e2) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
-        var slack = Vector256.Create(6f) * margin * size;
-        return Vector256.LessThan(Lanes.Least(e0, e1, e2), -slack) & Vector256.GreaterThan(Lanes.Most(e0, e1, e2), slack);
-    }
-
     /// <summary>The greatest inverse depth that the formula may find for triangles with next to no area; float.MaxValue if it may be any.</summary>
     /// <param name="maxInverseDepth">The greatest inverse depth of the corners.</param>
     /// <param name="size">The boxes' widths and heights together.</param>
