@@ -56,8 +56,8 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <inheritdoc cref="TileHits{N}.Paint"/>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => hits.Paint(painter, rgb, first, step);
 
-    /// <summary>Triangles of at least this inverse depth count as near. It is 0.7 of the way from the least inverse depth to the greatest, of some of
-    /// them: with more, too few triangles are near to hide the others; with less, too many are drawn before anything is hidden.</summary>
+    /// <summary>Triangles of at least this inverse depth count as near. It is 0.7 of the way from the least to the greatest inverse depth of a
+    /// sample of them. With more, too few are near to hide the others; with less, too many are drawn before anything is hidden.</summary>
     private static float MinOfNear(ReadOnlySpan<TriangleCluster> all)
     {
         const int Samples = 16;

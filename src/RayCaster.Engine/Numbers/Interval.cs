@@ -6,9 +6,9 @@ namespace RayCaster.Engine;
 /// part. Of a mask, Lo says where it holds for all rays, and Hi where it may hold for some.</summary>
 /// <remarks>
 /// An interval holds what doubles compute. Each operation, and rounding, keeps the order of numbers: so a result lies between the results for the
-/// ends, and the ends need not be rounded outwards. If a divisor may be 0, or an end is infinite or NaN, the result is "anything", since 0 · ∞, ∞ − ∞
-/// or 0 / 0 may occur between the ends. A quotient whose divisor may be 0 is large on both sides: rays that are nearly parallel to a plane cross it
-/// far in front of the eye, or far behind it. <c>Gap</c> says how far from 0 it is at least.
+/// ends, and the ends need not be rounded outwards. If a divisor may be 0, or an end is infinite or NaN, the result is "anything", since 0 · ∞,
+/// ∞ − ∞ or 0 / 0 may occur between the ends. A quotient whose divisor may be 0 is large on both sides: rays that are nearly parallel to a plane
+/// cross it far in front of the eye, or far behind it. <c>Gap</c> says how far from 0 it is at least.
 /// </remarks>
 /// <param name="nan">The <see cref="Occurrence"/> of NaN; where it is always, the ends mean nothing.</param>
 /// <param name="gap">The least absolute value of a number in it, which interval arithmetic calls mignitude; or less, down to 0.</param>

@@ -34,11 +34,11 @@ public static class BoundsExtensions
 
     /// <summary>No ray from the origin of space has a hit in a box at a lesser t; 0 where the box contains that origin.</summary>
     /// <remarks>
-    /// It is a little less than the distance to the box. Along the axis k that a ray follows most, the triangle's formula computes a hit's coordinate
-    /// z_k as a mean of the corners' coordinates, and t = z_k / d_k (<see cref="RaySpace{N}"/>). If a ray sees the triangle edge-on, rounding
-    /// decides the mean's weights. Then z_k still lies in the box, so |z_k| ≥ near_k; the hit's two other coordinates need not. The ray itself meets
-    /// the box, so |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), where i and j are the two other axes. Both together give the least t along k, and
-    /// the least of the three axes' is the result.
+    /// It is a little less than the distance to the box. Along the axis k that a ray follows most, the triangle's formula computes a hit's
+    /// coordinate z_k as a mean of the corners' coordinates, and t = z_k / d_k (<see cref="RaySpace{N}"/>). If a ray sees the triangle edge-on,
+    /// rounding decides the mean's weights. Then z_k still lies in the box, so |z_k| ≥ near_k; the hit's two other coordinates need not. The ray
+    /// itself meets the box, so |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), where i and j are the two other axes. Both together give the least t
+    /// along k, and the least of the three axes' is the result.
     /// </remarks>
     /// <param name="near">How far the box is from the origin along each axis.</param>
     /// <param name="far">How far it reaches, to either side.</param>

@@ -9,7 +9,7 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     /// <param name="members">Takes those that may show, with their bins in the grid.</param>
     /// <param name="others">Takes the models of which nothing is known.</param>
     public abstract void AddTo(
-        PooledList<(int Bin, BatchItem Item)> members, List<int> others, ScreenBins grid, ScreenBounds screenBounds, int group, int share, int shares);
+        PooledList<(int Bin, BatchItem Item)> members, List<int> others, ScreenBins grid, ScreenBounds bounds, int group, int share, int shares);
 
     /// <summary>Copies the shapes of some members into the order of the members.</summary>
     public abstract void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end);
@@ -29,17 +29,17 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void AddTo(
-        PooledList<(int Bin, BatchItem Item)> members, List<int> others, ScreenBins grid, ScreenBounds screenBounds, int group, int share, int shares)
+        PooledList<(int Bin, BatchItem Item)> members, List<int> others, ScreenBins grid, ScreenBounds bounds, int group, int share, int shares)
     {
         var all = CollectionsMarshal.AsSpan(list.Items);
         var (begin, end) = ((int)((long)all.Length * share / shares), (int)((long)all.Length * (share + 1) / shares));
         for (var first = begin; first < end; first += ScreenBounds.Count)
         {
             var count = Math.Min(ScreenBounds.Count, end - first);
-            Project(all.Slice(first, count), screenBounds);
+            Project(all.Slice(first, count), bounds);
             for (var i = 0; i < count; i++)
             {
-                if (screenBounds.Read(i, out var nearest, out var isClear) is not { } tile) others.Add(all[first + i].Model);
+                if (bounds.Read(i, out var nearest, out var isClear) is not { } tile) others.Add(all[first + i].Model);
                 else if (tile is { Width: > 0, Height: > 0 })
                     members.Add((grid.BinOf(tile), new() { ShowsIn = tile, Nearest = nearest, Kind = group, Index = first + i, IsClear = isClear }));
             }
