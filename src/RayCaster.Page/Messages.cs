@@ -88,6 +88,7 @@ internal static class Messages
             Column = column,
             Line = line,
             Color = Hex(pixel.Bytes),
+            Gist = ExplanationText.Gist(pixel),
             Sections = ExplanationText.Sections(pixel, mine is null ? null : ReferenceExplanation.Of(pixel, mine)),
             Drawing = RaySection.Of(pixel),
         });

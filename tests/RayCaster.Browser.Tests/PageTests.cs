@@ -4,7 +4,7 @@ namespace RayCaster.Browser.Tests;
 
 /// <summary>What the page does whichever host it comes from, used by mouse, by keyboard and by fingers.</summary>
 [Trait("waits", "yes")]
-public abstract class PageTests : IAsyncLifetime
+public abstract partial class PageTests : IAsyncLifetime
 {
     private const string Distance = """
         () => {
