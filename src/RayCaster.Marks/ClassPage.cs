@@ -38,7 +38,7 @@ internal static class ClassPage
     /// <summary>What a mistake makes of the scene that it changes most, as small pictures show, beside the right picture.</summary>
     private static string Pictures(Rubric rubric, string id)
     {
-        var change = MistakeCatalog.Named(id)?.Usual ?? ChangeSource.Missing(id);
+        var change = MistakeCatalog.Named(id)?.Usual ?? MissingParts.Without(id);
         var clearest = rubric.Scenes.MaxBy(scene => Change(scene.Scene.WithSize(scene.Right.Width / 4 + 1, scene.Right.Height / 4 + 1)))!;
         return $"{Page.Image(MistakeCatalog.Draw(clearest.Scene, [change]), $"{clearest.Name} with {id}")} " +
             Page.Image(clearest.Right, $"{clearest.Name}, right");

@@ -63,9 +63,9 @@ internal static class FeedbackPage
         else if (scene.Verdict == SceneVerdict.Right) page.Html($"<p>{mine}</p>");
         else
         {
-            var sample = submitted.Sample;
+            var wrong = 100.0 * submitted.Scene.Judge.WrongPixels(submitted.Picture!) / submitted.Picture!.Count;
             page.Element("p",
-                FormattableString.Invariant($"{100.0 * sample.WrongCount / sample.PixelCount:0.##} % of the pixels ") +
+                FormattableString.Invariant($"{wrong:0.##} % of the pixels ") +
                 $"differ by more than {PictureJudge.Tolerance} level. " +
                 "Your picture is left of the line, the right picture right of it:", "small");
             page.Html($"""

@@ -9,7 +9,7 @@ internal static class MarkWords
     /// <summary>The question that leads to a mistake; for a missing shape the question of a mistake that hides it, or an empty text.</summary>
     public static string Question(string because, IReadOnlyList<string> hiding) => MistakeCatalog.Named(because)?.Hint.Question
         ?? (hiding.Select(id => MistakeCatalog.Named(id)!)
-                .FirstOrDefault(mistake => mistake.Steps.All(step => step == ShapeKind.Of(because)?.Step)) is { } mistake
+                .FirstOrDefault(mistake => mistake.IsOnlyOf(because)) is { } mistake
             ? $"If they are written: {mistake.Hint.Question}" : "");
 
     public static string NotDrawn(string part) => part == MissingParts.Attenuation
@@ -21,7 +21,7 @@ internal static class MarkWords
     {
         MissingParts.Attenuation => "Colours do not get darker with the distance",
         MissingParts.Clipping => "zNear and zFar cut nothing",
-        _ => $"No {ShapeKind.Of(part)?.Many ?? part} are drawn",
+        _ => $"No {MissingParts.Many(part)} are drawn",
     };
 
     /// <summary>A verdict in words for the student.</summary>

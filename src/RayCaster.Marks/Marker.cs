@@ -41,14 +41,14 @@ internal sealed class Marker(Rubric rubric)
     {
         List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = diagnoses.GetOrAdd(string.Join(' ', pictures.Select(picture => $"{picture.Scene.Name}/{picture.Digest}")),
-            _ => new(() => JointDiagnosis.Find(pictures, rubric.Known))).Value;
+            _ => new(() => JointDiagnosis.Of([.. pictures.Select(picture => (picture.Scene.Judge, picture.Picture!))], rubric.Known))).Value;
         var verdict = diagnosis.Verdict;
-        return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Judge(picture, diagnosis))],
-            [.. MissingParts.All.Intersect(verdict.Missing)],
+        return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Judge(picture, pictures.IndexOf(picture), diagnosis))],
+            [.. MissingParts.All.Intersect(verdict.NotYet)],
             [.. verdict.AllMistakes.Where(mistake => mistake.Place is null).Select(mistake => mistake.Id)],
             [.. verdict.Mistakes.Where(mistake => diagnosis.IsCertain && mistake.IsUsual).Select(mistake => mistake.Id)],
             [.. diagnosis.HidingMistakes.Select(mistake => mistake.Id)],
-            [.. LookYourself(submitted, diagnosis)]);
+            [.. LookYourself(submitted, diagnosis, [.. diagnosis.Unexplained.Select(i => pictures[i].Scene.Name)])]);
     }
 
     /// <summary>An item's points by its pictures and the tests of its step.</summary>
@@ -75,8 +75,8 @@ internal sealed class Marker(Rubric rubric)
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
     private static List<MarkedScene> UnderstoodScenes(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
     [
-        .. pictures.Where(picture => picture.Sample.IsRight || !diagnosis.IsGuess)
-            .Select(picture => picture.Scene).Except(diagnosis.Unexplained),
+        .. pictures.Select(picture => picture.Scene).Where((_, i) => !diagnosis.Unexplained.Contains(i)
+            && (!diagnosis.IsGuess || !diagnosis.Wrong.Contains(i))),
     ];
 
     private List<ItemMarks> Items(JointDiagnosis diagnosis, List<SubmittedPicture> pictures)
@@ -85,10 +85,6 @@ internal sealed class Marker(Rubric rubric)
         var understood = UnderstoodScenes(pictures, diagnosis);
         var judged = pictures.ConvertAll(picture => picture.Scene);
         var isAllUnderstood = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
-        StepKind[] steps =
-        [
-            .. Edits(diagnosis).SelectMany(edit => edit.Place!.Steps), .. diagnosis.Steps ?? [],
-        ];
         foreach (var item in rubric.Items)
         {
             var (lost, because) = Cost(item, diagnosis.Verdict);
@@ -101,7 +97,7 @@ internal sealed class Marker(Rubric rubric)
                 most = Math.Max(most, other);
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
-            var mayBeAtFault = steps.Any(step => Concerns(item, step)) || (diagnosis.Steps is not null ? !Decide(judged, item)
+            var mayBeAtFault = Concerns(diagnosis, item) || (diagnosis.IsOnlyLight ? !Decide(judged, item)
                 : IsOutOfSight(item, diagnosis, pictures)
                     || !isAllUnderstood && (!Decide(understood, item) || (2 * understood.Count <= judged.Count && !IsOfShapes(item))));
             if (mayBeAtFault) most = item.Points;
@@ -125,43 +121,38 @@ internal sealed class Marker(Rubric rubric)
 
     /// <summary>Whether an item is about formulas of shapes. A fault that no mistake explains may be in any of the others, unless most pictures
     /// are right: these use them too.</summary>
-    private static bool IsOfShapes(RubricItem item) => item.Undone.Any(part => ShapeKind.Of(part) is not null);
+    private static bool IsOfShapes(RubricItem item) => item.Undone.Any(MissingParts.IsShape);
 
     /// <summary>Whether an item is about a shape that mistakes keep out of all pictures: it may be unwritten.</summary>
     private static bool IsOutOfSight(RubricItem item, JointDiagnosis diagnosis, List<SubmittedPicture> pictures) =>
-        diagnosis.Verdict.Mistakes.Count > 0 && item.Undone.Where(part => ShapeKind.Of(part) is not null).ToArray() is { Length: > 0 } kinds
-            && kinds.Any(kind => pictures.Any(picture => picture.Scene.Needs(kind))) && !kinds.Any(kind => diagnosis.Draws(kind, pictures));
+        diagnosis.Verdict.Mistakes.Count > 0 && item.Undone.Where(MissingParts.IsShape).ToArray() is { Length: > 0 } kinds
+            && kinds.Any(kind => pictures.Any(picture => picture.Scene.Needs(kind))) && !kinds.Any(diagnosis.Drawn.Contains);
 
-    /// <summary>Small edits of formulas that explain the pictures: no item has them, and none is charged for them.</summary>
-    private static IEnumerable<Change> Edits(JointDiagnosis diagnosis) =>
-        diagnosis.Alternatives.Prepend(diagnosis.Verdict).SelectMany(program => program.AllMistakes).Where(mistake => mistake.Place is not null);
-
-    /// <summary>Whether an item is about a step: it needs its shape, or has a mistake in its formulas or in their effect.</summary>
-    private static bool Concerns(RubricItem item, StepKind step) =>
-        item.Undone.Contains(step is StepKind.Light ? MissingParts.Attenuation : step.ToString().ToLowerInvariant())
-        || item.Mistakes.Select(mistake => MistakeCatalog.Named(mistake)!).Any(mistake => step is StepKind.Light or StepKind.Bytes
-            ? mistake.Steps.Any(touched => touched.IsOfColors()) : mistake.Slide == FormulaBook.Slides.StylesOf(step)[0].Slide);
+    /// <summary>Whether what has no name, and costs nothing, may be in an item's formulas: it needs their shape, or has a mistake in them.</summary>
+    private static bool Concerns(JointDiagnosis diagnosis, RubricItem item) =>
+        item.Undone.Any(diagnosis.MayBeIn) || item.Mistakes.Any(mistake => diagnosis.MayBeIn(MistakeCatalog.Named(mistake)!));
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
-    private (double Lost, string[] Because) Cost(RubricItem item, Hypothesis program)
+    private (double Lost, string[] Because) Cost(RubricItem item, Suspect program)
     {
-        string[] undone = [.. program.Missing.Intersect(item.Undone)];
+        string[] undone = [.. program.NotYet.Intersect(item.Undone)];
         if (undone.Length > 0) return (item.Points, undone);
         string[] mistakes = [.. program.AllMistakes.Where(mistake => rubric.ItemOf(mistake) == item).Select(mistake => mistake.Id)];
         return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
     }
 
-    private static SceneMarks Judge(SubmittedPicture picture, JointDiagnosis diagnosis)
+    /// <param name="place">The picture's place among those that can be judged.</param>
+    private static SceneMarks Judge(SubmittedPicture picture, int place, JointDiagnosis diagnosis)
     {
         var verdict = !picture.CanBeJudged ? SceneVerdict.NoPicture
-            : picture.Sample.IsRight ? SceneVerdict.Right
-            : diagnosis.Unexplained.Contains(picture.Scene) ? SceneVerdict.Unexplained
+            : !diagnosis.Wrong.Contains(place) ? SceneVerdict.Right
+            : diagnosis.Unexplained.Contains(place) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
         var isDistinctive = verdict is SceneVerdict.Explained or SceneVerdict.Unexplained && !picture.Picture!.IsOneColor && !picture.IsUntouched;
         return new(picture.Scene.Name, verdict) { Digest = isDistinctive ? picture.Digest : null };
     }
 
-    private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
+    private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis, string[] ofWrong)
     {
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
         {
@@ -175,14 +166,14 @@ internal sealed class Marker(Rubric rubric)
         foreach (var scenes in repeated)
             yield return $"{string.Join(", ", scenes)}: the same picture of different scenes, so the program does not draw the scene yet";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
-        string[] unexplained = [.. diagnosis.Unexplained.Select(scene => scene.Name).Except(repeated.SelectMany(scenes => scenes))];
+        string[] unexplained = [.. ofWrong.Except(repeated.SelectMany(scenes => scenes))];
         if (diagnosis.Cause is { } notTheFormulas && unexplained.Length > 0) yield return $"{string.Join(", ", unexplained)}: {notTheFormulas}";
         else if (!diagnosis.TellsNothing && unexplained.Length > 0)
             yield return $"{string.Join(", ", unexplained)}: " +
                 (diagnosis.Note is { } note ? $"no known mistake explains this, but {note}"
                     : "no known mistake explains this" +
                         (diagnosis.Nearest is { } near ? $"; the nearest is {Names(near)}, which explains too little" : ""));
-        foreach (var cause in Edits(diagnosis).Select(edit => edit.Cause).Distinct())
+        foreach (var cause in diagnosis.Slips.Select(slip => slip.Cause).Distinct())
             yield return $"no known mistake explains the pictures, but a slip in {cause}";
         foreach (var other in diagnosis.Alternatives)
             if (rubric.Items.Any(item => Cost(item, other).Lost != Cost(item, diagnosis.Verdict).Lost))
@@ -197,7 +188,7 @@ internal sealed class Marker(Rubric rubric)
         where same.Count() > 1
         select same.ToArray();
 
-    private static string Names(Hypothesis program) => string.Join(" + ",
-        program.Missing.Select(part => $"no {part}").Concat(program.AllMistakes.Select(mistake =>
+    private static string Names(Suspect program) => string.Join(" + ",
+        program.NotYet.Select(part => $"no {part}").Concat(program.AllMistakes.Select(mistake =>
             mistake.Place is null ? mistake.Id : $"a slip in {mistake.Cause}")));
 }

@@ -38,10 +38,10 @@ public sealed class Rubric
     internal RubricItem? ItemOf(Change change)
     {
         var item = ItemOf(change.Id);
-        if (item is null || !item.Undone.Any(part => ShapeKind.Of(part) is not null)) return item;
-        var changed = change.In(FormulaProgram.For(Scenes[0].Scene.Camera))?.ChangedShapes.Select(shape => shape.Step).ToArray() ?? [];
+        if (item is null || !item.Undone.Any(MissingParts.IsShape)) return item;
+        string[] changed = [.. change.ShapesIn(Scenes[0].Scene.Camera)];
         return IsOfChanged(item) ? item : Items.FirstOrDefault(IsOfChanged) ?? item;
 
-        bool IsOfChanged(RubricItem other) => other.Undone.Any(part => ShapeKind.Of(part) is { } shape && changed.Contains(shape.Step));
+        bool IsOfChanged(RubricItem other) => other.Undone.Any(changed.Contains);
     }
 }

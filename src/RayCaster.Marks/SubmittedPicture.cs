@@ -13,8 +13,6 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     /// <summary>A picture that promises more than so many times the scene's pixels is not read.</summary>
     private const long SizeFactor = 16;
 
-    private const int Pixels = 3000;
-
     /// <summary>What is odd about the file's alpha, in a sentence; null if each pixel is opaque.</summary>
     public string? OnAlpha { get; private init; }
 
@@ -24,9 +22,6 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     /// <summary>Whether it is what the hand-out draws before anything is written.</summary>
     public bool IsUntouched => CanBeJudged && Picture!.Width == Scene.Right.Width
         && new PictureDifference(Picture, LabSteps.Draw(Scene.Scene, 1)).Largest <= PictureJudge.Tolerance;
-
-    /// <summary>The pixels by which the picture is judged, if it can be judged.</summary>
-    public PictureSample Sample => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
 
     /// <summary>A hash of its size and bytes, if there is a picture.</summary>
     public string Digest => field ??= $"{Picture!.Width} {Convert.ToHexStringLower(SHA256.HashData(Picture.Rgb))}";

@@ -3,8 +3,9 @@ using System.Text.Json;
 namespace RayCaster.Teaching;
 
 /// <summary>Helpers for texts that people read.</summary>
-internal static class TextExtensions
+public static class TextExtensions
 {
+    /// <param name="value">Any value.</param>
     extension(Enum value)
     {
         /// <summary>The name in small letters, with blanks between its words.</summary>
@@ -12,7 +13,11 @@ internal static class TextExtensions
     }
 
     /// <summary>Appends words in lines that a terminal shows whole.</summary>
+    /// <param name="text">The lines so far.</param>
+    /// <param name="head">What the first line begins with.</param>
+    /// <param name="words">A paragraph.</param>
     /// <param name="hang">How far all lines but the first are indented; as long as the head if left out.</param>
+    /// <param name="width">The most characters of a line.</param>
     public static void Wrap(this StringBuilder text, string head, string words, int? hang = null, int width = 96)
     {
         var line = new StringBuilder(head);

@@ -59,7 +59,7 @@ solved stopped
         address=$(grep -o 'http://[^ ]*' page | head -1) && break
         sleep 0.2
     done
-    curl -sf "$address" | grep -q "<title>"
+    curl -sf "$address" | grep "<title>" # to the end: grep -q would end before curl has written all
     kill $live
     ! dotnet lib/raycaster.dll handout ../solved 2> said
     grep -q "the folder handout is not beside this program" said

@@ -24,7 +24,7 @@ public sealed record Change
     public Mistake? Mistake { get; internal init; }
 
     /// <summary>Whether it is what most people write who make its mistake.</summary>
-    internal bool IsUsual { get; init; }
+    public bool IsUsual { get; internal init; }
 
     /// <summary>The slip of a formula; null for others.</summary>
     internal Mutant? Mutant { get; init; }
@@ -59,6 +59,11 @@ public sealed record Change
 
     /// <summary>Whether it counts as a mistake; rays through the other sample point are none beside one.</summary>
     internal bool IsMistake => Id != "" && !IsOtherSample;
+
+    /// <summary>The kinds of shape whose formulas it changes in the slides' program, by their names in scene files.</summary>
+    public IEnumerable<string> ShapesIn(Camera camera) =>
+        In(FormulaProgram.For(camera)) is { } program ? ShapeKind.All.Where(kind => program.ChangedShapes.Any(shape => shape.Step == kind.Step))
+            .Select(kind => kind.Name) : [];
 
     /// <summary>A program with it; null if the program has a change of the same part of a formula, or if it does not fit.</summary>
     internal FormulaProgram? In(FormulaProgram program)

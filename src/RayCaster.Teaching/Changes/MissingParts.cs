@@ -13,7 +13,13 @@ public static class MissingParts
     public static IReadOnlyList<string> All { get; } = [.. ShapeKind.All.Select(kind => kind.Name), Attenuation, Clipping];
 
     /// <summary>Whether a part is a kind of shape.</summary>
-    internal static bool IsShape(string part) => part is not (Attenuation or Clipping);
+    public static bool IsShape(string part) => part is not (Attenuation or Clipping);
+
+    /// <summary>A program without a part, as a change of the slides' program.</summary>
+    public static Change Without(string part) => ChangeSource.Missing(part);
+
+    /// <summary>Several shapes of a kind, in words.</summary>
+    public static string Many(string kind) => ShapeKind.Of(kind)?.Many ?? kind;
 
     /// <summary>The mistakes that draw the same as a program without these parts: for example, "no attenuation" is also in the catalogue.</summary>
     internal static IEnumerable<Change> AsMistakes(IEnumerable<string> parts) =>

@@ -11,11 +11,14 @@ public static class MistakeCatalog
     /// <summary>Those that may change a pixel by more than rounding does.</summary>
     internal static IReadOnlyList<Mistake> Visible { get; } = [.. All.Where(mistake => !mistake.IsWithinRounding)];
 
+    /// <summary>Rays through another sample point of each pixel than the scene's.</summary>
+    internal static Change OtherSample { get; } = All.Single(mistake => mistake.IsOtherSample).Usual;
+
     /// <summary>The mistake of an id; null where there is none.</summary>
     public static Mistake? Named(string id) => byId.GetValueOrDefault(id);
 
     /// <summary>The mistakes that together draw the same as a program in which a part is missing; none for shapes.</summary>
-    internal static IEnumerable<Mistake> DrawnWithout(string part) => All.Where(mistake => mistake.Missing == part);
+    public static IEnumerable<Mistake> DrawnWithout(string part) => All.Where(mistake => mistake.Missing == part);
 
     /// <summary>Draws a scene as a program with mistakes does: for exams, and for testing a rubric.</summary>
     /// <param name="mistakes">All its mistakes, each in one of its ways, such as <see cref="Mistake.Usual"/>.</param>

@@ -1,29 +1,32 @@
 namespace RayCaster.Teaching.Comparison;
 
 /// <summary>More members of scenes, meshes and pictures.</summary>
-internal static class PictureExtensions
+public static class PictureExtensions
 {
     /// <summary>By how many levels the pixels of a picture may differ that has nearly one colour.</summary>
     private const int NearlyEqual = 2;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleTree> trees = [];
 
+    /// <param name="mesh">Any mesh.</param>
     extension(Mesh mesh)
     {
         /// <summary>Its hierarchy, built at the first use.</summary>
-        public TriangleTree Tree => trees.GetValue(mesh, static mesh => new(mesh.Vertices, mesh.Indices));
+        internal TriangleTree Tree => trees.GetValue(mesh, static mesh => new(mesh.Vertices, mesh.Indices));
     }
 
+    /// <param name="scene">Any scene.</param>
     extension(Scene scene)
     {
         /// <summary>The bytes of a pixel, by its index in reading order.</summary>
-        public (byte R, byte G, byte B) BytesAt(HitMap hits, int pixel) => scene.Shade(hits[pixel]).ToBytes();
+        internal (byte R, byte G, byte B) BytesAt(HitMap hits, int pixel) => scene.Shade(hits[pixel]).ToBytes();
     }
 
+    /// <param name="picture">Any picture.</param>
     extension(Picture picture)
     {
         /// <summary>A picture of pixels that a function gives for each column and line.</summary>
-        public static Picture Of(int width, int height, Func<int, int, (byte R, byte G, byte B)> pixel)
+        internal static Picture Of(int width, int height, Func<int, int, (byte R, byte G, byte B)> pixel)
         {
             var made = new Picture(width, height);
             for (var y = 0; y < height; y++)
@@ -32,15 +35,16 @@ internal static class PictureExtensions
         }
 
         /// <summary>A pixel by its index in reading order.</summary>
-        public (byte R, byte G, byte B) At(int pixel) => (picture.Rgb[3 * pixel], picture.Rgb[3 * pixel + 1], picture.Rgb[3 * pixel + 2]);
+        internal (byte R, byte G, byte B) At(int pixel) => (picture.Rgb[3 * pixel], picture.Rgb[3 * pixel + 1], picture.Rgb[3 * pixel + 2]);
 
+        /// <summary>How many pixels it has.</summary>
         public int Count => picture.Width * picture.Height;
 
         /// <summary>Whether all pixels are equal, so that the picture proves nothing.</summary>
         public bool IsOneColor => picture.Rgb.AsSpan(3).SequenceEqual(picture.Rgb.AsSpan(0, picture.Rgb.Length - 3));
 
         /// <summary>Whether all pixels are equal but for a level or two: such a picture proves as little.</summary>
-        public bool IsNearlyOneColor
+        internal bool IsNearlyOneColor
         {
             get
             {
@@ -58,7 +62,7 @@ internal static class PictureExtensions
         }
 
         /// <summary>The one colour of a picture in words: <c>black, (0, 0, 0)</c>.</summary>
-        public string OneColorInWords
+        internal string OneColorInWords
         {
             get
             {

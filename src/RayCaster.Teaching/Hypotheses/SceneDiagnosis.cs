@@ -44,7 +44,8 @@ public sealed class SceneDiagnosis
     /// <summary>How many mistakes were tried for <see cref="Hidden"/>: all that change a pixel, unless the work was limited.</summary>
     public int TriedForHidden => hidden.Value.Tried;
 
-    internal bool TooManyModels => Scene.Models.Count > MutationCoverage.MaxModels;
+    /// <summary>Whether it has too many models for mistakes to be tried.</summary>
+    public bool TooManyModels => Scene.Models.Count > MutationCoverage.MaxModels;
 
     internal int? Threads { get; }
 
@@ -53,10 +54,10 @@ public sealed class SceneDiagnosis
     internal SearchBudget? Budget { get; }
 
     /// <summary>The mistakes that can show in this scene at all.</summary>
-    internal IReadOnlyList<Mistake> Known { get; }
+    public IReadOnlyList<Mistake> Known { get; }
 
     /// <summary>The mistakes that take too long to try.</summary>
-    internal IReadOnlyList<Mistake> NotTried { get; }
+    public IReadOnlyList<Mistake> NotTried { get; }
 
     /// <summary>The scene's picture in the size that it should have, if another picture may be a part of it.</summary>
     internal Picture? Whole(Picture picture) => size is var (width, height) && Crop.IsPossible(picture, width, height)
@@ -66,6 +67,9 @@ public sealed class SceneDiagnosis
     public static bool CanJudge(Scene scene, Picture picture) =>
         (picture.Width, picture.Height) == (scene.Camera.Width, scene.Camera.Height)
         || (picture.Height, picture.Width) == (scene.Camera.Width, scene.Camera.Height);
+
+    /// <summary>In how many pixels a picture differs by more than rounding. A few on outlines do not count.</summary>
+    public int WrongPixels(Picture picture) => JointDiagnosis.SampleOf(this, picture).WrongCount;
 
     /// <summary>Judges a picture.</summary>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>

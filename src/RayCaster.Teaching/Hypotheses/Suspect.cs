@@ -12,4 +12,11 @@ namespace RayCaster.Teaching.Hypotheses;
 /// they explain the picture.</param>
 public sealed record Suspect(
     IReadOnlyList<Change> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet,
-    bool SamePicture, bool AsLikely, bool HasSymptoms);
+    bool SamePicture, bool AsLikely, bool HasSymptoms)
+{
+    /// <summary>A right program.</summary>
+    internal static Suspect None { get; } = new([], 0, false, [], [], false, false, false);
+
+    /// <summary>The mistakes, and that of the sample point if it is another.</summary>
+    public IEnumerable<Change> AllMistakes => OtherSample ? Mistakes.Append(MistakeCatalog.OtherSample) : Mistakes;
+}
