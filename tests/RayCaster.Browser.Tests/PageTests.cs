@@ -65,7 +65,9 @@ public abstract partial class PageTests : IAsyncLifetime
         Assert.Contains("Column 20, line 14", await Page.TextOfAsync("#pixel-head"));
         Assert.Equal(
             sections.Skip(1).Select(section => section.Text),
-            await Page.EvaluateExpressionAsync<string[]>("[...document.querySelectorAll('#pixel-explained pre')].map(pre => pre.textContent)"));
+            await Page.EvaluateExpressionAsync<string[]>("""
+                [...document.querySelectorAll('#pixel-parts pre')].map(pre => [...pre.children].map(line => line.textContent + '\n').join(''))
+                """));
         Assert.EndsWith("#pixel=20,14", Page.Url);
         Assert.NotNull(await Page.QuerySelectorAsync(".section path.shape"));
 

@@ -45,8 +45,8 @@ on("closed", () => diagnosing(false));
 $("mine-show").addEventListener("change", arrange);
 $("mine-forget").addEventListener("click", () => ask({ forgetMine: true }));
 $("mine-worst").addEventListener("click", () => {
+  $("pixel").focus({ preventScroll: true });
   explain(middle);
-  $("pixel").focus();
 });
 $("diagnose").addEventListener("click", () => isDiagnosing ? ask({ diagnose: false }) : diagnose());
 $("hint").addEventListener("change", event => {

@@ -30,7 +30,7 @@ export function digits(value, significant = 6) {
 
 /** The lines of a text. What a narrow window breaks off a line stands further right than its beginning; the rows of a table are not broken. */
 export function lines(text) {
-  return text.split(/(?<=\n)/).map(line => {
+  return text.trimEnd().split("\n").map(line => {
     const isRow = /\S {2,}\S.* {2,}\S/.test(line);
     const element = make("span", { class: isRow ? "line row" : "line" }, line);
     element.style.setProperty("--indent", `${/^ */.exec(line)[0].length + 2}ch`);
