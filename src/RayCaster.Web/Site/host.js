@@ -58,8 +58,14 @@ $("open-scene").addEventListener("change", event => {
 const { onFile } = dropped;
 dropped.onFile = file => file.name.toLowerCase().endsWith(".json") ? open(file) : onFile(file);
 
-$("save-scene").addEventListener("click", () =>
-  make("a", { download: scene[0], href: URL.createObjectURL(new Blob([editor.value], { type: "application/json" })) }).click());
+$("save-scene").addEventListener("click", () => {
+  try {
+    make("a", { download: scene[0], href: URL.createObjectURL(new Blob([editor.value], { type: "application/json" })) }).click();
+  } catch {
+    editor.select();
+    said.textContent = "The browser does not allow the page to save a file. The text is selected: copy it.";
+  }
+});
 
 /** Copies a link to the scene, or shows it to be copied; with a pixel, to that pixel as the camera sees it now. */
 async function share(said, field, pixel = null) {

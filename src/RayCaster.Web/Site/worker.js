@@ -1,6 +1,7 @@
 // A Web Worker that runs RayCaster. A message is an exported method of Program.cs and its arguments; the answers are those of a server.
 
 async function start() {
+  if (!globalThis.WebAssembly) throw new Error("it runs no WebAssembly, which a phone's Lockdown Mode turns off");
   const { dotnet } = await import("./_framework/dotnet.js");
   const { getAssemblyExports, getConfig, setModuleImports } = await dotnet.create();
   setModuleImports("worker", {
