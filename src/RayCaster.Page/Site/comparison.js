@@ -1,7 +1,7 @@
 // The user's own picture beside the scene's: one that was dropped or chosen, or a file that the program watches.
 import { sendPicture } from "./connection.js";
 import { $, lines, reveal, show } from "./dom.js";
-import { lay } from "./picture.js";
+import { forget, lay } from "./picture.js";
 import { explain } from "./pixel.js";
 import { ask, on } from "./server.js";
 
@@ -26,7 +26,8 @@ on("comparison", message => {
   for (const option of $("mine-show").options) option.disabled = !message.hasLayers && option.value !== "none";
   if (!message.hasLayers) $("mine-show").value = "none";
   diagnosing(false);
-  $("diagnose").disabled = false;
+  $("diagnose").disabled = message.isVerdict;
+  if (message.isVerdict) forget("objects");
   arrange();
   if (isNew) reveal($("comparison"));
   isNew = false;
