@@ -26,7 +26,7 @@ internal static class FileKind
     ];
 
     /// <summary>What a file is, for the end of "it is …"; null if that is not known.</summary>
-    public static string? Of(ReadOnlySpan<byte> start)
+    public static string? Recognize(ReadOnlySpan<byte> start)
     {
         if (start.StartsWith("RIFF"u8) && start.Length >= 12 && start[8..12].SequenceEqual("WEBP"u8)) return "a WebP";
         if (start.Length >= 12 && start[4..8].SequenceEqual("ftyp"u8)) return "an HEIC picture or a film";

@@ -22,12 +22,12 @@ internal sealed class FileNames
     public string Hint(string path, string extension = "")
     {
         var full = Path.GetFullPath(path);
-        var sought = full == path.Replace('/', Path.DirectorySeparatorChar) ? "" : $"; looked for {PrintableText.Of(full)}";
+        var sought = full == path.Replace('/', Path.DirectorySeparatorChar) ? "" : $"; looked for {PrintableText.From(full)}";
         if (++hints > MaxHints) return sought;
         try
         {
             var folder = Path.GetDirectoryName(full)!;
-            if (!Directory.Exists(folder)) return $"{sought}; there is no folder {PrintableText.Of(folder)}{FolderHint(folder)}";
+            if (!Directory.Exists(folder)) return $"{sought}; there is no folder {PrintableText.From(folder)}{FolderHint(folder)}";
             var names = NamesIn(folder, isFolder: false);
             var completed = Path.GetFileName(path) + extension;
             if (extension.Length > 0 && Array.IndexOf(names, completed) >= 0) return $"{sought}; did you mean \"{completed}\"?";
@@ -51,6 +51,6 @@ internal sealed class FileNames
     [
         .. (isFolder ? Directory.EnumerateDirectories(folder) : Directory.EnumerateFiles(folder)).Take(MaxFiles)
             .Select(path => Path.GetFileName(path))
-            .Where(name => PrintableText.Of(name) == name && !name.Contains('\uFFFD')).Order(StringComparer.Ordinal),
+            .Where(name => PrintableText.From(name) == name && !name.Contains('\uFFFD')).Order(StringComparer.Ordinal),
     ];
 }

@@ -11,7 +11,7 @@ public static class FilePlace
 
     /// <summary>The full path that a path leads to, without links; of a link that leads nowhere, the file that it names.</summary>
     /// <exception cref="IOException">Links lead in a circle.</exception>
-    public static string Of(string path)
+    public static string Resolve(string path)
     {
         var place = "";
         var names = new Stack<string>();

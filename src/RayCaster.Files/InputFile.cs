@@ -19,7 +19,7 @@ internal static class InputFile
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
-            throw ProblemException.Of(e);
+            throw ProblemException.From(e);
         }
     }
 
@@ -34,7 +34,7 @@ internal static class InputFile
         }
         catch (IOException e)
         {
-            throw ProblemException.Of(e);
+            throw ProblemException.From(e);
         }
     }
 

@@ -4,6 +4,6 @@ namespace RayCaster.Files;
 internal static class Plural
 {
     /// <summary><c>1 vertex</c>, <c>1,000 vertices</c>.</summary>
-    public static string Of(long count, string what) =>
+    public static string Format(long count, string what) =>
         FormattableString.Invariant($"{count:N0} {(count == 1 ? what : what == "vertex" ? "vertices" : what + "s")}");
 }

@@ -5,7 +5,7 @@ public static class PrintableText
 {
     /// <summary>The text with U+FFFD in place of each character that is not printable; tabs stay.</summary>
     /// <param name="ofLines">Whether line ends stay, too.</param>
-    public static string Of(string text, bool ofLines = false)
+    public static string From(string text, bool ofLines = false)
     {
         var shown = text.ToCharArray();
         for (var i = 0; i < shown.Length; i++)
@@ -16,7 +16,7 @@ public static class PrintableText
 
     /// <summary>The text with invisible characters as JSON can write them: <c>\u2060</c>.</summary>
     internal static string Escaped(string text) =>
-        string.Concat(Of(text).Select(c => char.GetUnicodeCategory(c) == UnicodeCategory.Format ? $"\\u{(int)c:X4}" : $"{c}"));
+        string.Concat(From(text).Select(c => char.GetUnicodeCategory(c) == UnicodeCategory.Format ? $"\\u{(int)c:X4}" : $"{c}"));
 
     /// <summary>False for characters that could move a terminal's cursor, end a line, or turn the direction of a text (Unicode's
     /// Bidi_Control).</summary>

@@ -28,7 +28,7 @@ public sealed class ProblemException(string message, Exception? cause = null) : 
         e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException { ParamName: "value" };
 
     /// <summary>The problem that the system has with a file, without the file's name.</summary>
-    internal static ProblemException Of(Exception cause) => new(Reason(cause), cause);
+    internal static ProblemException From(Exception cause) => new(Reason(cause), cause);
 
     /// <summary>The system's reason in words. Its own message names the temporary file and ends in a full stop.</summary>
     internal static string Reason(Exception e)

@@ -77,7 +77,7 @@ public static class WrittenFiles
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
-            throw new ProblemException($"cannot write the folder {PrintableText.Of(path)}: {ProblemException.Reason(e)}", e);
+            throw new ProblemException($"cannot write the folder {PrintableText.From(path)}: {ProblemException.Reason(e)}", e);
         }
         finally
         {
@@ -91,7 +91,7 @@ public static class WrittenFiles
         FileNames.ThrowIfImpossible(path);
         if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
             throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
-        var target = FilePlace.Of(path);
+        var target = FilePlace.Resolve(path);
         // Windows says of such a name only that its syntax is wrong.
         if (OperatingSystem.IsWindows() && Path.GetFileName(target).Length > 255) throw Failure(path, "the name is too long");
         var folder = Path.GetDirectoryName(target);
@@ -100,7 +100,7 @@ public static class WrittenFiles
         if (FilePlace.DescriptorOf(target) is not null && !File.Exists(target)) throw Failure(path, "nothing is open by this number");
         if (folder == "/dev" && !File.Exists(target)) throw Failure(path, "its folder is for devices, not for files");
         if (!Directory.Exists(folder))
-            throw Failure(path, $"its folder does not exist\n  make the folder {PrintableText.Of(folder)} first");
+            throw Failure(path, $"its folder does not exist\n  make the folder {PrintableText.From(folder)} first");
         if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly)) throw Failure(path, "the old file is read-only");
         return target;
     }

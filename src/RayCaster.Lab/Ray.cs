@@ -13,8 +13,8 @@ public class Ray(Vector3 origin, Vector3 direction)
 
     public Model HitModel; // the model hit there; null for none
 
-    // zNear and zFar limit z = t DepthPerT. DepthPerT is −d·W, the cosine of the angle between ray and view, so z is the depth in front of the
-    // camera; or it is 1, so z is the distance. A ray that no camera makes, as in tests, is not clipped.
+    // zNear and zFar limit z = t DepthPerT. If the scene clips by depth, DepthPerT is −d·W: the cosine of the angle between the ray and the view
+    // (W is in Camera.cs). If it clips by distance, DepthPerT is 1, so z = t. A ray that no camera makes, as in tests, is not clipped.
     public double Bias, ZNear, ZFar = double.MaxValue, DepthPerT = 1;
 
     public Vector3 At(double t)
@@ -37,7 +37,8 @@ public class Ray(Vector3 origin, Vector3 direction)
         // END SOLUTION
     }
 
-    /// <summary>Whether the crossing at t can be seen. No comparison with NaN holds, so NaN, the root of a negative number, never counts.</summary>
+    /// <summary>Whether the crossing at t can be seen. Every comparison with NaN is false, so NaN, the root of a
+    /// negative number, never counts.</summary>
     public bool Counts(double t)
     {
         // BEGIN SOLUTION "Bias"

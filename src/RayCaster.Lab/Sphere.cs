@@ -19,8 +19,8 @@ public class Sphere(Vector3 center, double radius) : Model
         // its centre lies behind.
 
         // The slide's Pythagoras, D² = L² − t_ca², subtracts two large, nearly equal numbers for a far sphere, so it loses digits, and
-        // the sphere's edge moves. Here D is a vector without that loss: it leads to C from that point of the ray which is nearest to C. Its length
-        // is the slide's D.
+        // the sphere's edge moves. Here D is computed without that loss: it is the vector to C from the point of the ray that is nearest to C. Its
+        // length is the slide's D.
         var D = L - t_ca * ray.Direction;
         if (D * D > R * R) return; // passes by
         var t_hc = Math.Sqrt(R * R - D * D); // the slide writes t_hc² on the left; the square is an error of the slide

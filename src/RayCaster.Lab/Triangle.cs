@@ -13,8 +13,9 @@ public class Triangle(Vector3 a, Vector3 b, Vector3 c) : Model
         if (d * n == 0) return; // edge-on
         var t = (A - ray.Origin) * n / (d * n);
 
-        // X = w A + u B + v C with w + u + v = 1. Seen from P, X − P = t d = w PA + u PB + v PC: three equations, for x, y and z. By Cramer's rule
-        // w, u and v are d·(PB × PC), d·(PC × PA) and d·(PA × PB), all divided by one number. They add up to 1, so this number is their sum.
+        // X = w A + u B + v C with w + u + v = 1. Seen from P, X − P = t d = w PA + u PB + v PC: three equations, for x, y and z. Cramer's rule
+        // solves them: w, u and v are d·(PB × PC), d·(PC × PA) and d·(PA × PB), each divided by the same number. They add up to 1, so this number
+        // is the sum of the three products.
         // The hand-out's formulas give the same u and v. Here two triangles that share an edge compute the same product for it, with opposite
         // signs: no ray passes between them. The slide's strict u > 0 would lose the rays through the edge itself: pinholes in every mesh.
         var (PA, PB, PC) = (A - ray.Origin, B - ray.Origin, C - ray.Origin);

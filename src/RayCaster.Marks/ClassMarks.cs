@@ -35,8 +35,8 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
             notice?.Invoke($"{withoutTests} of {marks.Length} submissions have no test results {rubric.Tests}: only their pictures count" +
                 (rubric.Items.Any(item => item.Evidence == ItemEvidence.Tests) ? ", and what tests alone decide is undecided" : ""));
 
-        Write(Table, MarksTable.Of(rubric, marks));
-        Write(ClassFile, ClassPage.Of(rubric, marks));
+        Write(Table, MarksTable.Format(rubric, marks));
+        Write(ClassFile, ClassPage.Create(rubric, marks));
         return (marks.Length, marks.Count(student => student.LookYourself.Count > 0));
     }
 
@@ -51,7 +51,7 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
     private void ReportFilesAndDecisions(string folder, IReadOnlyCollection<string> decided)
     {
         if (Submission.LooseFiles(folder) is [var loose, .. var more])
-            notice?.Invoke($"a submission is a folder, so {PrintableText.Of(Path.Combine(folder, loose))}" +
+            notice?.Invoke($"a submission is a folder, so {PrintableText.From(Path.Combine(folder, loose))}" +
                 (more.Length == 0 ? " is not marked" : $" and {more.Length} more are not marked"));
         if (decided.Count > 0)
             notice?.Invoke($"{Path.Combine(output, Table)}: using your points or comments for {string.Join(", ", decided)}");
@@ -66,7 +66,7 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
             var tests = rubric.Tests is null ? null : TestResults.In(submission, rubric);
             if (tests?.Steps.Count is null or 0) Interlocked.Increment(ref withoutTests);
             var marks = Decided(marker.Mark(submission.Student, pictures, tests?.Steps, tests?.Notes ?? []));
-            Write(Path.Combine(submission.Student, StudentFile), FeedbackPage.Of(rubric, marks, pictures));
+            Write(Path.Combine(submission.Student, StudentFile), FeedbackPage.Create(rubric, marks, pictures));
             return marks;
         }
         catch (Exception e) when (e is not OperationCanceledException)

@@ -4,7 +4,7 @@ namespace RayCaster.Marks;
 /// it is not for students.</summary>
 internal static class ClassPage
 {
-    public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
+    public static string Create(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         var page = new Page($"{rubric.Title}: {marks.Count} submissions");
         var mistakes = marks.SelectMany(student => student.Mistakes.Concat(student.NotDrawn).Select(id => (id, student)))

@@ -13,7 +13,7 @@ internal static class Csv
     {
         try
         {
-            return Rows(ForeignText.Of([.. InputFile.Read(path, "table", MaxBytes)]));
+            return Rows(ForeignText.Decode([.. InputFile.Read(path, "table", MaxBytes)]));
         }
         catch (ProblemException e)
         {

@@ -3,7 +3,7 @@ namespace RayCaster.Marks;
 /// <summary>A student's page: points, hints, and each picture beside the right one. It has no answers.</summary>
 internal static class FeedbackPage
 {
-    public static string Of(Rubric rubric, StudentMarks marks, IReadOnlyList<SubmittedPicture> pictures)
+    public static string Create(Rubric rubric, StudentMarks marks, IReadOnlyList<SubmittedPicture> pictures)
     {
         var page = new Page($"{rubric.Title}: {marks.Student}");
         page.Element("p", $"{marks.RightPictures} of {marks.Scenes.Count} pictures are right. {NextStep(rubric, marks)}".TrimEnd());

@@ -41,7 +41,7 @@ internal sealed class Marker(Rubric rubric)
     {
         List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = diagnoses.GetOrAdd(string.Join(' ', pictures.Select(picture => $"{picture.Scene.Name}/{picture.Digest}")),
-            _ => new(() => JointDiagnosis.Of([.. pictures.Select(picture => (picture.Scene.Judge, picture.Picture!))], rubric.Known))).Value;
+            _ => new(() => JointDiagnosis.Find([.. pictures.Select(picture => (picture.Scene.Judge, picture.Picture!))], rubric.Known))).Value;
         var verdict = diagnosis.Verdict;
         return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Judge(picture, pictures.IndexOf(picture), diagnosis))],
             [.. MissingParts.All.Intersect(verdict.NotYet)],

@@ -10,7 +10,7 @@ internal static class MarksTable
     public const string Formula = "=+-@\t\r";
 
     /// <summary>A header line, and a line for each student. Items that are not decided have a question mark.</summary>
-    public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
+    public static string Format(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         string[] head =
         [

@@ -30,7 +30,7 @@ internal sealed record Submission(string Folder)
         Submission[] all = [.. whole.Below().OrderBy(submission => submission.Student, StringComparer.Ordinal)];
         if (!all.Any(submission => submission.HasPicture(rubric))) RefuseWrongFolder(folder, whole, all, rubric);
         if (all.FirstOrDefault(submission => !submission.Student.All(PrintableText.IsPrintable)) is { } odd)
-            throw new ProblemException($"the submission '{PrintableText.Of(odd.Student)}' has an invisible character in its name: rename it");
+            throw new ProblemException($"the submission '{PrintableText.From(odd.Student)}' has an invisible character in its name: rename it");
         foreach (var (submission, equivalent) in all.Select(submission => (submission, submission.EquivalentNames())))
             if (all.FirstOrDefault(other => other != submission && equivalent.IsMatch(other.Student)) is { } other)
                 throw new ProblemException($"the submissions '{submission.Student}' and '{other.Student}' differ only " +

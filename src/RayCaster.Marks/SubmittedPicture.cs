@@ -45,7 +45,7 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
             return new(scene, picture, SceneDiagnosis.CanJudge(scene.Scene, picture) ? null
                 : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels")
             {
-                OnAlpha = AlphaText.Of(alpha, picture, scene.Right),
+                OnAlpha = AlphaText.Describe(alpha, picture, scene.Right),
             };
         }
         catch (Exception e) when (e is ProblemException || ProblemException.IsCausedByFile(e))

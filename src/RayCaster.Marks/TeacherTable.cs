@@ -27,10 +27,10 @@ internal static class TeacherTable
         {
             var student = Cell(row, name);
             if (row.TrueForAll(cell => cell.Trim() == "")) continue;
-            if (!students.Contains(student)) wrong.Add($"\n  row {i + 2}: {PrintableText.Of(student)}{Nearest(student, students)}");
+            if (!students.Contains(student)) wrong.Add($"\n  row {i + 2}: {PrintableText.From(student)}{Nearest(student, students)}");
             if (Decision(path, student, Cell(row, points), Cell(row, comment)) is not { } decision) continue;
             if (!decisions.TryAdd(student, decision) && decisions[student] != decision)
-                throw new ProblemException($"{path} has two rows of {PrintableText.Of(student)} that say different things: delete one of them");
+                throw new ProblemException($"{path} has two rows of {PrintableText.From(student)} that say different things: delete one of them");
         }
         if (wrong.Count == 0) return decisions;
         throw new ProblemException($"{path}: {(wrong.Count == 1 ? "a row fits" : $"{wrong.Count} rows fit")} no folder, so nothing was written" +
@@ -44,7 +44,7 @@ internal static class TeacherTable
             && double.IsFinite(number);
         if (!isNumber && points != "")
             throw new ProblemException(
-                $"{path}: the {MarksTable.PointsColumn} of {PrintableText.Of(student)} must be a number, but is \"{PrintableText.Of(points)}\"");
+                $"{path}: the {MarksTable.PointsColumn} of {PrintableText.From(student)} must be a number, but is \"{PrintableText.From(points)}\"");
         return isNumber || comment != "" ? new(isNumber ? number : null, comment) : null;
     }
 

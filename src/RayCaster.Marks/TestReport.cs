@@ -66,14 +66,14 @@ internal static partial class TestReport
 
     /// <exception cref="ProblemException">What is wrong with the file, as a sentence that begins with "it".</exception>
     public static IReadOnlyList<ReportedTest> Read(string path) =>
-        Of(new FileInfo(path).Length == 0 ? [] : [.. InputFile.Read(path, "file", MaxBytes)]); // a pipe has no length either
+        Parse(new FileInfo(path).Length == 0 ? [] : [.. InputFile.Read(path, "file", MaxBytes)]); // a pipe has no length either
 
     /// <exception cref="ProblemException">The same.</exception>
-    internal static IReadOnlyList<ReportedTest> Of(byte[] report)
+    internal static IReadOnlyList<ReportedTest> Parse(byte[] report)
     {
         if (!report.AsSpan().ContainsAnyExcept("\0 \r\n"u8)) throw new ProblemException($"it is empty: {GetJUnit}");
         if (report is [0x1F, 0x8B, ..] or [(byte)'P', (byte)'K', ..]) throw new ProblemException("it is packed: unpack it");
-        var all = Parsed(ForeignText.Of(report));
+        var all = Parsed(ForeignText.Decode(report));
         var classes = Named(all, "TestMethod").ToLookup(method => Text(method.Parent!, "id"), method => Text(method, "className"));
         foreach (var result in Named(all, "UnitTestResult")) result.SetAttributeValue("classname", classes[Text(result, "testId")].FirstOrDefault());
 

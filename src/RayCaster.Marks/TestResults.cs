@@ -34,12 +34,12 @@ internal sealed record TestResults(IReadOnlyDictionary<int, StepResult> Steps, I
                 var read = TestReport.Read(Path.Combine(submission.Folder, file));
                 tests.AddRange(read);
                 if (read.All(test => test.Step == 0))
-                    notes.Add($"the test results {PrintableText.Of(file)} count for no step: JUnit must name it in a test's class or name, as in " +
-                        $"Step08Sphere and test_step_8, but none of {read.Count} does");
+                    notes.Add($"the test results {PrintableText.From(file)} count for no step: JUnit must name it in a test's class or name, " +
+                        $"as in Step08Sphere and test_step_8, but none of {read.Count} does");
             }
             catch (ProblemException e)
             {
-                notes.Add($"the test results {PrintableText.Of(file)} cannot be read: {e.Message}");
+                notes.Add($"the test results {PrintableText.From(file)} cannot be read: {e.Message}");
             }
         }
         if (files.Count == 0 && rubric.Items.Any(item => item.Evidence == ItemEvidence.Tests))
@@ -72,6 +72,6 @@ internal sealed record TestResults(IReadOnlyDictionary<int, StepResult> Steps, I
         }
     }
 
-    private static string Listed(IEnumerable<string> all) => all.Select(text => PrintableText.Of(text)).Distinct().ToArray() is var texts
+    private static string Listed(IEnumerable<string> all) => all.Select(text => PrintableText.From(text)).Distinct().ToArray() is var texts
         && texts.Length > MaxNamed ? $"{string.Join(", ", texts.Take(MaxNamed))} and {texts.Length - MaxNamed} more" : string.Join(", ", texts);
 }

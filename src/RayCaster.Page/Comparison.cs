@@ -23,8 +23,8 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
         Name,
         Problem,
         IsVerdict = isVerdict,
-        Text = Result is null ? null : isVerdict ? "Looking for what is wrong …" : ForPage(ComparisonText.Of(Result, Name!, SceneName)),
-        Verdict = Result is null ? null : ComparisonText.Of(Result.Likeness),
+        Text = Result is null ? null : isVerdict ? "Looking for what is wrong …" : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
+        Verdict = Result is null ? null : ComparisonText.Format(Result.Likeness),
         HasLayers = Result?.Difference is not null,
         Middle = Result?.Difference?.WrongMiddle is var (x, y) ? (int[])[x, y] : null,
     });
@@ -51,7 +51,7 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
             if (diagnosis is null)
             {
                 var budget = new SearchBudget(lastResort: time, cancellation: cancellation);
-                var found = await Task.Run(() => Diagnosis.Of(Scene, Mine, budget), CancellationToken.None);
+                var found = await Task.Run(() => Diagnosis.Find(Scene, Mine, budget), CancellationToken.None);
                 cancellation.ThrowIfCancellationRequested();
                 (diagnosis, isCut) = (found, found.IsOpen && budget.UsedUp is not null);
             }

@@ -89,8 +89,8 @@ internal static class Messages
             Line = line,
             Color = Hex(pixel.Bytes),
             Gist = ExplanationText.Gist(pixel),
-            Sections = ExplanationText.Sections(pixel, mine is null ? null : ReferenceExplanation.Of(pixel, mine)),
-            Drawing = RaySection.Of(pixel),
+            Sections = ExplanationText.Sections(pixel, mine is null ? null : ReferenceExplanation.Create(pixel, mine)),
+            Drawing = RaySection.Create(pixel),
         });
     }
 

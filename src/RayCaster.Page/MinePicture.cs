@@ -61,7 +61,7 @@ internal sealed class MinePicture(string? path, TimeProvider clock, Cancellation
     /// <summary>The name of a dropped file, without folders.</summary>
     private static string NameOf(string text)
     {
-        var name = PrintableText.Of(Path.GetFileName(text.Replace('\\', '/')));
+        var name = PrintableText.From(Path.GetFileName(text.Replace('\\', '/')));
         return name.Length == 0 ? "your picture" : name[..Math.Min(100, name.Length)];
     }
 

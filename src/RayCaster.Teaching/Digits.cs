@@ -11,27 +11,27 @@ public static class Digits
     };
 
     /// <summary>"−1.5", "∞", "1e-7".</summary>
-    public static string Of(double value) => Of(value, 6);
+    public static string Format(double value) => Format(value, 6);
 
     /// <summary>"(1, 2, −3)".</summary>
-    public static string Of(Vector3 v) => $"({Of(v.X)}, {Of(v.Y)}, {Of(v.Z)})";
+    public static string Format(Vector3 v) => $"({Format(v.X)}, {Format(v.Y)}, {Format(v.Z)})";
 
     /// <summary>"(1, 0.5, 0)": red, green, blue.</summary>
-    public static string Of(Color color) => Of(new Vector3(color.R, color.G, color.B));
+    public static string Format(Color color) => Format(new Vector3(color.R, color.G, color.B));
 
     /// <summary>Two numbers, with enough digits to show their difference.</summary>
     public static (string A, string B) Apart(double a, double b)
     {
         var digits = 6;
-        while (a != b && Of(a, digits) == Of(b, digits) && digits < 17) digits++;
-        return (Of(a, digits), Of(b, digits));
+        while (a != b && Format(a, digits) == Format(b, digits) && digits < 17) digits++;
+        return (Format(a, digits), Format(b, digits));
     }
 
     /// <summary>"3 of 1,000 pixels (0.3 %)".</summary>
     public static string Part(int part, int whole) => $"{Number(part)} of {Count(whole, "pixel")} ({Share(part, whole)})";
 
     /// <summary>"1 pixel", "1,000 pixels".</summary>
-    public static string Count(long number, string what) => Plural.Of(number, what);
+    public static string Count(long number, string what) => Plural.Format(number, what);
 
     /// <summary>"1,000".</summary>
     public static string Number(long number) => number.ToString("N0", CultureInfo.InvariantCulture);
@@ -45,6 +45,6 @@ public static class Digits
     }
 
     /// <summary>0 for −0, and 1e-7 for 1E−07.</summary>
-    private static string Of(double value, int digits) => (value + 0).ToString($"G{digits}", format)
+    private static string Format(double value, int digits) => (value + 0).ToString($"G{digits}", format)
         .Replace("E+0", "e").Replace("E+", "e").Replace("E−0", "e-").Replace("E−", "e-");
 }

@@ -8,7 +8,7 @@ public static class ModelName
 
     /// <summary>For a sentence: the name in backquotes. A model without a name of its own gets its path in the scene file and its type.</summary>
     /// <param name="model">The model's index; −1 for the background.</param>
-    public static string Of(Scene scene, int model)
+    public static string Format(Scene scene, int model)
     {
         if (model < 0) return Background;
         if (string.IsNullOrEmpty(scene.Models[model].Name)) return Typed(scene, model);

@@ -67,7 +67,10 @@ public abstract partial class PageTests
         await Page.EvaluateExpressionAsync("""
             {
                 const parts = [...document.querySelectorAll('section, figcaption, #screen')];
-                const places = () => parts.map(part => [part.id, part.getBoundingClientRect().top, part.getBoundingClientRect().height].join(' ')).join('\n');
+                const places = () => parts.map(part => {
+                    const { top, height } = part.getBoundingClientRect();
+                    return `${part.id} ${top} ${height}`;
+                }).join('\n');
                 const before = places();
                 window.moved = [];
                 window.moving = 0;

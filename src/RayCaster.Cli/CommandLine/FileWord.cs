@@ -12,10 +12,10 @@ internal static class FileWord
     {
         foreach (var c in word)
         {
-            if (c == NotUtf8) throw new ProblemException($"the name '{PrintableText.Of(word)}' is not UTF-8: rename the file");
+            if (c == NotUtf8) throw new ProblemException($"the name '{PrintableText.From(word)}' is not UTF-8: rename the file");
             if (PrintableText.IsPrintable(c)) continue;
             throw new ProblemException(
-                $"'{PrintableText.Of(word)}' holds the invisible character U+{(int)c:X4}: rename the file, " +
+                $"'{PrintableText.From(word)}' holds the invisible character U+{(int)c:X4}: rename the file, " +
                     "or type the name again if it was copied");
         }
     }

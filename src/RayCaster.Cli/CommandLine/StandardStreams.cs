@@ -43,5 +43,5 @@ internal static class StandardStreams
     /// <summary>The text in lines that end with LF on every system, without control characters: even the name of the current folder may contain
     /// some.</summary>
     private static byte[] Bytes(string text) =>
-        Encoding.UTF8.GetBytes(PrintableText.Of((text is "" or [.., '\n'] ? text : text + '\n').Replace("\r\n", "\n"), ofLines: true));
+        Encoding.UTF8.GetBytes(PrintableText.From((text is "" or [.., '\n'] ? text : text + '\n').Replace("\r\n", "\n"), ofLines: true));
 }

@@ -38,7 +38,7 @@ internal sealed class CommandList
 
     /// <summary>The help page of a command; that of drawing also lists the others.</summary>
     public string HelpOf(Command command) =>
-        command is DrawCommand or HelpCommand ? HelpPage.Of(draw, Groups) : HelpPage.Of(command);
+        command is DrawCommand or HelpCommand ? HelpPage.Format(draw, Groups) : HelpPage.Format(command);
 
     /// <summary>The help page of the command with a name.</summary>
     public string HelpOf(string name) => Array.Find(All, command => command.Name == name) is { } command ? HelpOf(command)

@@ -31,8 +31,8 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
         var camera = scene.Camera;
         var explanation = new PixelExplanation(scene,
             Coordinate("column", operands[1], camera.Width, "left to right"), Coordinate("line", operands[2], camera.Height, "top to bottom"));
-        var other = line.Get(mine) is { } path ? ReferenceExplanation.Of(explanation, ReadMine(path, camera)) : null;
-        StandardStreams.WriteOutput(ExplanationText.Of(explanation, other));
+        var other = line.Get(mine) is { } path ? ReferenceExplanation.Create(explanation, ReadMine(path, camera)) : null;
+        StandardStreams.WriteOutput(ExplanationText.Format(explanation, other));
         return other is { Agrees: false } ? ExitCode.No : ExitCode.Done;
     }
 

@@ -13,7 +13,7 @@ internal static class HelpPage
     private const int Width = 90;
 
     /// <param name="groups">Other commands to list, in groups with a title.</param>
-    public static string Of(Command command, params IEnumerable<(string Title, Command[] Commands)> groups)
+    public static string Format(Command command, params IEnumerable<(string Title, Command[] Commands)> groups)
     {
         var lists = groups.Select(group => Table(group.Title, group.Commands.Select(other => ($"{other.Name} {other.Operands}", other.Summary))));
         var options = command.Options.Append(Option.Help).Select(option => (option.Usage, option.HelpText));

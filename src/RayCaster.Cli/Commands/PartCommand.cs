@@ -37,7 +37,7 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
         var file = line.Get(output) ?? $"{SceneInput.NameOf(operands[0])}.part-" +
             $"{PictureOutput.Padded(lines.First, height)}-{PictureOutput.Padded(lines.Last, height)}.png";
         var start = Stopwatch.GetTimestamp();
-        var part = PartFacts.Of(scene, lines, SceneDigest.OfModels(scene.Models), typeof(Renderer).Assembly);
+        var part = PartFacts.Create(scene, lines, SceneDigest.OfModels(scene.Models), typeof(Renderer).Assembly);
         if (line.Get(Resume) && PictureOutput.IsUpToDate(file, part, line.Get(Option.Quiet)))
         {
             line.Tell($"{file}: exists already");

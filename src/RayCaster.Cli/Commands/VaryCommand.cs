@@ -34,7 +34,7 @@ internal sealed class VaryCommand() : Command("vary", "<scene>", "Makes a simila
             throw new ProblemException($"{path} names mesh files, whose paths start at its folder: " +
                 $"write {Path.GetFileName(file)} to {folder}");
         var budget = line.Budget();
-        if (SceneVariation.Of(reading.Text, folder, text, newFolder, budget) is not { } varied)
+        if (SceneVariation.Create(reading.Text, folder, text, newFolder, budget) is not { } varied)
         {
             StandardStreams.WriteError($"{path}: no variation of it shows all its mistakes; try another seed");
             return ExitCode.No;

@@ -21,7 +21,7 @@ internal static class InputFiles
     {
         try
         {
-            return FilePlace.Of(file);
+            return FilePlace.Resolve(file);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

@@ -39,7 +39,7 @@ internal sealed class TextScanner
         {
             var word = Line[wordAt..Math.Max(wordAt, Position)]; // Return may have gone back before it
             if (word.IsEmpty) return lineEnd == 0 ? "the end of the file" : "the end of the line";
-            return $"'{PrintableText.Of(Beginning(word))}{(word.Length > LongestQuote ? "…" : "")}'";
+            return $"'{PrintableText.From(Beginning(word))}{(word.Length > LongestQuote ? "…" : "")}'";
         }
     }
 

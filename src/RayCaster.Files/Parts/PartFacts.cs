@@ -22,8 +22,8 @@ public sealed partial record PartFacts(int Width, int Height, NumberRange Lines,
 
     /// <summary>The facts of a part that is drawn now.</summary>
     /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
-    public static PartFacts Of(Scene scene, NumberRange lines, string models, Assembly engine) =>
-        new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene, models),
+    public static PartFacts Create(Scene scene, NumberRange lines, string models, Assembly engine) =>
+        new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Compute(scene, models),
             VersionOf(typeof(Scene).Assembly, typeof(PartFacts).Assembly, engine));
 
     /// <summary>The version of a program and a hash of its code: an edited formula draws other parts.</summary>

@@ -15,7 +15,7 @@ public static class SceneDigest
 {
     /// <summary>The digest of a scene: 64 hexadecimal digits, small letters.</summary>
     /// <param name="models">The digest of its models (<see cref="OfModels"/>), which all frames of a moving camera share.</param>
-    public static string Of(Scene scene, string models)
+    public static string Compute(Scene scene, string models)
     {
         var c = scene.Camera;
         var values = FormattableString.Invariant($"""

@@ -50,7 +50,7 @@ public static class PictureFile
         }
         catch (IOException e)
         {
-            throw ProblemException.Of(e);
+            throw ProblemException.From(e);
         }
     });
 
@@ -114,7 +114,7 @@ public static class PictureFile
         }
         catch (ProblemException e) when (e.InnerException is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new ProblemException($"picture file not found: {path}\n  looked for {PrintableText.Of(Path.GetFullPath(path))}", e);
+            throw new ProblemException($"picture file not found: {path}\n  looked for {PrintableText.From(Path.GetFullPath(path))}", e);
         }
         catch (ProblemException e) when (!e.NamesFile)
         {
@@ -148,7 +148,7 @@ public static class PictureFile
         var text = file.TrimStart(" \t\r\n"u8);
         if (text is [(byte)'P' or (byte)'p', >= (byte)'1' and <= (byte)'6', ..])
             return $"nothing may stand before P{(char)text[1]}, which is a capital letter";
-        var kind = FileKind.Of(file) is { } known ? $"it is {known}"
+        var kind = FileKind.Recognize(file) is { } known ? $"it is {known}"
             : $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format";
         return kind + "; PNG, PBM, PGM and PPM can be read";
     }

@@ -105,7 +105,7 @@ internal sealed class PngChunkReader
         }
         catch (IOException e)
         {
-            throw ProblemException.Of(e); // an IOException would be taken for damaged data
+            throw ProblemException.From(e); // an IOException would be taken for damaged data
         }
     }
 }

@@ -22,7 +22,7 @@ internal sealed class SceneDocument(SourceText text, string folder)
         if (isError) ErrorCount++;
         else if (findings.Count >= SceneReading.MaxProblems) return;
         if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
-        findings.Add((isError, start, end, PrintableText.Of(message)));
+        findings.Add((isError, start, end, PrintableText.From(message)));
     }
 
     /// <summary>The problems in the order of the text; at one place, in the order in which they were found.</summary>

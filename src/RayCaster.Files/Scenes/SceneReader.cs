@@ -166,7 +166,7 @@ public static class SceneReader
     {
         var model = type.Read(o);
         model.Color = o.Color("color", "Its colour in full light, as [red, green, blue], 1 being full intensity, or as \"#rrggbb\".", Color.White);
-        model.Name = o.Text("name", "A name for people; the picture does not depend on it.", false) is { } name ? PrintableText.Of(name) : null;
+        model.Name = o.Text("name", "A name for people; the picture does not depend on it.", false) is { } name ? PrintableText.From(name) : null;
         return model;
     }
 

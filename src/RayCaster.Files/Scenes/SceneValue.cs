@@ -56,7 +56,7 @@ internal readonly struct SceneValue(SceneDocument document, JsonValue json, stri
         if (json.Kind == JsonTokenType.StartArray && json.Count == 3)
             return new(Element(0).Number(limits), Element(1).Number(limits), Element(2).Number(limits));
         var found = json.Kind == JsonTokenType.StartArray
-            ? $"has {Plural.Of(json.Count, "element")}{DecimalComma.Hint([.. json.Content.Take(7)])}"
+            ? $"has {Plural.Format(json.Count, "element")}{DecimalComma.Hint([.. json.Content.Take(7)])}"
             : $"is {json.InWords}";
         Report(true, $" must be {form}, but {found}");
         return NoVector;

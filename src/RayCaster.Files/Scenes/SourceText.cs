@@ -56,7 +56,7 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         var value = Math.Min(room, Encoding.UTF8.GetCharCount(Utf8[start..Math.Min(end, start + most)]));
         if (room < after.Length) after = after[..BetweenLetters(after, room)] + "…";
         var indent = string.Concat(before.Select(c => c == '\t' ? c : ' '));
-        return PrintableText.Of($"{line,5} | {before}{after}").TrimEnd() + $"\n      | {indent}^{new string('~', Math.Max(0, value - 1))}";
+        return PrintableText.From($"{line,5} | {before}{after}").TrimEnd() + $"\n      | {indent}^{new string('~', Math.Max(0, value - 1))}";
     }
 
     /// <summary>A place at which a text can be cut: not within an emoji, which has two UTF-16 units.</summary>

@@ -21,7 +21,9 @@ var notWritten = Todo.Report();
 if (notWritten != "") Console.Error.WriteLine(notWritten);
 try
 {
-    PictureFile.Write(args[1], SceneFile.Of(reading.Scene).Draw());
+    var picture = SceneFile.Of(reading.Scene).Draw();
+    PictureFile.Write(args[1], picture);
+    Console.WriteLine($"{args[1]}: {picture.Width} x {picture.Height} pixels");
     return 0;
 }
 catch (ProblemException problem) // a name that no file can have, a folder that does not exist, a full disk

@@ -62,10 +62,10 @@ public sealed class Mistake
     public bool Touches(IEnumerable<string> kinds) => Steps.Any(step => !step.IsOfShape()) || kinds.Any(Touches);
 
     /// <summary>Whether it changes the formulas of a kind of shape, and nothing else.</summary>
-    public bool IsOnlyOf(string kind) => ShapeKind.Of(kind) is { } shape && Steps.SetEquals([shape.Step]);
+    public bool IsOnlyOf(string kind) => ShapeKind.Find(kind) is { } shape && Steps.SetEquals([shape.Step]);
 
     /// <summary>Whether it changes the formulas of a kind of shape, or only its rule.</summary>
-    internal bool Touches(string kind) => ShapeKind.Of(kind) is { } shape && Steps.Contains(shape.Step);
+    internal bool Touches(string kind) => ShapeKind.Find(kind) is { } shape && Steps.Contains(shape.Step);
 
     /// <summary>Its id.</summary>
     public override string ToString() => Id;

@@ -65,7 +65,7 @@ internal static class MistakeBook
     /// <summary>The kinds of shape that a way's first step is for, in words.</summary>
     private static string ShapesOf(ImmutableArray<StepChange> way)
     {
-        string[] words = way[0] is StepChange.Written { Shapes: var shapes } ? [.. shapes.Select(shape => ShapeKind.Of(shape).Many)] : [];
+        string[] words = way[0] is StepChange.Written { Shapes: var shapes } ? [.. shapes.Select(shape => ShapeKind.Find(shape).Many)] : [];
         return words.Length > 1 ? $"{string.Join(", ", words[..^1])} and {words[^1]}" : string.Concat(words);
     }
 

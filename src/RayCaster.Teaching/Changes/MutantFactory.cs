@@ -142,7 +142,7 @@ internal sealed class MutantFactory
     {
         var right = section.Formulas[place].Right;
         foreach (var test in SignsOf(scope.Where(IsOwn)))
-            Add(section.With(place, Expression.Of(Operator.And, right, test)!), place, $"{right}", $"{right} and {test}", "ExtraCondition", 0);
+            Add(section.With(place, Expression.Create(Operator.And, right, test)!), place, $"{right}", $"{right} and {test}", "ExtraCondition", 0);
     }
 
     /// <summary>That a number is positive, and that it is negative, for each of some names.</summary>
@@ -150,7 +150,7 @@ internal sealed class MutantFactory
         from name in names
         where name.Dimension.Kind == ValueKind.Number
         from op in (Operator[])[Operator.Greater, Operator.Less]
-        select Expression.Of(op, name, Expression.Number(0));
+        select Expression.Create(op, name, Expression.Number(0));
 
     /// <summary>Which crossings a shape has.</summary>
     private void AddCrossings(Dictionary<Symbol, Expression> scope)
@@ -171,7 +171,7 @@ internal sealed class MutantFactory
         Hits("OneCrossing", 1, t0);
         Hits("OneCrossing", 1, t1);
         Hits("Swapped", 1.1, t1, t0);
-        Hits("OtherLaw", 1.6, Expression.Of(Operator.Divide, Expression.Of(Operator.Add, t0, t1)!, Expression.Number(2))!);
+        Hits("OtherLaw", 1.6, Expression.Create(Operator.Divide, Expression.Create(Operator.Add, t0, t1)!, Expression.Number(2))!);
 
         void Hits(string slip, double cost, params Expression[] crossings)
         {

@@ -123,6 +123,6 @@ internal static class MutantNaming
             "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
         StepKind.Light => "All outlines are right, only the light is not.",
         StepKind.Bytes => "All outlines are right, only the colours are not.",
-        _ => $"Only {ShapeKind.Of(kind).Many} are wrong; everything else is right.",
+        _ => $"Only {ShapeKind.Find(kind).Many} are wrong; everything else is right.",
     };
 }

@@ -73,7 +73,7 @@ internal sealed record RewriteRule(MutationOperator Mutation, Expression Left, E
             operands[i] = operand;
         }
         return pattern.Operator == Operator.Call ? Expression.Call(pattern.Symbol!.Text, [.. operands])
-            : Expression.Of(pattern.Operator, [.. operands]);
+            : Expression.Create(pattern.Operator, [.. operands]);
     }
 
     /// <summary>A number that is written instead of another one, as in 2·number.</summary>

@@ -9,7 +9,7 @@ public static class AlphaText
     /// <summary>A sentence for a file with alpha; null if each pixel is opaque.</summary>
     /// <param name="alpha">The file's alpha; null if each pixel is opaque.</param>
     /// <param name="right">The right picture, for colours that were multiplied by alpha.</param>
-    public static string? Of(AlphaChannel? alpha, Picture picture, Picture right)
+    public static string? Describe(AlphaChannel? alpha, Picture picture, Picture right)
     {
         if (alpha is null) return null;
         if (IsMultiplied(alpha, picture, right)) return Multiplied;
@@ -28,7 +28,7 @@ public static class AlphaText
     {
         if (alpha is null || (picture.Width, picture.Height) != (right.Width, right.Height) || picture.IsNearlyOneColor) return false;
         var values = alpha.Values;
-        var multiplied = Picture.Of(right.Width, right.Height, (x, y) => Times(right[x, y], values[y * right.Width + x]));
+        var multiplied = Picture.Create(right.Width, right.Height, (x, y) => Times(right[x, y], values[y * right.Width + x]));
         var difference = new PictureDifference(picture, multiplied);
         return new PictureDifference(picture, right).Wrong > 0 && new PictureJudge(multiplied).Judge(difference) != Likeness.Wrong;
     }

@@ -4,7 +4,7 @@ namespace RayCaster.Teaching.Comparison;
 public static class ComparisonText
 {
     /// <summary>The verdict in a word or two.</summary>
-    public static string Of(Likeness verdict) => verdict.Words;
+    public static string Format(Likeness verdict) => verdict.Words;
 
     internal const string Cropped = "Was it cropped on its way, for example by a screenshot?";
 
@@ -16,7 +16,7 @@ public static class ComparisonText
     /// <summary>The comparison in whole lines.</summary>
     /// <param name="mine">The name of the picture in question.</param>
     /// <param name="reference">The name of the picture that it should be.</param>
-    public static string Of(PictureComparison comparison, string mine, string reference)
+    public static string Format(PictureComparison comparison, string mine, string reference)
     {
         if (comparison.Difference is not { } d)
         {
@@ -53,7 +53,7 @@ public static class ComparisonText
             (Math.Abs(d.Shift ?? 0) > 1 && !d.Mine.IsNearlyOneColor ? $"  {Shifted(d.Shift!.Value)}\n" : "") +
             OneColor(comparison, mine) + Recognized(comparison) +
             ((comparison.FewColors ?? comparison.Unreached?.Sentence) is { } cause ? $"{cause}\n" : "") +
-            (comparison.ByModels is { } models ? ModelsText.Of(comparison, models, mine) : "");
+            (comparison.ByModels is { } models ? ModelsText.Format(comparison, models, mine) : "");
     }
 
     private static string OneColor(PictureComparison comparison, string mine) =>

@@ -36,7 +36,7 @@ internal sealed record Crop(int Left, int Top, int Right, int Bottom)
                 var misses = Enumerable.Range(0, Samples).Select(i => places[i]).Count(place =>
                     !PictureJudge.IsNear(mine.At(place), reference[place % mine.Width + across, place / mine.Width + down]));
                 if (misses > Samples / 20) continue;
-                var part = Picture.Of(mine.Width, mine.Height, (x, y) => reference[x + across, y + down]);
+                var part = Picture.Create(mine.Width, mine.Height, (x, y) => reference[x + across, y + down]);
                 var difference = new PictureDifference(mine, part);
                 if (new PictureJudge(part).Judge(difference) != Likeness.Wrong && !(best?.Wrong <= difference.Wrong))
                     best = (new(left, top, columns - left, lines - top), difference.Wrong);

@@ -13,7 +13,7 @@ public static class HeatMap
     {
         var colors = Enumerable.Range(0, 256).Select(Of).ToArray();
         var (width, height) = (difference.Mine.Width, difference.Mine.Height);
-        return Picture.Of(width, height, (x, y) => colors[difference.LevelsAt(y * width + x)]);
+        return Picture.Create(width, height, (x, y) => colors[difference.LevelsAt(y * width + x)]);
     }
 
     /// <summary>Each model in one colour: the larger the share of its pixels that are wrong, the hotter. Black if the pictures were not compared
@@ -23,6 +23,6 @@ public static class HeatMap
         var (width, height) = (comparison.Reference.Width, comparison.Reference.Height);
         if (comparison.ByModels is not { } byModels) return new(width, height);
         var colors = byModels.Models.ToDictionary(model => model.Model, model => Of((int)Math.Ceiling(255 * model.Share)));
-        return Picture.Of(width, height, (x, y) => colors.GetValueOrDefault(byModels.ModelAt[y * width + x]));
+        return Picture.Create(width, height, (x, y) => colors.GetValueOrDefault(byModels.ModelAt[y * width + x]));
     }
 }

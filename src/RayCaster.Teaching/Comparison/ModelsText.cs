@@ -6,7 +6,7 @@ internal static class ModelsText
     private const int MaxSentences = 6, MaxRows = 20;
 
     /// <summary>Which models are wrong and how, or why they cannot be compared.</summary>
-    public static string Of(PictureComparison comparison, SceneDifference scene, string mine)
+    public static string Format(PictureComparison comparison, SceneDifference scene, string mine)
     {
         var own = scene.ReferenceToOwn;
         if (!scene.IsReferenceOwn)
@@ -71,7 +71,7 @@ internal static class ModelsText
     {
         if (model.IsMissing)
             return model.Shows is [var (other, pixels), ..] && pixels >= 0.99 * model.Wrong
-                ? $"{model.Name} is missing: {Digits.Share(model.Wrong, model.Pixels)} of its pixels show {ModelName.Of(scene, other)}"
+                ? $"{model.Name} is missing: {Digits.Share(model.Wrong, model.Pixels)} of its pixels show {ModelName.Format(scene, other)}"
                 : $"{model.Name} is missing: its pixels show what lies behind it{Behind(scene, model)}";
         if (model.OtherColor is { } color)
             return color.ToBytes() == default ? $"{model.Name} is black"
@@ -81,8 +81,8 @@ internal static class ModelsText
                     : $"{model.Name} has another colour: {Name(color)} instead of {Name(model.Color)}";
         if (model.Shows is not [var (most, count), ..] || count < 0.5 * model.Wrong) return null;
         return count >= 0.95 * model.Wrong
-            ? $"{PartOf(model)} are wrong, they show {ModelName.Of(scene, most)}"
-            : $"{PartOf(model)} are wrong, {Digits.Share(count, model.Wrong)} of these show {ModelName.Of(scene, most)}";
+            ? $"{PartOf(model)} are wrong, they show {ModelName.Format(scene, most)}"
+            : $"{PartOf(model)} are wrong, {Digits.Share(count, model.Wrong)} of these show {ModelName.Format(scene, most)}";
     }
 
     private static string PartOf(ModelDifference model) => $"{model.Name}: {Digits.Share(model.Wrong, model.Pixels)} of its pixels";
@@ -102,7 +102,7 @@ internal static class ModelsText
     /// <summary>" (`wall` 70 %, the background 20 %)".</summary>
     private static string Behind(Scene scene, ModelDifference model)
     {
-        var parts = model.Shows.Take(3).Select(shown => $"{ModelName.Of(scene, shown.Model)} {Digits.Share(shown.Pixels, model.Wrong)}");
+        var parts = model.Shows.Take(3).Select(shown => $"{ModelName.Format(scene, shown.Model)} {Digits.Share(shown.Pixels, model.Wrong)}");
         return model.Shows.Count == 0 ? "" : $" ({string.Join(", ", parts)})";
     }
 

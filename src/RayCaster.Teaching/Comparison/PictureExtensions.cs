@@ -22,14 +22,14 @@ public static class PictureExtensions
         internal (byte R, byte G, byte B) BytesAt(HitMap hits, int pixel) => scene.Shade(hits[pixel]).ToBytes();
 
         /// <summary>The picture of hits.</summary>
-        internal Picture PictureOf(HitMap hits) => Picture.Of(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
+        internal Picture PictureOf(HitMap hits) => Picture.Create(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
     }
 
     /// <param name="picture">Any picture.</param>
     extension(Picture picture)
     {
         /// <summary>A picture of pixels that a function gives for each column and line.</summary>
-        internal static Picture Of(int width, int height, Func<int, int, (byte R, byte G, byte B)> pixel)
+        internal static Picture Create(int width, int height, Func<int, int, (byte R, byte G, byte B)> pixel)
         {
             var made = new Picture(width, height);
             for (var y = 0; y < height; y++)

@@ -63,14 +63,14 @@ internal sealed record PictureTransform(
             return new(reference.Width, reference.Height, rgb);
         }
         var pixels = new PixelMapping(this, mine, reference);
-        return Picture.Of(reference.Width, reference.Height, (x, y) => pixels.At(x, y) ?? reference[x, y]);
+        return Picture.Create(reference.Width, reference.Height, (x, y) => pixels.At(x, y) ?? reference[x, y]);
     }
 }
 
 /// <summary>The pixels of a picture after a change that moves no bytes.</summary>
 internal readonly struct PixelMapping(PictureTransform transform, Picture mine, Picture reference)
 {
-    private readonly TurnedIndices indices = TurnedIndices.Of(transform.Turn, mine.Width, mine.Height);
+    private readonly TurnedIndices indices = TurnedIndices.Create(transform.Turn, mine.Width, mine.Height);
     private readonly (int R, int G, int B) order =
         (transform.Channels.IndexOf('R'), transform.Channels.IndexOf('G'), transform.Channels.IndexOf('B'));
     private readonly byte[] rgb = mine.Rgb;

@@ -78,7 +78,7 @@ internal sealed class SceneDifference
     }
 
     private ModelDifference CountWrong(IGrouping<int, int> pixels) =>
-        new(pixels.Key, ModelName.Of(scene, pixels.Key), pixels.Count(), pixels.Count(difference.IsWrong))
+        new(pixels.Key, ModelName.Format(scene, pixels.Key), pixels.Count(), pixels.Count(difference.IsWrong))
         {
             Color = pixels.Key < 0 ? scene.Background : scene.Models[pixels.Key].Color,
         };

@@ -18,7 +18,7 @@ internal readonly record struct TurnedIndices(int Start, int Right, int Down)
 
     /// <param name="width">Its width before the turn.</param>
     /// <param name="height">Its height before the turn.</param>
-    public static TurnedIndices Of(Turn turn, int width, int height)
+    public static TurnedIndices Create(Turn turn, int width, int height)
     {
         var last = width * height - 1;
         return turn switch

@@ -61,7 +61,7 @@ internal sealed class UnreachedPixels
             var left = isWrong.Count(pixel => pixel) - found;
             if (found == 0 || 4 * left > found || !CutsThroughModels()) return null;
             var (mine, right) = (difference.Mine, difference.Reference);
-            var rest = Picture.Of(width, height, (x, y) => isFound[y * width + x] ? right[x, y] : mine[x, y]);
+            var rest = Picture.Create(width, height, (x, y) => isFound[y * width + x] ? right[x, y] : mine[x, y]);
             var isRestRight = new PictureJudge(right, scene).Judge(rest) != Likeness.Wrong;
             // Where much else is wrong, an area of the background is that of another camera, or of a shape that is not drawn.
             var isBackground = scene is not null && PictureJudge.IsNear(color, scene.Background.ToBytes());

@@ -146,11 +146,11 @@ internal sealed class WrongKinds
 
     private string Names(IReadOnlyList<int> models)
     {
-        string[] names = [.. models.Take(MaxNames).Select(model => ModelName.Of(scene, model))];
+        string[] names = [.. models.Take(MaxNames).Select(model => ModelName.Format(scene, model))];
         return models.Count > MaxNames ? $"{string.Join(", ", names)} and others"
             : names is [.. var first, var last] && first.Length > 0 ? $"{string.Join(", ", first)} and {last}" : names[0];
     }
 
     /// <summary>A kind in the plural.</summary>
-    public static string ManyOf(string kind) => ShapeKind.Of(kind)?.Many ?? $"shapes of the type {kind}";
+    public static string ManyOf(string kind) => ShapeKind.Find(kind)?.Many ?? $"shapes of the type {kind}";
 }

@@ -61,16 +61,16 @@ public static class LabSteps
     internal static IEnumerable<string> KindsOf(Scene scene, int step) =>
         scene.Models.Where(model => StepOf(model) == step).Select(model => model.Kind).Distinct();
 
-    private static int StepOf(Model model) => ShapeKind.Of(model.Kind)?.Slide is { } slide ? Slides.StepOf(slide) : Count;
+    private static int StepOf(Model model) => ShapeKind.Find(model.Kind)?.Slide is { } slide ? Slides.StepOf(slide) : Count;
 
     /// <summary>Each model in its full colour, without attenuation.</summary>
     private static Picture Unshaded(Scene scene)
     {
         var hits = new Renderer(scene).CastHits();
-        return Picture.Of(hits.Width, hits.Height, (x, y) =>
+        return Picture.Create(hits.Width, hits.Height, (x, y) =>
             (hits.Model[y * hits.Width + x] is >= 0 and var model ? scene.Models[model].Color : scene.Background).ToBytes());
     }
 
-    private static Picture Gradient(int width, int height) => Picture.Of(width, height, (x, y) =>
+    private static Picture Gradient(int width, int height) => Picture.Create(width, height, (x, y) =>
         new Color((double)x / width, (double)(height - 1 - y) / height, 0.5).ToBytes());
 }

@@ -109,7 +109,7 @@ public sealed class PixelNumbers
         }
     }
 
-    private bool IsWritten(Model model) => ShapeKind.Of(model.Kind)?.Slide is not { } slide
+    private bool IsWritten(Model model) => ShapeKind.Find(model.Kind)?.Slide is not { } slide
         || !Slides.Steps[Slides.StepOf(slide) - 1].Slides.Any(unwritten.Contains);
 
     /// <summary>The text for each number.</summary>
@@ -124,7 +124,7 @@ public sealed class PixelNumbers
             [("a + b", a + b), ("a − b", a - b), ("2 a", 2 * a), ("a × b", a % b), ("a · b", a * b), ("|a|", a.Length)])
         {
             if (Of(name, Slides.Vectors, result) is { Right: not null } wrong)
-                yield return wrong with { Name = $"{name} for a = {Digits.Of(a)}, b = {Digits.Of(b)}" };
+                yield return wrong with { Name = $"{name} for a = {Digits.Format(a)}, b = {Digits.Format(b)}" };
             foreach (var (operand, value) in ((string, object)[])[($"a after {name}", a), ($"b after {name}", b)])
                 if (yours.GetValueOrDefault(operand) is Vector3 && Of(operand, Slides.Vectors, value) is { Right: not null } changed)
                     yield return changed;
@@ -155,7 +155,7 @@ public sealed class PixelNumbers
     private IEnumerable<Line> OfModel(Model model, int index)
     {
         var name = $"t of {ModelName.Typed(scene, index)}";
-        var slide = ShapeKind.Of(model.Kind)?.Slide ?? model.Kind;
+        var slide = ShapeKind.Find(model.Kind)?.Slide ?? model.Kind;
         var rightly = model.Intersect(right) ?? double.PositiveInfinity;
         if (!IsWritten(model) || yours.GetValueOrDefault($"{index}") is not (double T, bool Counts)[] calls)
         {
@@ -164,11 +164,11 @@ public sealed class PixelNumbers
             yield break;
         }
         var mine = NearestOf(calls);
-        var refused = double.IsInfinity(mine) && calls.Length > 0 ? $" (Hit was called with t = {Digits.Of(calls[0].T)})" : "";
+        var refused = double.IsInfinity(mine) && calls.Length > 0 ? $" (Hit was called with t = {Digits.Format(calls[0].T)})" : "";
         if (scene.Models.Count <= ManyModels || double.IsFinite(mine) || !IsSame(mine, rightly))
             yield return new(name, slide, HitText(mine) + refused, IsSame(mine, rightly) ? null : HitText(rightly));
         foreach (var (t, counts) in calls.Where(call => call.Counts != right.Counts(call.T)).Take(1))
-            yield return new($"Counts({Digits.Of(t)})", $"{Slides.Bias}\" or \"{Slides.ClipPlanes}", $"{counts}", $"{!counts}");
+            yield return new($"Counts({Digits.Format(t)})", $"{Slides.Bias}\" or \"{Slides.ClipPlanes}", $"{counts}", $"{!counts}");
     }
 
     /// <summary>The other solution of a sphere, which draws nothing; null where it is right or not written.</summary>
@@ -204,9 +204,9 @@ public sealed class PixelNumbers
 
     private string Text(object value) => value switch
     {
-        double number => Digits.Of(number),
-        Vector3 vector => Digits.Of(vector),
-        ModelAndT hit => hit.Model < 0 ? "none" : $"{ModelName.Typed(scene, hit.Model)} at t = {Digits.Of(hit.T)}",
+        double number => Digits.Format(number),
+        Vector3 vector => Digits.Format(vector),
+        ModelAndT hit => hit.Model < 0 ? "none" : $"{ModelName.Typed(scene, hit.Model)} at t = {Digits.Format(hit.T)}",
         Bytes bytes => $"({bytes.R}, {bytes.G}, {bytes.B})",
         TimeoutException => Endless,
         Exception e => $"{e.GetType().Name}, {e.Message.ReplaceLineEndings(" ").TrimEnd('.')}{Place(e)}",
@@ -215,7 +215,7 @@ public sealed class PixelNumbers
 
     private static string FromD(string name) => $"{name} (from your d)";
 
-    private static string HitText(double t) => double.IsPositiveInfinity(t) ? "no hit" : Digits.Of(t);
+    private static string HitText(double t) => double.IsPositiveInfinity(t) ? "no hit" : Digits.Format(t);
 
     private static string Place(Exception e) =>
         new StackTrace(e, fNeedFileInfo: true).GetFrames().FirstOrDefault(frame => frame.GetFileLineNumber() > 0) is { } place

@@ -12,13 +12,13 @@ public static class StepHint
     /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
     /// test of no step.
     /// </param>
-    public static string Of(Scene scene, Picture picture, int step, HintLevel level) => Of(scene, Judge(scene, picture, step), step, level);
+    public static string Format(Scene scene, Picture picture, int step, HintLevel level) => Format(scene, Judge(scene, picture, step), step, level);
 
-    internal static string Of(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
+    internal static string Format(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 
     internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
-        ? Diagnosis.Of(scene, picture)
+        ? Diagnosis.Find(scene, picture)
         : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
             .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 

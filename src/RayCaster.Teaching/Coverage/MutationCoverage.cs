@@ -77,7 +77,7 @@ public sealed class MutationCoverage
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <param name="tested">The mistakes that they should show; all of the catalogue if left out.</param>
     /// <param name="budget">How much may be done, in the order of the mistakes; any amount if left out.</param>
-    public static MutationCoverage Of(
+    public static MutationCoverage Measure(
         IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? tested = null, SearchBudget? budget = null)
     {
         tested ??= MistakeCatalog.All;

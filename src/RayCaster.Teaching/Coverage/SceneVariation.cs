@@ -33,7 +33,7 @@ public sealed class SceneVariation
     {
         this.tree = tree;
         this.seed = SHA256.HashData(Encoding.UTF8.GetBytes(seed));
-        axes = [Axis.Of(distance, amplitude, this.seed, 0), Axis.Of(distance, amplitude, this.seed, 8), Axis.Of(distance, amplitude, this.seed, 16)];
+        axes = [.. ((int[])[0, 8, 16]).Select(at => Axis.Create(distance, amplitude, this.seed, at))];
         growth = Growth * amplitude / Amplitude;
         decimals = Math.Clamp(4 - (int)Math.Floor(Math.Log10(distance / 10)), 0, 15);
     }
@@ -46,7 +46,7 @@ public sealed class SceneVariation
     /// <param name="budget">How much is tried to find the scene's mistakes; those that are left out are not tried on the new one either. All are
     /// tried if it is left out.</param>
     /// <returns>The new text; null if no try succeeds.</returns>
-    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder, SearchBudget? budget = null)
+    public static byte[]? Create(ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder, SearchBudget? budget = null)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
         if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
@@ -67,7 +67,7 @@ public sealed class SceneVariation
     private static Mistake[] Shown(Scene scene, SearchBudget? budget)
     {
         if (!MutationCoverage.CanJudge(scene)) return [];
-        var fitness = MutationCoverage.Of([scene], budget: budget);
+        var fitness = MutationCoverage.Measure([scene], budget: budget);
         return [.. fitness.Tested.Except([.. fitness.Hidden, .. fitness.SurvivingAsUsual, .. fitness.NotTried])];
     }
 
@@ -107,7 +107,7 @@ public sealed class SceneVariation
     /// <summary>The new coordinate is x + A sin(k x + φ). A k is less than 1, so it grows with x and the order stays.</summary>
     private readonly record struct Axis(double A, double K, double Phase)
     {
-        public static Axis Of(double distance, double amplitude, byte[] seed, int at) => new(
+        public static Axis Create(double distance, double amplitude, byte[] seed, int at) => new(
             amplitude * distance,
             2 * Math.PI / (distance * (1 + seed[at] / 255.0)),
             2 * Math.PI * BitConverter.ToUInt16(seed, at + 2) / 65536);

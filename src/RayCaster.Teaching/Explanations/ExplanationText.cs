@@ -16,7 +16,7 @@ public sealed class ExplanationText
     private ExplanationText(PixelExplanation pixel) => this.pixel = pixel;
 
     /// <summary>The text, in lines, with the same pixel in another picture if there is one.</summary>
-    public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null)
+    public static string Format(PixelExplanation pixel, ReferenceExplanation? reference = null)
     {
         var all = new StringBuilder();
         foreach (var section in Sections(pixel, reference))
@@ -50,7 +50,7 @@ public sealed class ExplanationText
         writer.Section("", "");
         writer.Steps(0, [.. shown.Steps.Take(1)]);
         foreach (var crossing in shown.Crossings.Where(crossing => crossing.Outcome == Outcome.Shows && crossing.Numbers.Length > 0))
-            writer.Line(0, $"t = {crossing.Numbers} = {Digits.Of(crossing.T)}");
+            writer.Line(0, $"t = {crossing.Numbers} = {Digits.Format(crossing.T)}");
         writer.Steps(0, [.. pixel.ColorSteps.Take(1)]);
         return writer.Text.ToString();
     }
@@ -65,7 +65,7 @@ public sealed class ExplanationText
         var (r, g, b) = pixel.Bytes;
         Line(0, $"Column {pixel.Column}, line {pixel.Line} from the top (row r = {pixel.Row} from the bottom) of {camera.Width} × " +
             $"{camera.Height} pixels:");
-        Line(0, $"{pixel.NameOf(pixel.Winner)}{(pixel.Winner is null ? "" : $" at t = {Digits.Of(pixel.Hit.T)}")}, bytes {r} {g} {b}");
+        Line(0, $"{pixel.NameOf(pixel.Winner)}{(pixel.Winner is null ? "" : $" at t = {Digits.Format(pixel.Hit.T)}")}, bytes {r} {g} {b}");
         foreach (var note in pixel.Notes) Line(0, $"Note: {note}.");
     }
 
@@ -75,10 +75,10 @@ public sealed class ExplanationText
         var ray = pixel.Ray;
         Section("Ray", camera.Sample == PixelSample.Corner ? "through the pixel's lower left corner" : "through the pixel's middle");
         Steps(2, pixel.RaySteps);
-        Line(2, $"X(t) = P + t d = {Digits.Of(ray.Origin)} + t · {Digits.Of(ray.Direction)}");
-        Line(2, camera.Clip == ClipMode.Depth ? $"z = t · (−d·W) = t · {Digits.Of(ray.DepthPerT)}" : "z = t");
-        var least = camera.Bias == 0 ? "t ≥ 0" : $"t > bias = {Digits.Of(camera.Bias)}";
-        Line(2, $"A crossing counts where {least} and zNear = {Digits.Of(camera.ZNear)} ≤ z ≤ zFar = {Digits.Of(camera.ZFar)}");
+        Line(2, $"X(t) = P + t d = {Digits.Format(ray.Origin)} + t · {Digits.Format(ray.Direction)}");
+        Line(2, camera.Clip == ClipMode.Depth ? $"z = t · (−d·W) = t · {Digits.Format(ray.DepthPerT)}" : "z = t");
+        var least = camera.Bias == 0 ? "t ≥ 0" : $"t > bias = {Digits.Format(camera.Bias)}";
+        Line(2, $"A crossing counts where {least} and zNear = {Digits.Format(camera.ZNear)} ≤ z ≤ zFar = {Digits.Format(camera.ZFar)}");
     }
 
     private void Models()
@@ -107,7 +107,7 @@ public sealed class ExplanationText
         Slabs(model.Slabs);
         Steps(6, [.. model.Steps.Where(step => model.Slabs.Count == 0 || step.Name is not ("t0" or "t1"))]);
         if (model.Weights is [var w, var u, var v])
-            Line(6, $"divided by their sum: w = {Digits.Of(w)}, u = {Digits.Of(u)}, v = {Digits.Of(v)}");
+            Line(6, $"divided by their sum: w = {Digits.Format(w)}, u = {Digits.Format(u)}, v = {Digits.Format(v)}");
         foreach (var crossing in model.Crossings) Crossing(model, crossing);
     }
 
@@ -127,7 +127,7 @@ public sealed class ExplanationText
         [
             ["slab", "B0", "B1", "t0 = (B0 − P) / d", "t1 = (B1 − P) / d", "enters", "leaves", ""],
             .. slabs.Select(slab => (string[])[slab.Axis.ToString(),
-                .. new[] { slab.Lo, slab.Hi, slab.T0, slab.T1, slab.Enters, slab.Leaves }.Select(number => Digits.Of(number)), Decides(slab)]),
+                .. new[] { slab.Lo, slab.Hi, slab.T0, slab.T1, slab.Enters, slab.Leaves }.Select(number => Digits.Format(number)), Decides(slab)]),
         ];
         var widths = Enumerable.Range(0, 8).Select(column => rows.Max(row => row[column].Length)).ToArray();
         foreach (var row in rows)
@@ -141,11 +141,11 @@ public sealed class ExplanationText
     {
         if (double.IsNaN(crossing.T))
         {
-            if (crossing.Untested is { } untested) Line(6, $"→ no crossing; the test fails at t = {Digits.Of(untested)}");
+            if (crossing.Untested is { } untested) Line(6, $"→ no crossing; the test fails at t = {Digits.Format(untested)}");
             return;
         }
-        var t = $"t = {(crossing.Numbers.Length == 0 ? "" : $"{crossing.Numbers} = ")}{Digits.Of(crossing.T)}";
-        Line(6, $"→ {t}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Outcome) : crossing.Reason)}");
+        var t = $"t = {(crossing.Numbers.Length == 0 ? "" : $"{crossing.Numbers} = ")}{Digits.Format(crossing.T)}";
+        Line(6, $"→ {t}, z = {Digits.Format(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Outcome) : crossing.Reason)}");
     }
 
     private static string Word(Outcome outcome) => outcome switch
@@ -159,7 +159,7 @@ public sealed class ExplanationText
     private void Color()
     {
         Section("Colour", pixel.Winner is { } index
-            ? $"of {pixel.NameOf(index)}, {Digits.Of(pixel.Scene.Models[index].Color)}"
+            ? $"of {pixel.NameOf(index)}, {Digits.Format(pixel.Scene.Models[index].Color)}"
             : "of the background");
         Steps(2, pixel.ColorSteps);
         var (r, g, b) = pixel.Bytes;
@@ -189,8 +189,8 @@ public sealed class ExplanationText
             var value = step.Value switch
             {
                 bool holds => holds ? "true" : "false",
-                Vector3 v => Digits.Of(v),
-                var number => Digits.Of((double)number),
+                Vector3 v => Digits.Format(v),
+                var number => Digits.Format((double)number),
             };
             string[] parts = step.Formula == step.Numbers || step.Numbers == value ? [step.Formula, value] : [step.Formula, step.Numbers, value];
             Text.Append(' ', indent).Append(step.Name.PadRight(longest));

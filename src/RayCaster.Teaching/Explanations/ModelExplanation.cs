@@ -16,7 +16,7 @@ internal sealed class ModelExplanation
         if (Shape?.Intersect(ray) is { } derived)
         {
             var corners = Corners();
-            Slabs = SlabExplanation.Of(Shape, derived);
+            Slabs = SlabExplanation.Create(Shape, derived);
             var writer = new TermText(
                 [.. corners.Select(step => step.Value).OfType<Vector3>().SelectMany(v => (double[])[v.X, v.Y, v.Z]),
                  .. Slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
@@ -75,13 +75,13 @@ internal sealed class ModelExplanation
         {
             var t = term.Value;
             if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed only once, or the same reason again
-            var (outcome, reason) = Outcomes.Of(t, pixel.Ray) switch
+            var (outcome, reason) = Outcomes.Judge(t, pixel.Ray) switch
             {
                 Outcome.Shows when crossings is [{ Outcome: Outcome.Shows or Outcome.Hidden }] =>
                     (Outcome.NotNeeded, "the crossing before it counts already"),
                 Outcome.Shows => (Result.Outcome, ReasonOfHit(t)),
                 Outcome.Misses => (Outcome.Misses, Reasons.NoCrossing(Shape!, Steps, Slabs, term)),
-                var refused => (refused, Reasons.Of(refused, t, pixel)),
+                var refused => (refused, Reasons.Format(refused, t, pixel)),
             };
             var isStep = term.Chosen.Operation is Operation.Name;
             var untested = double.IsNaN(t) && term.Operation is Operation.If && double.IsFinite(term.B.Value) ? term.B.Value : (double?)null;
@@ -95,7 +95,7 @@ internal sealed class ModelExplanation
     {
         var t = Result.T;
         var reason = Result.Outcome.Counts() ? ReasonOfHit(t)
-            : Result.Outcome != Outcome.Misses ? Reasons.Of(Result.Outcome, t, pixel)
+            : Result.Outcome != Outcome.Misses ? Reasons.Format(Result.Outcome, t, pixel)
             : double.IsFinite(t) ? "its Intersect gives no hit, though this t counts"
             : "its Intersect finds no crossing";
         return new(t, t * pixel.Ray.DepthPerT, Result.Outcome, reason);
@@ -112,7 +112,7 @@ internal sealed class ModelExplanation
         {
             var p = along.Transform(point);
             var seen = new Vector3(p.X, p.Y, p.Z);
-            return new($"{char.ToLowerInvariant(name)}", $"{name} seen along the ray", Digits.Of(seen), seen);
+            return new($"{char.ToLowerInvariant(name)}", $"{name} seen along the ray", Digits.Format(seen), seen);
         }
     }
 }

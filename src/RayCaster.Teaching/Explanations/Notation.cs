@@ -15,10 +15,10 @@ internal static partial class Notation
     }.ToDictionary(word => word.Code, word => word.Slide);
 
     /// <summary>The formula on one line, without brackets around it.</summary>
-    public static string Of(string code)
+    public static string Format(string code)
     {
         var text = string.Join(' ', code.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
-        if (text.StartsWith('(') && IsOpenToItsEnd(text)) return Of(text[1..^1]);
+        if (text.StartsWith('(') && IsOpenToItsEnd(text)) return Format(text[1..^1]);
         text = Word().Replace(text, word => slides.GetValueOrDefault(word.Value, word.Value));
         return Normalised().Replace(Scaled().Replace(Square().Replace(text, "$1²"), " "), "$1 normalised");
     }

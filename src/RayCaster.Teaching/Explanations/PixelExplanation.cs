@@ -26,7 +26,7 @@ public sealed class PixelExplanation
         Ray = scene.Camera.RayThrough(column, Row);
         Hit = ScalarRenderer.Cast(scene, column, Row);
         Neighbours = [.. FindNeighbours()];
-        Results = [.. scene.Models.Select((model, i) => RayResult.Of(model, i, Ray, Hit))];
+        Results = [.. scene.Models.Select((model, i) => RayResult.Create(model, i, Ray, Hit))];
         var explained = Results.Count <= ManyModels ? Results : NearMisses();
         Models = [.. explained.Select(result => new ModelExplanation(this, result))];
         foreach (var result in Results.Except(explained)) Others[result.Outcome]++;
@@ -78,7 +78,7 @@ public sealed class PixelExplanation
     public (byte R, byte G, byte B) Bytes => Color.ToBytes();
 
     /// <summary>What is special about this pixel, in words.</summary>
-    internal IReadOnlyList<string> Notes => PixelNotes.Of(this);
+    internal IReadOnlyList<string> Notes => PixelNotes.Find(this);
 
     /// <summary>A model's name, or its path in the scene file.</summary>
     internal string NameOf(int? index) => ModelName.Plain(Scene, index ?? -1);

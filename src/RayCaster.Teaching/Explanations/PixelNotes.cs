@@ -5,7 +5,7 @@ internal static class PixelNotes
     /// <summary>If two t agree this well, last bits of a formula decide which is less.</summary>
     private const double AlmostEqual = 1e-12;
 
-    public static IReadOnlyList<string> Of(PixelExplanation pixel) =>
+    public static IReadOnlyList<string> Find(PixelExplanation pixel) =>
         [.. Shown(pixel), .. Ties(pixel), .. Faces(pixel), .. Light(pixel)];
 
     private static IEnumerable<string> Shown(PixelExplanation pixel)
@@ -55,6 +55,6 @@ internal static class PixelNotes
         if (pixel.Winner is not null && t >= fadeDistance)
             yield return $"all light is lost: {Reasons.Compare("t", t, "≥", "2 |T − P|", fadeDistance)}, so the attenuation is 0";
         if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })
-            yield return $"a channel is more than 1 and is clamped: the colour is {Digits.Of(pixel.Color)}";
+            yield return $"a channel is more than 1 and is clamped: the colour is {Digits.Format(pixel.Color)}";
     }
 }

@@ -6,16 +6,16 @@ internal static class PixelSteps
     /// <summary>W, U, V, h and w, which are the same for all pixels.</summary>
     public static IReadOnlyList<FormulaStep> OfCamera(Camera camera)
     {
-        var P = Digits.Of(camera.Position);
-        var T = Digits.Of(camera.Target);
-        var up = Digits.Of(camera.Up);
+        var P = Digits.Format(camera.Position);
+        var T = Digits.Format(camera.Target);
+        var up = Digits.Format(camera.Up);
         return
         [
-            new("W", "−(T − P) normalised", $"−({T} − {P}) / {Digits.Of((camera.Target - camera.Position).Length)}", camera.W),
-            new("U", "(up × W) normalised", $"{up} × {Digits.Of(camera.W)} / {Digits.Of((camera.Up % camera.W).Length)}", camera.U),
-            new("V", "W × U", $"{Digits.Of(camera.W)} × {Digits.Of(camera.U)}", camera.V),
-            new("h", "2 tan(fovY / 2)", $"2 · tan({Digits.Of(camera.FovY)}° / 2)", camera.PlaneHeight),
-            new("w", "h · width / height", $"{Digits.Of(camera.PlaneHeight)} · {camera.Width} / {camera.Height}", camera.PlaneWidth),
+            new("W", "−(T − P) normalised", $"−({T} − {P}) / {Digits.Format((camera.Target - camera.Position).Length)}", camera.W),
+            new("U", "(up × W) normalised", $"{up} × {Digits.Format(camera.W)} / {Digits.Format((camera.Up % camera.W).Length)}", camera.U),
+            new("V", "W × U", $"{Digits.Format(camera.W)} × {Digits.Format(camera.U)}", camera.V),
+            new("h", "2 tan(fovY / 2)", $"2 · tan({Digits.Format(camera.FovY)}° / 2)", camera.PlaneHeight),
+            new("w", "h · width / height", $"{Digits.Format(camera.PlaneHeight)} · {camera.Width} / {camera.Height}", camera.PlaneWidth),
         ];
     }
 

@@ -10,7 +10,7 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
     public Model? Shape => Model is not Mesh mesh ? Model : Triangle is { } triangle ? Model.Of(mesh[triangle]) : null;
 
     /// <param name="nearest">The ray's nearest hit.</param>
-    public static RayResult Of(Model model, int index, Ray ray, Hit nearest)
+    public static RayResult Create(Model model, int index, Ray ray, Hit nearest)
     {
         var result = model is Mesh mesh ? OfMesh(mesh, index, ray) : new(model, index, Judge(model, ray, out var t), t);
         return result.Outcome == Outcome.Shows && index != nearest.Model ? result with { Outcome = Outcome.Hidden } : result;
@@ -33,7 +33,7 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
         for (var i = 0; i < mesh.TriangleCount; i++)
         {
             double t = mesh[i].Intersect(along).Near;
-            var outcome = Outcomes.Of(t, ray);
+            var outcome = Outcomes.Judge(t, ray);
             tally[outcome]++;
             var rank = (outcome != Outcome.Shows, Math.Abs(t));
             if (outcome != Outcome.Misses && rank.CompareTo(best) < 0)
@@ -48,8 +48,8 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
         if (!double.IsNaN(t)) return Outcome.Shows;
 
         // The far crossing comes closer to counting, unless both are too far away.
-        t = double.IsFinite(crossings.Far) && Outcomes.Of(crossings.Near, ray) != Outcome.BeyondFar ? crossings.Far : crossings.Near;
-        return Outcomes.Of(t, ray);
+        t = double.IsFinite(crossings.Far) && Outcomes.Judge(crossings.Near, ray) != Outcome.BeyondFar ? crossings.Far : crossings.Near;
+        return Outcomes.Judge(t, ray);
     }
 
     /// <summary>A mesh is hit if one of its triangles is. If not, a crossing in front of the camera decides before one behind it.</summary>
@@ -61,7 +61,7 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
         var hit = mesh.Tree.Nearest(ray.Origin, ray.Direction, triangle =>
         {
             double crossing = mesh[triangle].Intersect(along).Near;
-            var outcome = Outcomes.Of(crossing, ray);
+            var outcome = Outcomes.Judge(crossing, ray);
             if (outcome == Outcome.Shows) return crossing;
             var isCloser = refusal == Outcome.BeyondFar ? outcome == Outcome.BeyondFar && crossing < closest : crossing > closest;
             if (outcome != Outcome.Misses && isCloser) (refusal, closest) = (outcome, crossing);
@@ -81,7 +81,7 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
             return hit < double.PositiveInfinity ? Outcome.Shows : Outcome.Misses;
         }
         t = model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN;
-        if (double.IsFinite(t)) return Outcomes.Of(t, ray) is var refusal and not Outcome.Shows ? refusal : Outcome.Misses;
+        if (double.IsFinite(t)) return Outcomes.Judge(t, ray) is var refusal and not Outcome.Shows ? refusal : Outcome.Misses;
         t = -(model.Intersect(new Ray(ray.Origin, -ray.Direction)) ?? double.NaN);
         return double.IsFinite(t) ? Outcome.Behind : Outcome.Misses;
     }

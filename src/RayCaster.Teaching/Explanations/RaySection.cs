@@ -13,7 +13,7 @@ public static class RaySection
 
     /// <summary>The drawing for an explanation, an object for JSON. Points are (u, v), near and far the u of the clip planes; they are null where
     /// zNear and zFar are distances, whose sections are circles.</summary>
-    public static object Of(PixelExplanation pixel)
+    public static object Create(PixelExplanation pixel)
     {
         var camera = pixel.Scene.Camera;
         var d = pixel.Ray.Direction;
@@ -49,8 +49,8 @@ public static class RaySection
             {
                 Place = (double[])[crossing.T * (d * u), crossing.T * (d * v)],
                 Shows = crossing.Outcome == Outcome.Shows,
-                Label = $"t = {Digits.Of(crossing.T)}",
-                Words = $"{model.Name}: t = {Digits.Of(crossing.T)}, {crossing.Reason}",
+                Label = $"t = {Digits.Format(crossing.T)}",
+                Words = $"{model.Name}: t = {Digits.Format(crossing.T)}, {crossing.Reason}",
             })),
         };
     }

@@ -4,13 +4,13 @@ namespace RayCaster.Teaching.Explanations;
 internal static class Reasons
 {
     /// <summary>Why a crossing does not count.</summary>
-    public static string Of(Outcome refusal, double t, PixelExplanation pixel)
+    public static string Format(Outcome refusal, double t, PixelExplanation pixel)
     {
         var z = t * pixel.Ray.DepthPerT;
         var camera = pixel.Scene.Camera;
         return refusal switch
         {
-            Outcome.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",
+            Outcome.Behind => $"t = {Digits.Format(t)} < 0: behind the camera",
             Outcome.UnderBias => Compare("t", t, "≤", "bias", camera.Bias) + ": too near to where the ray starts",
             Outcome.BeforeNear => Compare("z", z, "<", "zNear", camera.ZNear) + ": clipped away, nearer than the near plane",
             _ => Compare("z", z, ">", "zFar", camera.ZFar) + ": clipped away, beyond the far plane",
@@ -66,9 +66,9 @@ internal static class Reasons
     private static string? Outside(double w, double u, double v)
     {
         var failed = new List<string>();
-        if (u < 0) failed.Add($"u = {Digits.Of(u)} < 0");
-        if (v < 0) failed.Add($"v = {Digits.Of(v)} < 0");
-        if (w < 0) failed.Add(u + v > 1 ? $"u + v = {Digits.Apart(u + v, 1).A} > 1" : $"w = {Digits.Of(w)} < 0");
+        if (u < 0) failed.Add($"u = {Digits.Format(u)} < 0");
+        if (v < 0) failed.Add($"v = {Digits.Format(v)} < 0");
+        if (w < 0) failed.Add(u + v > 1 ? $"u + v = {Digits.Apart(u + v, 1).A} > 1" : $"w = {Digits.Format(w)} < 0");
         return failed.Count == 0 ? null : string.Join(" and ", failed) + ": outside the triangle";
     }
 }

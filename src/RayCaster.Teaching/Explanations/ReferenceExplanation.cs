@@ -14,7 +14,7 @@ public sealed record ReferenceExplanation(
 
     /// <summary>Compares a pixel with another picture.</summary>
     /// <param name="reference">The other picture, of the same size.</param>
-    public static ReferenceExplanation Of(PixelExplanation pixel, Picture reference)
+    public static ReferenceExplanation Create(PixelExplanation pixel, Picture reference)
     {
         var mine = pixel.Bytes;
         var other = reference[pixel.Column, pixel.Line];
@@ -36,7 +36,7 @@ public sealed record ReferenceExplanation(
                 var t = crossing.Untested ?? crossing.T;
                 if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t)) continue;
                 if (!IsNear(scene.Shade(new(t, result.Index)).ToBytes(), other)) continue;
-                yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {ResultOf(crossing)}";
+                yield return $"what {model.Name} would give: its crossing at t = {Digits.Format(t)} {ResultOf(crossing)}";
             }
             if (IsNear(result.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
         }

@@ -22,7 +22,7 @@ internal sealed record SlabExplanation(char Axis, double Lo, double Hi, double T
     public bool DecidesExit { get; init; }
 
     /// <summary>The slabs of a box, by the steps t0 and t1 of its formula; empty for other shapes.</summary>
-    public static IReadOnlyList<SlabExplanation> Of(Model shape, Crossings<Derivation> derived)
+    public static IReadOnlyList<SlabExplanation> Create(Model shape, Crossings<Derivation> derived)
     {
         if (shape is not Model<Aabb> { Primitive: var (B0, B1) }) return [];
         var steps = FormulaStep.LeadingTo(derived.Near).ToLookup(step => step.Name, step => step.Value);

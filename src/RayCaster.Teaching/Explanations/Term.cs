@@ -72,7 +72,7 @@ internal sealed class StepName
     /// <param name="values">What gets the name: a number, or the three of a vector.</param>
     public StepName(string name, string formula, params Term[] values)
     {
-        (Text, Formula) = (name, Notation.Of(formula));
+        (Text, Formula) = (name, Notation.Format(formula));
         Terms = Array.ConvertAll(values, value => new Term(Operation.Name, value.Value, value) { Name = this });
     }
 

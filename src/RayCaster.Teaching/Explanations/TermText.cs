@@ -25,7 +25,7 @@ internal sealed class TermText(HashSet<double>? known = null)
     private string Text(Three term, int rank, bool leads, bool isRoot = false)
     {
         if (term.IsLeaf || (!isRoot && (term.IsLong || (term.IsOne && known?.Contains(term.X.Value) == true))))
-            return term.IsOne ? Number(term.X.Value, leads) : Digits.Of(new Vector3(term.X.Value, term.Y.Value, term.Z.Value));
+            return term.IsOne ? Number(term.X.Value, leads) : Digits.Format(new Vector3(term.X.Value, term.Y.Value, term.Z.Value));
         if (DotProduct(term) is var (a, b)) return Infix(a, " · ", b, Product, rank, leads);
         if (!term.IsOfOneShape) return $"({Inner(new(term.X))}, {Inner(new(term.Y))}, {Inner(new(term.Z))})";
         return term.X.Operation switch
@@ -62,7 +62,7 @@ internal sealed class TermText(HashSet<double>? known = null)
 
     private static string Number(double value, bool leads)
     {
-        var text = Digits.Of(value);
+        var text = Digits.Format(value);
         return text.StartsWith('−') && !leads ? $"({text})" : text;
     }
 

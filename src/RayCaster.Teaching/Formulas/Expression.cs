@@ -48,7 +48,7 @@ internal sealed class Expression
     private Expression(Operator op, Dimension quantity, ImmutableArray<Expression> operands, Symbol? symbol = null, double number = 0)
     {
         (Operator, Dimension, Operands, Symbol, Value) = (op, quantity, operands, symbol, number);
-        if (op == Operator.Number) Constant = PixelValues.Of(number);
+        if (op == Operator.Number) Constant = PixelValues.From(number);
         Function = Array.IndexOf(functions, (op, quantity.Kind) switch
         {
             (Operator.Call, _) => symbol!.Text,
@@ -56,7 +56,7 @@ internal sealed class Expression
             (Operator.Subtract, ValueKind.Vector) => "minus",
             _ => "",
         });
-        Reads = op == Operator.Name ? symbol!.Bit : Function < 0 ? 0 : Symbol.Of(functions[Function]).Bit;
+        Reads = op == Operator.Name ? symbol!.Bit : Function < 0 ? 0 : Symbol.From(functions[Function]).Bit;
         foreach (var operand in operands) Reads |= operand.Reads;
     }
 
@@ -89,7 +89,7 @@ internal sealed class Expression
     public static Expression Parameter(Symbol symbol) => Name(symbol, Dimension.Words["displacement"]);
 
     /// <summary>An operation; null if its operands are not of the kinds that it takes.</summary>
-    public static Expression? Of(Operator op, params ImmutableArray<Expression> operands) =>
+    public static Expression? Create(Operator op, params ImmutableArray<Expression> operands) =>
         QuantityOf(op, operands) is { } quantity ? new(op, quantity, operands) : null;
 
     /// <summary>The call of a function of vectors; null if its operands are no vectors.</summary>
@@ -104,14 +104,14 @@ internal sealed class Expression
             ("normalize", 1) => new(ValueKind.Vector),
             _ => null,
         };
-        return quantity is { } known ? new(Operator.Call, known, operands, Symbol.Of(function)) : null;
+        return quantity is { } known ? new(Operator.Call, known, operands, Symbol.From(function)) : null;
     }
 
     /// <summary>The same with another operand; null if the kinds do not fit.</summary>
     public Expression? With(int place, Expression operand)
     {
         var operands = Operands.SetItem(place, operand);
-        return Operator == Operator.Call ? Call(Symbol!.Text, operands) : Of(Operator, operands);
+        return Operator == Operator.Call ? Call(Symbol!.Text, operands) : Create(Operator, operands);
     }
 
     /// <summary>This with the edits of another one, where both have edited different parts of what is right; null if they have edited the same.
@@ -161,7 +161,7 @@ internal sealed class Expression
                 var measure => b.Dimension.Measure == measure,
             });
 
-    public override string ToString() => text ??= FormulaText.Of(this);
+    public override string ToString() => text ??= FormulaText.Format(this);
 
     private static Dimension? QuantityOf(Operator op, ImmutableArray<Expression> operands)
     {

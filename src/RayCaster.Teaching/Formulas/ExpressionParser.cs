@@ -53,7 +53,7 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
             {
                 "×" => Expression.Call("cross", left, right),
                 "·" when areVectors => Expression.Call("dot", left, right),
-                _ => Expression.Of(infix[sign], left, right),
+                _ => Expression.Create(infix[sign], left, right),
             }, sign);
         }
         return left;
@@ -64,8 +64,8 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
         var operand = ParsePrefixed();
         while (next < tokens.Count && tokens[next] is "." or "²")
         {
-            if (tokens[next++] == "²") operand = Checked(Expression.Of(Operator.Multiply, operand, operand), "²");
-            else operand = Checked(Expression.Of(Take() switch
+            if (tokens[next++] == "²") operand = Checked(Expression.Create(Operator.Multiply, operand, operand), "²");
+            else operand = Checked(Expression.Create(Take() switch
             {
                 "x" => Operator.X,
                 "y" => Operator.Y,
@@ -79,19 +79,20 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
     private Expression ParsePrefixed()
     {
         var token = Take();
-        if (token == "-") return Checked(Expression.Of(Operator.Negate, ParseOperation(FormulaText.Product)), token);
-        if (token == "not") return Checked(Expression.Of(Operator.Not, ParseOperand()), token);
-        if (token == "√") return Checked(Expression.Of(Operator.Sqrt, ParseOperand()), token);
+        if (token == "-") return Checked(Expression.Create(Operator.Negate, ParseOperation(FormulaText.Product)), token);
+        if (token == "not") return Checked(Expression.Create(Operator.Not, ParseOperand()), token);
+        if (token == "√") return Checked(Expression.Create(Operator.Sqrt, ParseOperand()), token);
         if (token == "|")
         {
             var inner = ParseOperation(0);
             Expect("|");
-            return Checked(inner.Dimension.Kind == ValueKind.Vector ? Expression.Call("length", inner) : Expression.Of(Operator.Abs, inner), token);
+            return Checked(
+                inner.Dimension.Kind == ValueKind.Vector ? Expression.Call("length", inner) : Expression.Create(Operator.Abs, inner), token);
         }
         if (token == "(")
         {
             var list = ParseList(token, ")");
-            return list.Count == 1 ? list[0] : Checked(Expression.Of(Operator.Vector, [.. list]), "(x, y, z)");
+            return list.Count == 1 ? list[0] : Checked(Expression.Create(Operator.Vector, [.. list]), "(x, y, z)");
         }
         if (double.TryParse(token, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var number)) return Expression.Number(number);
         if (next < tokens.Count && tokens[next] == "(")
@@ -99,7 +100,7 @@ internal sealed class ExpressionParser(string text, IReadOnlyDictionary<string, 
             next++;
             var operands = ParseList(token, ")");
             var isOperator = functions.TryGetValue(token, out var op);
-            return Checked(isOperator ? Expression.Of(op, [.. operands]) : Expression.Call(token, [.. operands]), token);
+            return Checked(isOperator ? Expression.Create(op, [.. operands]) : Expression.Call(token, [.. operands]), token);
         }
         return scope.TryGetValue(token, out var name) ? name : throw new FormatException($"unknown name '{token}'");
     }

@@ -37,7 +37,7 @@ internal sealed class FormulaBook
     public bool IsGiven(StepKind kind, Symbol name) => givens.TryGetValue(kind, out var own) && own.ContainsKey(name.Text);
 
     /// <summary>The names that a step is given, in the order of the text.</summary>
-    public IEnumerable<Symbol> GivenTo(StepKind kind) => givens[kind].Keys.Select(Symbol.Of);
+    public IEnumerable<Symbol> GivenTo(StepKind kind) => givens[kind].Keys.Select(Symbol.From);
 
     /// <summary>A text that lies beside this file.</summary>
     public static string TextOf(string file)
@@ -53,7 +53,7 @@ internal sealed class FormulaBook
         {
             if (item.Split(':', StringSplitOptions.TrimEntries) is not [var name, var unit])
                 throw new FormatException($"'{item.Trim()}' where a name and its unit are expected, as in 'R: length'");
-            names.Add(name, Expression.Name(Symbol.Of(name), UnitOf(unit)));
+            names.Add(name, Expression.Name(Symbol.From(name), UnitOf(unit)));
         }
         return names;
     }
@@ -169,9 +169,9 @@ internal sealed class FormulaBook
             {
                 Symbol[] parameters = [.. list.Split(", ").Select(Symbol.Parameter)];
                 var own = parameters.ToDictionary(parameter => parameter.Text, Expression.Parameter);
-                formulas.Add(new(Symbol.Of(function), Claimed(new ExpressionParser(parts[1], own).Parse(), claimed), [.. parameters]));
+                formulas.Add(new(Symbol.From(function), Claimed(new ExpressionParser(parts[1], own).Parse(), claimed), [.. parameters]));
             }
-            else Add(Symbol.Of(head[0]), Claimed(Parse(parts[1]), claimed));
+            else Add(Symbol.From(head[0]), Claimed(Parse(parts[1]), claimed));
         }
 
         private Expression Parse(string text) => new ExpressionParser(text, scope).Parse();

@@ -10,7 +10,7 @@ internal sealed class FormulaEvaluator
     /// <summary>How many pixels are computed together, at most: their numbers stay in the processor's cache.</summary>
     private const int MaxTogether = 1024;
 
-    private static readonly UInt128 ofRay = Symbol.Of("P").Bit | Symbol.Of("d").Bit;
+    private static readonly UInt128 ofRay = Symbol.From("P").Bit | Symbol.From("d").Bit;
 
     private readonly Scene scene;
     private readonly int count; // pixels of a group: those that are drawn, and with the last one again and again as many as the arithmetic needs
@@ -34,7 +34,7 @@ internal sealed class FormulaEvaluator
         groups = [.. Enumerable.Range(0, number).Select(i => new Group([.. pixels.Skip(i * shown).Take(shown)], count))];
         arithmetic = new(count);
         givens = GivensOf(scene.Camera);
-        parts = [.. scene.Models.SelectMany(ShapePart.Of)];
+        parts = [.. scene.Models.SelectMany(ShapePart.From)];
         crosser = new(scene, parts, arithmetic, count, groups.Length == 1 ? right : null); // what it keeps of many pixels would take much memory
         loop = new(parts, arithmetic, count);
         if (right is null) return;
@@ -45,20 +45,20 @@ internal sealed class FormulaEvaluator
     private static PixelValues[] GivensOf(Camera camera)
     {
         var givens = new PixelValues[Symbol.Max];
-        Give("P", PixelValues.Of(camera.Position));
-        Give("T", PixelValues.Of(camera.Target));
-        Give("up", PixelValues.Of(camera.Up));
-        Give("fovY", PixelValues.Of(camera.FovY));
-        Give("width", PixelValues.Of(camera.Width));
-        Give("height", PixelValues.Of(camera.Height));
-        Give("zNear", PixelValues.Of(camera.ZNear));
-        Give("zFar", PixelValues.Of(Math.Min(camera.ZFar, double.MaxValue))); // so that the infinite t of a parallel ray never counts
-        Give("bias", PixelValues.Of(camera.Bias == 0 ? -double.Epsilon : camera.Bias)); // with a bias of 0, t = 0 counts
-        Give("∞", PixelValues.Of(double.PositiveInfinity));
-        Give("π", PixelValues.Of(Math.PI));
+        Give("P", PixelValues.From(camera.Position));
+        Give("T", PixelValues.From(camera.Target));
+        Give("up", PixelValues.From(camera.Up));
+        Give("fovY", PixelValues.From(camera.FovY));
+        Give("width", PixelValues.From(camera.Width));
+        Give("height", PixelValues.From(camera.Height));
+        Give("zNear", PixelValues.From(camera.ZNear));
+        Give("zFar", PixelValues.From(Math.Min(camera.ZFar, double.MaxValue))); // so that the infinite t of a parallel ray never counts
+        Give("bias", PixelValues.From(camera.Bias == 0 ? -double.Epsilon : camera.Bias)); // with a bias of 0, t = 0 counts
+        Give("∞", PixelValues.From(double.PositiveInfinity));
+        Give("π", PixelValues.From(Math.PI));
         return givens;
 
-        void Give(string name, PixelValues value) => givens[Symbol.Of(name).Place] = value;
+        void Give(string name, PixelValues value) => givens[Symbol.From(name).Place] = value;
     }
 
     /// <summary>What a program draws in some pixels, of which there may be many: red, green, blue, and so on.</summary>
@@ -104,7 +104,7 @@ internal sealed class FormulaEvaluator
     private State Run(FormulaProgram program, Group group)
     {
         var basis = group.Right;
-        (givens[Symbol.Of("x").Place], givens[Symbol.Of("y").Place]) = (group.X, group.Y);
+        (givens[Symbol.From("x").Place], givens[Symbol.From("y").Place]) = (group.X, group.Y);
         arithmetic.GiveBack(0);
         arithmetic.Functions = program[StepKind.Vectors];
         var changed = basis is null ? 0 : arithmetic.Functions.ChangedFrom(basis.Program[StepKind.Vectors]);
@@ -139,7 +139,7 @@ internal sealed class FormulaEvaluator
             basis is not null && ReferenceEquals(program[kind], basis.Program[kind]) && (program[kind].Reads & changed) == 0;
     }
 
-    private static readonly Symbol pointP = Symbol.Of("P"), pointT = Symbol.Of("T"), parameter = Symbol.Of("t");
+    private static readonly Symbol pointP = Symbol.From("P"), pointT = Symbol.From("T"), parameter = Symbol.From("t");
 
     private byte[] BytesOf(FormulaProgram program, PixelValues[] camera, int[] nearest, double[] t, int shown)
     {
@@ -148,14 +148,14 @@ internal sealed class FormulaEvaluator
         var seen = arithmetic.NewVector(count);
         for (var i = 0; i < count; i++) own.Set(i, ColorOf(nearest[i]));
         frame[parameter.Place] = new(t);
-        frame[Symbol.Of("K").Place] = own;
+        frame[Symbol.From("K").Place] = own;
         arithmetic.Define(program[StepKind.Light], frame);
-        var lit = frame[Symbol.Of("colour").Place];
+        var lit = frame[Symbol.From("colour").Place];
         for (var i = 0; i < count; i++) seen.Set(i, nearest[i] < 0 ? own.At(i) : lit.At(i)); // the background does not fade
-        frame[Symbol.Of("colour").Place] = seen;
+        frame[Symbol.From("colour").Place] = seen;
         arithmetic.Define(program[StepKind.Bytes], frame);
-        var rgb = frame[Symbol.Of("rgb").Place];
-        var isWritten = program[StepKind.File].Has(Formula.Written) ? camera[Formula.Written.Place] : PixelValues.Of(1);
+        var rgb = frame[Symbol.From("rgb").Place];
+        var isWritten = program[StepKind.File].Has(Formula.Written) ? camera[Formula.Written.Place] : PixelValues.From(1);
         var bytes = new byte[3 * shown];
         for (var i = 0; i < shown; i++)
         {
@@ -173,7 +173,7 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>The step whose formulas cross a model; null for a shape of one's own, and for a mesh without triangles.</summary>
-    public static StepKind? KindOf(Model model) => ShapePart.Of(model).First().Kind;
+    public static StepKind? KindOf(Model model) => ShapePart.From(model).First().Kind;
 
     /// <param name="Frame">What camera and pixel have computed.</param>
     /// <param name="Nearest">The part that each pixel shows; −1 for none.</param>

@@ -23,7 +23,7 @@ internal static class FormulaText
     /// <summary>How tightly × binds: as products do; and a sign before an operand.</summary>
     public const int Product = 5, Prefix = 6, Atom = 7;
 
-    public static string Of(Expression e) => e.Operator switch
+    public static string Format(Expression e) => e.Operator switch
     {
         Operator.Number => e.Value.ToString("0.##########", CultureInfo.InvariantCulture),
         Operator.Name => e.Symbol!.Text,

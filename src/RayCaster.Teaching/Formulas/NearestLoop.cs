@@ -4,7 +4,7 @@ namespace RayCaster.Teaching.Formulas;
 /// <param name="count">How many values each array has.</param>
 internal sealed class NearestLoop(ImmutableArray<ShapePart> parts, PixelArithmetic arithmetic, int count)
 {
-    private static readonly Symbol parameter = Symbol.Of("t"), best = Symbol.Of("best");
+    private static readonly Symbol parameter = Symbol.From("t"), best = Symbol.From("best");
 
     /// <summary>Which part each pixel shows, −1 for none, and at which t.</summary>
     public (int[] Part, double[] T) Nearest(FormulaProgram program, PartHits[] crossed, PixelValues[] camera, bool isUsual)
@@ -39,8 +39,8 @@ internal sealed class NearestLoop(ImmutableArray<ShapePart> parts, PixelArithmet
     {
         var frame = PixelArithmetic.FrameOf(camera, new PixelValues[Symbol.Max], [(parameter, new(shownT)), (best, new(shownT))]);
         arithmetic.Define(loop, frame);
-        var start = frame[Symbol.Of("start").Place];
-        var offersBoth = frame[Symbol.Of("both").Place][0] != 0;
+        var start = frame[Symbol.From("start").Place];
+        var offersBoth = frame[Symbol.From("both").Place][0] != 0;
         var least = arithmetic.New(count);
         for (var i = 0; i < count; i++) (least[i], shownT[i]) = (start[i], double.NaN);
         frame[best.Place] = new(least);
@@ -58,7 +58,7 @@ internal sealed class NearestLoop(ImmutableArray<ShapePart> parts, PixelArithmet
         }
         (frame[parameter.Place], frame[best.Place]) = (new(shownT), new(least));
         arithmetic.Define(loop, frame);
-        var kept = frame[Symbol.Of("kept").Place];
+        var kept = frame[Symbol.From("kept").Place];
         for (var i = 0; i < count; i++)
             if (kept[i] == 0) nearest[i] = -1;
 
@@ -68,7 +68,7 @@ internal sealed class NearestLoop(ImmutableArray<ShapePart> parts, PixelArithmet
             var used = arithmetic.Used;
             arithmetic.Define(loop, frame);
             var (better, replaces, lights) =
-                (frame[Symbol.Of("better").Place], frame[Symbol.Of("replaces").Place], frame[Symbol.Of("lights").Place]);
+                (frame[Symbol.From("better").Place], frame[Symbol.From("replaces").Place], frame[Symbol.From("lights").Place]);
             for (var i = 0; i < count; i++)
             {
                 if (isHit is null ? double.IsNaN(t[i]) : isHit[i] == 0) continue;

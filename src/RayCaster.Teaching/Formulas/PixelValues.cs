@@ -6,9 +6,9 @@ namespace RayCaster.Teaching.Formulas;
 /// of them; a vector has three.</summary>
 internal readonly record struct PixelValues(double[] X, double[]? Y = null, double[]? Z = null)
 {
-    public static PixelValues Of(double value) => new(Same(value));
+    public static PixelValues From(double value) => new(Same(value));
 
-    public static PixelValues Of(Vector3 value) => new(Same(value.X), Same(value.Y), Same(value.Z));
+    public static PixelValues From(Vector3 value) => new(Same(value.X), Same(value.Y), Same(value.Z));
 
     /// <summary>A number in one pixel.</summary>
     public double this[int pixel] => X[pixel < X.Length ? pixel : 0];

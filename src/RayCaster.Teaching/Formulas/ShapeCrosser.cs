@@ -9,7 +9,7 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
     /// <summary>What a ray through a mesh's tree, or to a shape of one's own, takes, as so many computed numbers do.</summary>
     private const int WorkOfRay = 200;
 
-    private static readonly Symbol pointP = Symbol.Of("P"), direction = Symbol.Of("d"), parameter = Symbol.Of("t"), axisW = Symbol.Of("W");
+    private static readonly Symbol pointP = Symbol.From("P"), direction = Symbol.From("d"), parameter = Symbol.From("t"), axisW = Symbol.From("W");
 
     private readonly Dictionary<(int Part, Step Section), PixelValues[]> rightFrames = [];
     private readonly PixelValues[] ofShape = new PixelValues[Symbol.Max], ofRule = new PixelValues[Symbol.Max]; // used again and again
@@ -69,7 +69,7 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
     /// <param name="withAll">Whether a t that is no number may be a hit, and the second crossing is needed, too.</param>
     private PartHits Counted(Step section, Step rule, PixelValues[] frame, PixelValues[] camera, bool withAll)
     {
-        var one = PixelValues.Of(1);
+        var one = PixelValues.From(1);
         var when = section.Has(Formula.When) ? frame[Formula.When.Place] : one;
         var first = ByRule(frame[Formula.Near.Place], rule, camera);
         var second = section.Has(Formula.Far) ? ByRule(frame[Formula.Far.Place], rule, camera) : default;
@@ -104,7 +104,7 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
         var frame = PixelArithmetic.FrameOf(camera, ofRule, []);
         frame[parameter.Place] = crossing;
         arithmetic.Define(rule, frame);
-        var counts = rule.Has(Formula.When) ? frame[Formula.When.Place] : PixelValues.Of(1);
+        var counts = rule.Has(Formula.When) ? frame[Formula.When.Place] : PixelValues.From(1);
         return (frame[Formula.Near.Place], counts, Of(Formula.Ends), Of(Formula.Second));
 
         PixelValues? Of(Symbol name) => rule.Has(name) ? frame[name.Place] : null;
@@ -188,8 +188,8 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
         {
             if (double.IsNaN(t)) return null;
             var only = (PixelValues[])camera.Clone();
-            only[direction.Place] = PixelValues.Of(camera[direction.Place].At(pixel));
-            var (own, counts, _, _) = ByRule(PixelValues.Of(t), rule, only);
+            only[direction.Place] = PixelValues.From(camera[direction.Place].At(pixel));
+            var (own, counts, _, _) = ByRule(PixelValues.From(t), rule, only);
             return counts[0] != 0 ? own[0] : null;
         }
     }

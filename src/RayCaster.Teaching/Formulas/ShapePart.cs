@@ -12,17 +12,17 @@ internal sealed record ShapePart(Model Model, StepKind? Kind, (Symbol Name, Pixe
     public bool IsLarge { get; init; }
 
     /// <summary>The parts of a model: one, but for a small mesh.</summary>
-    public static IEnumerable<ShapePart> Of(Model model) => model switch
+    public static IEnumerable<ShapePart> From(Model model) => model switch
     {
         Mesh { TriangleCount: > MaxTriangles } => [new(model, StepKind.Triangle, []) { IsLarge = true }],
         Mesh { TriangleCount: > 0 } mesh =>
             Enumerable.Range(0, mesh.TriangleCount).Select(i => new ShapePart(mesh, StepKind.Triangle, NumbersOf(mesh[i]))),
-        _ when ShapeKind.Of(model.Kind) is { } kind && kind.NumbersOf(model) is { } numbers => [new(model, kind.Step, Named(kind.Step, numbers))],
+        _ when ShapeKind.Find(model.Kind) is { } kind && kind.NumbersOf(model) is { } numbers => [new(model, kind.Step, Named(kind.Step, numbers))],
         _ => [new(model, null, [])],
     };
 
     public static (Symbol Name, PixelValues Value)[] NumbersOf(Triangle triangle) =>
-        Named(StepKind.Triangle, [PixelValues.Of(triangle.A), PixelValues.Of(triangle.B), PixelValues.Of(triangle.C)]);
+        Named(StepKind.Triangle, [PixelValues.From(triangle.A), PixelValues.From(triangle.B), PixelValues.From(triangle.C)]);
 
     /// <summary>Values with the names that a step is given.</summary>
     public static (Symbol Name, PixelValues Value)[] Named(StepKind step, PixelValues[] values) =>

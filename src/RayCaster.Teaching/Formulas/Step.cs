@@ -58,7 +58,7 @@ internal sealed class Step(
         if (place >= 0)
             foreach (var parameter in formulas[place].Parameters) names[parameter.Text] = Expression.Parameter(parameter);
         var expression = new ExpressionParser(right, names, allUnits: true).Parse();
-        return place >= 0 ? With(place, expression) : With(formulas.Add(new(Symbol.Of(name), expression, [])));
+        return place >= 0 ? With(place, expression) : With(formulas.Add(new(Symbol.From(name), expression, [])));
     }
 
     /// <summary>The same with the edits of another one, too, or the other one if this has none.</summary>

@@ -44,14 +44,15 @@ internal sealed record ShapeKind(string Name, string One, string Many, StepKind 
 {
     public static readonly ShapeKind[] All =
     [
-        new("plane", "plane", "planes", StepKind.Plane, Slides.RayPlane, Numbers<Plane>(p => [PixelValues.Of(p.Point), PixelValues.Of(p.Normal)])),
+        new("plane", "plane", "planes", StepKind.Plane, Slides.RayPlane,
+            Numbers<Plane>(p => [PixelValues.From(p.Point), PixelValues.From(p.Normal)])),
         new("sphere", "sphere", "spheres", StepKind.Sphere, Slides.Sphere,
-            Numbers<Sphere>(s => [PixelValues.Of(s.Center), PixelValues.Of(s.Radius)])),
-        new("aabb", "box", "boxes", StepKind.Aabb, Slides.Box, Numbers<Aabb>(b => [PixelValues.Of(b.Min), PixelValues.Of(b.Max)])),
+            Numbers<Sphere>(s => [PixelValues.From(s.Center), PixelValues.From(s.Radius)])),
+        new("aabb", "box", "boxes", StepKind.Aabb, Slides.Box, Numbers<Aabb>(b => [PixelValues.From(b.Min), PixelValues.From(b.Max)])),
         new("circle", "circle", "circles", StepKind.Circle, Slides.Circle,
-            Numbers<Circle>(c => [PixelValues.Of(c.Center), PixelValues.Of(c.Normal), PixelValues.Of(c.Radius)])),
+            Numbers<Circle>(c => [PixelValues.From(c.Center), PixelValues.From(c.Normal), PixelValues.From(c.Radius)])),
         new("triangle", "triangle", "triangles", StepKind.Triangle, Slides.Triangle,
-            Numbers<Triangle>(t => [PixelValues.Of(t.A), PixelValues.Of(t.B), PixelValues.Of(t.C)])),
+            Numbers<Triangle>(t => [PixelValues.From(t.A), PixelValues.From(t.B), PixelValues.From(t.C)])),
         new("mesh", "mesh", "meshes", StepKind.Triangle, Slides.Triangle, _ => null),
     ];
 
@@ -59,10 +60,10 @@ internal sealed record ShapeKind(string Name, string One, string Many, StepKind 
     public static IEnumerable<ShapeKind> Basic => All.DistinctBy(kind => kind.Step);
 
     /// <summary>The kind of a name; null for a shape of one's own.</summary>
-    public static ShapeKind? Of(string name) => Array.Find(All, kind => kind.Name == name);
+    public static ShapeKind? Find(string name) => Array.Find(All, kind => kind.Name == name);
 
     /// <summary>The kind whose formula a step has.</summary>
-    public static ShapeKind Of(StepKind step) => All.First(kind => kind.Step == step);
+    public static ShapeKind Find(StepKind step) => All.First(kind => kind.Step == step);
 
     private static Func<Model, PixelValues[]?> Numbers<P>(Func<P, PixelValues[]> numbers) where P : struct, IPrimitive =>
         model => model is Model<P> { Primitive: var shape } ? numbers(shape) : null;

@@ -11,7 +11,7 @@ internal sealed record Symbol(string Text, int Place, UInt128 Bit)
     private static readonly Dictionary<string, Symbol> known = [];
 
     /// <summary>The symbol of a name; one for all sections.</summary>
-    public static Symbol Of(string text)
+    public static Symbol From(string text)
     {
         lock (known)
         {

@@ -85,7 +85,8 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         if (unreached.IsRestRight) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [unreached.Sentence] };
         if (prepared.TooManyModels) return null;
         var rest = new Decision(prepared, unreached.Rest, done, likely, unreached.Contains).Decide();
-        if (rest.Suspects is [var suspect, ..] && AreDrawn(unreached, [Hypothesis.Of([prepared.Scene], suspect.Mistakes)?.Programs[0]])) return null;
+        if (rest.Suspects is [var suspect, ..]
+            && AreDrawn(unreached, [Hypothesis.Create([prepared.Scene], suspect.Mistakes)?.Programs[0]])) return null;
         return rest with
         {
             Kind = rest.Kind == DiagnosisKind.Matches ? DiagnosisKind.NotTheFormulas : rest.Kind,
@@ -141,7 +142,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         var none = Facts with
         {
             Kind = DiagnosisKind.NoneOfThese,
-            MissingModel = missing is { } lost ? ModelName.Of(prepared.Scene, lost) : null,
+            MissingModel = missing is { } lost ? ModelName.Format(prepared.Scene, lost) : null,
             IsOfScene = byModels?.WrongKinds.IsCertain == true,
         };
 
@@ -185,14 +186,14 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         ];
 
         bool IsOfTheseKinds(Hypothesis candidate) => wrong is null or { Kinds.Count: 0, Agreeing.Count: 0 } || candidate.Mistakes.All(mistake =>
-            wrong.Kinds.Count > 0 ? mistake.Steps.Any(step => wrong.Kinds.Any(kind => ShapeKind.Of(kind)?.Step == step))
+            wrong.Kinds.Count > 0 ? mistake.Steps.Any(step => wrong.Kinds.Any(kind => ShapeKind.Find(kind)?.Step == step))
                 : !mistake.Steps.All(step => step.IsOfRays()));
 
         bool IsDrawnWrong((byte, byte, byte) shown) => wrong is { Kinds.Count: > 0 } ? wrong.ShowsColor(shown)
             : shown != background && shown != default;
 
         Func<Change, bool> IsNeeded(Hypothesis candidate) => change => candidate.Changes.Length == 1
-            || Hypothesis.Of([prepared.Scene], candidate.Changes.Remove(change)) is not { } less
+            || Hypothesis.Create([prepared.Scene], candidate.Changes.Remove(change)) is not { } less
             || sample.Residual(less.Programs[0]).Unexplained > candidate.Residual.Unexplained + LeastExplained * sample.WrongCount;
     }
 

@@ -75,6 +75,6 @@ public sealed record Diagnosis
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
     /// <param name="budget">How much may be done; any amount if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
-    public static Diagnosis Of(Scene scene, Picture picture, SearchBudget? budget = null) =>
+    public static Diagnosis Find(Scene scene, Picture picture, SearchBudget? budget = null) =>
         new SceneDiagnosis(scene, budget: budget).Judge(picture);
 }

@@ -56,12 +56,12 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
 
     /// <summary>Whether one of its mistakes is in the formulas of a kind of shape alone.</summary>
     public bool IsAbout(string kind) =>
-        ShapeKind.Of(kind) is { } shape && Changes.Any(change => change.IsMistake && change.Steps.SetEquals([shape.Step]));
+        ShapeKind.Find(kind) is { } shape && Changes.Any(change => change.IsMistake && change.Steps.SetEquals([shape.Step]));
 
     private bool IsOtherSample => Changes.All(change => change.IsOtherSample);
 
     /// <summary>A program with changes, for each of some scenes; null if they do not fit together.</summary>
-    public static Hypothesis? Of(IEnumerable<Scene> scenes, params IEnumerable<Change> changes) => changes.Aggregate(
+    public static Hypothesis? Create(IEnumerable<Scene> scenes, params IEnumerable<Change> changes) => changes.Aggregate(
         (Hypothesis?)new([.. scenes.Select(scene => FormulaProgram.For(scene.Camera))], []), (all, change) => all?.Plus(change));
 
     /// <summary>With one more change; null if it does not fit, or if it is a third mistake: three explain any picture by chance.</summary>

@@ -46,7 +46,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     private const int MaxModels = 200;
 
     private readonly List<Hypothesis> found = []; // compared with all of the sample
-    private readonly Hypothesis right = Hypothesis.Of(pictures.Select(picture => picture.Scene))!;
+    private readonly Hypothesis right = Hypothesis.Create(pictures.Select(picture => picture.Scene))!;
 
     /// <summary>What nothing explains.</summary>
     private double Literal => pictures.Count(picture => picture.WrongCount > 0) * Priors.OtherProgram;
@@ -73,7 +73,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
 
     /// <summary>Without each of its changes.</summary>
     private IEnumerable<Hypothesis?> Less(Hypothesis of) =>
-        of.Changes.Select(change => Hypothesis.Of(pictures.Select(picture => picture.Scene), of.Changes.Remove(change)));
+        of.Changes.Select(change => Hypothesis.Create(pictures.Select(picture => picture.Scene), of.Changes.Remove(change)));
 
     /// <summary>With a name for each slip: a picture that several slips draw tells the likeliest.</summary>
     /// <param name="alike">The single slips that draw the same.</param>

@@ -68,7 +68,7 @@ public sealed record JointDiagnosis
     /// <summary>Finds what is wrong.</summary>
     /// <param name="pictures">A program's pictures, each with its scene; their sizes pass <see cref="SceneDiagnosis.CanJudge"/>.</param>
     /// <param name="known">The mistakes that it may have.</param>
-    public static JointDiagnosis Of(IReadOnlyList<(SceneDiagnosis Scene, Picture Picture)> pictures, IReadOnlyList<Mistake> known)
+    public static JointDiagnosis Find(IReadOnlyList<(SceneDiagnosis Scene, Picture Picture)> pictures, IReadOnlyList<Mistake> known)
     {
         PictureSample[] samples = [.. pictures.Select(picture => SampleOf(picture.Scene, picture.Picture))];
         int[] wrong = [.. Enumerable.Range(0, samples.Length).Where(i => !samples[i].IsRight)];
@@ -87,7 +87,7 @@ public sealed record JointDiagnosis
             {
                 Wrong = wrong,
                 Unexplained = wrong,
-                Nearest = verdict.Told.Count > 0 && verdict.Total < Decision.Mentioned * wrong.Length ? Of(verdict) : null,
+                Nearest = verdict.Told.Count > 0 && verdict.Total < Decision.Mentioned * wrong.Length ? Find(verdict) : null,
                 Note = note ?? OnlyKind(wrongSamples),
             };
         }
@@ -95,8 +95,8 @@ public sealed record JointDiagnosis
         return none with
         {
             Unexplained = unexplained,
-            Verdict = Of(verdict),
-            Alternatives = [.. AsGood(verdict, ranked).Concat(less.OfType<Hypothesis>()).Select(Of)],
+            Verdict = Find(verdict),
+            Alternatives = [.. AsGood(verdict, ranked).Concat(less.OfType<Hypothesis>()).Select(Find)],
             HidingMistakes = verdict.MissingShapes.Count > 0 ? [.. Hiding(verdict, ranked)] : [],
             Drawn = verdict.Mistakes.Count > 0 ? [.. KindsIn(samples).Where(kind => Draws(verdict, kind, samples))] : [],
             IsGuess = unexplained.Any(i => IsHardlyExplained(verdict.Programs[i], samples[i])),
@@ -116,7 +116,7 @@ public sealed record JointDiagnosis
     internal static PictureSample SampleOf(SceneDiagnosis scene, Picture picture) =>
         new(scene.Scene, scene.Right, picture, Pixels, !scene.TooManyModels);
 
-    private static Suspect Of(Hypothesis hypothesis) => new(
+    private static Suspect Find(Hypothesis hypothesis) => new(
         hypothesis.Mistakes, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, [], hypothesis.Missing, false, false, hypothesis.IsUsual);
 
     /// <summary>A sentence for the first of some pictures if each has too few colours, or is right but for pixels that no loop reached.</summary>
@@ -161,7 +161,7 @@ public sealed record JointDiagnosis
         var (missing, mistakes) = program.Count;
         return missing + mistakes < 2 ? null : program.Changes
             .Where(change => change.Missing is not null).Concat(program.Mistakes)
-            .Select(change => Hypothesis.Of(samples.Select(sample => sample.Scene), program.Changes.Remove(change)))
+            .Select(change => Hypothesis.Create(samples.Select(sample => sample.Scene), program.Changes.Remove(change)))
             .FirstOrDefault(less => samples.Index().Where(sample => wrong.Contains(sample.Item)).All(sample =>
                 Weight(less!.Programs[sample.Index], sample.Item) - Weight(program.Programs[sample.Index], sample.Item)
                     < Slight * Weight(Right(sample.Item), sample.Item)));
@@ -190,7 +190,7 @@ public sealed record JointDiagnosis
             .ToDictionary(kind => kind.Key, kind => kind.Sum());
         var most = counts.MaxBy(kind => kind.Value);
         var isOneKind = most.Value >= OneKind * counts.Values.Sum();
-        return (isOneKind && ShapeKind.Of(most.Key) is { } shape ? [StepKind.Light, StepKind.Bytes, shape.Step] : [StepKind.Light, StepKind.Bytes],
+        return (isOneKind && ShapeKind.Find(most.Key) is { } shape ? [StepKind.Light, StepKind.Bytes, shape.Step] : [StepKind.Light, StepKind.Bytes],
             isOneKind && most.Key == "background" ? "only the background is wrong" : "all outlines are right, only the light is not");
     }
 

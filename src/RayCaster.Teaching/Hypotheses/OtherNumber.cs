@@ -105,7 +105,7 @@ internal sealed record OtherNumber(
     private static IEnumerable<OtherNumber> OfModel(Scene scene, int place)
     {
         var model = scene.Models[place];
-        var name = ModelName.Of(scene, place);
+        var name = ModelName.Format(scene, place);
         var slides = FormulaProgram.For(scene.Camera);
         if (Moved(model, Vector3.Zero, 1) is null) yield break;
         if (model is not Model<Plane>)

@@ -4,7 +4,7 @@ namespace RayCaster.Teaching.Hypotheses;
 /// A scene prepared for judging many pictures: what all of them need is drawn once, so a right picture takes some milliseconds. Several threads may
 /// judge pictures at the same time.
 /// </summary>
-/// <remarks>For a single picture <see cref="Diagnosis.Of"/> does.</remarks>
+/// <remarks>For a single picture <see cref="Diagnosis.Find"/> does.</remarks>
 public sealed class SceneDiagnosis
 {
     private readonly Lazy<(IReadOnlyList<Mistake> Hidden, int Tried)> hidden;
@@ -87,6 +87,6 @@ public sealed class SceneDiagnosis
         var decision = new Decision(this, picture, done ?? [], likely);
         var diagnosis = AlphaText.IsMultiplied(alpha, picture, Right) ? decision.Facts with { Kind = DiagnosisKind.NotTheFormulas }
             : decision.Decide();
-        return diagnosis with { Alpha = AlphaText.Of(alpha, picture, Right) };
+        return diagnosis with { Alpha = AlphaText.Describe(alpha, picture, Right) };
     }
 }

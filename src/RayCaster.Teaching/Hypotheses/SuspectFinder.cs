@@ -49,7 +49,7 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, PictureSample sampl
 
     private bool AreAlike(PictureSample.Drawn drawn, Hypothesis? other) => other is not null && sample.AreAlike(drawn, other.Programs[0]);
 
-    private Hypothesis? With(IEnumerable<Change> changes) => Hypothesis.Of([prepared.Scene], changes);
+    private Hypothesis? With(IEnumerable<Change> changes) => Hypothesis.Create([prepared.Scene], changes);
 
     /// <summary>The mistakes that show. Of zNear and zFar, which are not written yet, the picture may show only one.</summary>
     private Change[] Visible(Hypothesis hypothesis, PictureSample.Drawn drawn)

@@ -64,7 +64,7 @@ public sealed class HitLedger
     public static bool IsQuick(Scene scene) => scene.ShapeCount <= MaxShapesOfQuick;
 
     /// <summary>The table, and in words what is unusual.</summary>
-    public string Report() => LedgerTable.Of(this) + string.Concat(LedgerVerdict.Of(this).Select(sentence => sentence + "\n"));
+    public string Report() => LedgerTable.Format(this) + string.Concat(LedgerVerdict.Find(this).Select(sentence => sentence + "\n"));
 
     private void Judge(int column, int row)
     {

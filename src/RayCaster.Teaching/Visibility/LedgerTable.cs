@@ -18,7 +18,7 @@ internal static class LedgerTable
         (Outcome.Misses, "misses", "is missed by every ray", "are missed by every ray"),
     ];
 
-    public static string Of(HitLedger ledger)
+    public static string Format(HitLedger ledger)
     {
         var camera = ledger.Scene.Camera;
         var pixels = (long)camera.Width * camera.Height;

@@ -8,7 +8,7 @@ internal static class LedgerVerdict
     /// <summary>If more models do not show, only so many are named.</summary>
     private const int MaxNamed = 10;
 
-    public static IEnumerable<string> Of(HitLedger ledger)
+    public static IEnumerable<string> Find(HitLedger ledger)
     {
         if (ledger.Models.Count == 0) return ["The scene holds no models: every pixel shows the background."];
         string[] sentences = [.. ledger.Hits == 0 ? OfNoHits(ledger) : OfLight(ledger).Concat(OfHiddenModels(ledger))];

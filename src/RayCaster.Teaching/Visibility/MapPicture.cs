@@ -7,7 +7,7 @@ public static class MapPicture
     public static Picture Draw(NumberMap map, MapKind kind)
     {
         var (least, greatest) = map.Range ?? default;
-        return Picture.Of(map.Width, map.Height, (x, y) => Pixel(map[x, y], kind, least, greatest));
+        return Picture.Create(map.Width, map.Height, (x, y) => Pixel(map[x, y], kind, least, greatest));
     }
 
     private static (byte, byte, byte) Pixel(float number, MapKind kind, double least, double greatest)

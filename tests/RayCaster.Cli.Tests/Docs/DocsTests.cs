@@ -36,7 +36,7 @@ public class DocsTests
     public void TheExplanationOfTheDocumentIsTheOneThatIsPrinted()
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/first.json")).Scene!;
-        var text = ExplanationText.Of(new PixelExplanation(scene, 250, 250));
+        var text = ExplanationText.Format(new PixelExplanation(scene, 250, 250));
         var shown = Regex.Match(Read("docs/explain.md"), @"-- explain scenes/first.json 250 250\n(.*?)```", RegexOptions.Singleline).Groups[1].Value;
         Assert.NotEmpty(shown);
         foreach (var line in shown.Split('\n').Where(line => line != "...")) Assert.Contains(line, text.ReplaceLineEndings("\n").Split('\n'));

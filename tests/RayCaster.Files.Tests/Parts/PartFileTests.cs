@@ -74,7 +74,7 @@ public sealed class PartFileTests : IDisposable
         Assert.Equal(PartFacts.VersionOf(library, files), PartFacts.VersionOf(library, files));
         Assert.NotEqual(PartFacts.VersionOf(library, files), PartFacts.VersionOf(library, typeof(PartFileTests).Assembly));
         var (scene, lines) = (new Scene(new(new(5, 0, 0), Vector3.Zero), []), NumberRange.Whole(500));
-        var (mine, edited) = (PartFacts.Of(scene, lines, "", files), PartFacts.Of(scene, lines, "", typeof(PartFileTests).Assembly));
+        var (mine, edited) = (PartFacts.Create(scene, lines, "", files), PartFacts.Create(scene, lines, "", typeof(PartFileTests).Assembly));
         Assert.False(PartFile.Holds(Write(mine, width: 500), edited, out var reason));
         Assert.Equal($"it was drawn by version {mine.Version}, and this is {edited.Version}", reason);
     }

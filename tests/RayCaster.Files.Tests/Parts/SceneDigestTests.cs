@@ -102,7 +102,7 @@ public class SceneDigestTests
             Assert.Throws<ProblemException>(() => Digest(scene)).Message);
     }
 
-    private static string Digest(Scene scene) => SceneDigest.Of(scene, SceneDigest.OfModels(scene.Models));
+    private static string Digest(Scene scene) => SceneDigest.Compute(scene, SceneDigest.OfModels(scene.Models));
 
     private static string? DigestOf(string json) => Read(json) is { } scene ? Digest(scene) : null;
 

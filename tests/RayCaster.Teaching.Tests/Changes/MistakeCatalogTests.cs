@@ -53,7 +53,8 @@ public class MistakeCatalogTests
         var drawn = scenes.Values.Select(scene => (Scene: scene, Picture: EditedLab.Render(scene, PlantedMistake.Named(id)))).ToArray();
         if (MistakeCatalog.Named(id)!.Changes.Any(variant =>
             drawn.All(one => IsDrawnBy(one.Picture, MistakeCatalog.Draw(one.Scene, [variant]))))) return;
-        Assert.Contains(drawn, one => Diagnosis.Of(one.Scene, one.Picture).Suspects is [var first, ..] && DiagnosisTests.Named(first).Contains(id));
+        Assert.Contains(drawn,
+            one => Diagnosis.Find(one.Scene, one.Picture).Suspects is [var first, ..] && DiagnosisTests.Named(first).Contains(id));
     }
 
     [Fact(Explicit = true)]

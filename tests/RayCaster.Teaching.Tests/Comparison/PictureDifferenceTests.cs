@@ -48,8 +48,8 @@ public class PictureDifferenceTests
     public void APixelIsOneDarkerIfNoChannelIsLighter()
     {
         Assert.Equal((0, 0, 0), still[60, 1]);
-        var grey = Picture.Of(4, 1, (_, _) => (9, 9, 9));
-        var mine = Picture.Of(4, 1, (x, _) => x switch { 0 => (8, 9, 9), 1 => (8, 8, 8), 2 => (8, 10, 9), _ => (9, 9, 10) });
+        var grey = Picture.Create(4, 1, (_, _) => (9, 9, 9));
+        var mine = Picture.Create(4, 1, (x, _) => x switch { 0 => (8, 9, 9), 1 => (8, 8, 8), 2 => (8, 10, 9), _ => (9, 9, 10) });
         Assert.Equal((4, 2), (new PictureDifference(mine, grey).OffByOne, new PictureDifference(mine, grey).OneDarker));
     }
 

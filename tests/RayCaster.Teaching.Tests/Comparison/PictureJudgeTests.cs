@@ -42,7 +42,7 @@ public class PictureJudgeTests
 
     [Fact]
     public void NorAlongHalfOfTheOutlines() =>
-        Assert.Equal(Likeness.Wrong, new PictureComparison(Picture.Of(96, 64, (x, y) => still[Math.Max(0, x - 1), y]), still).Likeness);
+        Assert.Equal(Likeness.Wrong, new PictureComparison(Picture.Create(96, 64, (x, y) => still[Math.Max(0, x - 1), y]), still).Likeness);
 
     [Theory]
     [InlineData(0, 1, 0, 0, "its first line")]
@@ -51,11 +51,11 @@ public class PictureJudgeTests
     [InlineData(3, 16, 4, 0, "its first 16 lines and its first 3 columns and its last 4 columns")]
     public void ACroppedPictureIsRightButForThat(int left, int top, int right, int bottom, string missing)
     {
-        var cropped = Picture.Of(96 - left - right, 64 - top - bottom, (x, y) => still[x + left, y + top]);
+        var cropped = Picture.Create(96 - left - right, 64 - top - bottom, (x, y) => still[x + left, y + top]);
         var comparison = new PictureComparison(cropped, still);
         Assert.Equal(Likeness.Wrong, comparison.Likeness);
         Assert.EndsWith($"It is the right picture without {missing}. Was it cropped on its way, for example by a screenshot?\n",
-            ComparisonText.Of(comparison, "mine.png", "right.png"));
+            ComparisonText.Format(comparison, "mine.png", "right.png"));
     }
 
     [Fact]
@@ -69,7 +69,7 @@ public class PictureJudgeTests
     public void TheSameNumberOfLevelsEverywhereIsSaid(int levels, string sentence)
     {
         var shifted = still.Map(p => (Add(p.R), Add(p.G), Add(p.B)));
-        Assert.Contains(sentence, ComparisonText.Of(new(shifted, still), "mine.png", "right.png"));
+        Assert.Contains(sentence, ComparisonText.Format(new(shifted, still), "mine.png", "right.png"));
 
         byte Add(byte channel) => (byte)Math.Clamp(channel + levels, 0, 255);
     }

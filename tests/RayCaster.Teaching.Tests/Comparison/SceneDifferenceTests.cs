@@ -16,7 +16,7 @@ public class SceneDifferenceTests
     private static readonly Picture right = Renderer.Render(scene);
 
     private static string TextOf(Picture mine, Picture? reference = null, Scene? of = null) =>
-        ComparisonText.Of(new PictureComparison(mine, reference ?? right, of ?? scene), "mine", "reference");
+        ComparisonText.Format(new PictureComparison(mine, reference ?? right, of ?? scene), "mine", "reference");
 
     private static Model Named<P>(P primitive, string? name, Color color) where P : struct, IPrimitive =>
         new Model<P>(primitive) { Name = name, Color = color };
@@ -71,7 +71,7 @@ public class SceneDifferenceTests
         Assert.Equal([(0, ball.Wrong)], ball.Shows);
         Assert.InRange(ball.Share, 0.3, 0.7);
         Assert.Matches(@"\nmodels\[2\] \(sphere\): [\d.]+ % of its pixels are wrong, they show `wall`; all others agree\.\n",
-            ComparisonText.Of(comparison, "mine", "reference"));
+            ComparisonText.Format(comparison, "mine", "reference"));
     }
 
     [Fact]
@@ -107,7 +107,7 @@ public class SceneDifferenceTests
 
     [Fact]
     public void AWholePicturesChangeIsNotBlamedOnModels() =>
-        Assert.DoesNotContain("`", TextOf(Picture.Of(120, 80, (x, y) => right[x, 79 - y])));
+        Assert.DoesNotContain("`", TextOf(Picture.Create(120, 80, (x, y) => right[x, 79 - y])));
 
     [Fact]
     public void WhereEverythingIsWrongNoModelIsBlamed()
@@ -128,9 +128,9 @@ public class SceneDifferenceTests
         var edge = new Scene(camera, [Named(new Aabb(new(-1, 0, -90), new(1, 90, 90)), "half", new(1, 1, 1))], new(0, 0, 0.5));
         var reference = Renderer.Render(edge);
         Assert.NotEqual(reference[29, 0], reference[30, 0]);
-        var shifted = Picture.Of(60, 40, (x, y) => x == 30 ? reference[29, y] : reference[x, y]);
+        var shifted = Picture.Create(60, 40, (x, y) => x == 30 ? reference[29, y] : reference[x, y]);
         Assert.Equal(Likeness.OutlinesOnly, new PictureComparison(shifted, reference, edge).Likeness);
-        var farther = Picture.Of(60, 40, (x, y) => x == 31 ? reference[29, y] : reference[x, y]);
+        var farther = Picture.Create(60, 40, (x, y) => x == 31 ? reference[29, y] : reference[x, y]);
         Assert.Equal(Likeness.Wrong, new PictureComparison(farther, reference, edge).Likeness);
     }
 

@@ -4,7 +4,7 @@ namespace RayCaster.Teaching.Tests.Comparison;
 internal static class SomePictures
 {
     /// <summary>A shaded ground, a box and a ball before it, all of different colours.</summary>
-    public static Picture Still(int width = 96, int height = 64) => Picture.Of(width, height, (x, y) =>
+    public static Picture Still(int width = 96, int height = 64) => Picture.Create(width, height, (x, y) =>
     {
         var (u, v) = ((double)x / width, (double)y / height);
         if (Math.Pow(u - 0.7, 2) + Math.Pow((v - 0.4) * height / width, 2) < 0.02) return (Level(0.9 - 0.5 * u), Level(0.7 - 0.3 * v), (byte)20);
@@ -14,7 +14,7 @@ internal static class SomePictures
 
     /// <summary>The same with every pixel changed.</summary>
     public static Picture Map(this Picture picture, Func<(byte R, byte G, byte B), (byte, byte, byte)> change) =>
-        Picture.Of(picture.Width, picture.Height, (x, y) => change(picture[x, y]));
+        Picture.Create(picture.Width, picture.Height, (x, y) => change(picture[x, y]));
 
     /// <summary>The same with a few pixels changed.</summary>
     public static Picture With(this Picture picture, Action<Picture> change)

@@ -40,11 +40,11 @@ public class TransformFinderTests
     {
         var turn = (Turn)number;
         var (width, height) = turn >= Turn.Transposed ? (64, 96) : (96, 64);
-        Recognises(new(turn), Picture.Of(width, height, (x, y) => Source(turn, x, y) is var (u, v) ? still[u, v] : default), still);
+        Recognises(new(turn), Picture.Create(width, height, (x, y) => Source(turn, x, y) is var (u, v) ? still[u, v] : default), still);
     }
 
     [Fact]
-    public void TransposedInASquare() => Recognises(new(Turn.Transposed), Picture.Of(64, 64, (x, y) => square[y, x]), square);
+    public void TransposedInASquare() => Recognises(new(Turn.Transposed), Picture.Create(64, 64, (x, y) => square[y, x]), square);
 
     [Fact]
     public void ChannelsInAnotherOrder()
@@ -68,13 +68,13 @@ public class TransformFinderTests
     [InlineData(16, -16, Explicit = true)]
     public void Moved(int right, int down) => Recognises(
         new(Turn.None, right, down),
-        Picture.Of(96, 64, (x, y) => x + right is >= 0 and < 96 && y + down is >= 0 and < 64 ? still[x + right, y + down] : default),
+        Picture.Create(96, 64, (x, y) => x + right is >= 0 and < 96 && y + down is >= 0 and < 64 ? still[x + right, y + down] : default),
         still);
 
     [Fact]
     public void FlippedAndOneLineOff() => // V points down: row r shows −ur, so line 0 has no counterpart
         Recognises(
-            new(Turn.TopBottom, Down: 1), Picture.Of(96, 64, (x, y) => y == 0 ? default : still[x, 64 - y]).With(_ => { }), still.With(p =>
+            new(Turn.TopBottom, Down: 1), Picture.Create(96, 64, (x, y) => y == 0 ? default : still[x, 64 - y]).With(_ => { }), still.With(p =>
         {
             for (var x = 0; x < 96; x++) p[x, 0] = (50, 60, 70);
         }));
@@ -94,7 +94,7 @@ public class TransformFinderTests
     [Fact]
     public void ATruncatedFlippedPictureBecomesRightButForRounding()
     {
-        var mine = Picture.Of(96, 64, (x, y) => still[x, 63 - y]).Map(p => ((byte)Math.Max(0, p.R - 1), p.G, p.B));
+        var mine = Picture.Create(96, 64, (x, y) => still[x, 63 - y]).Map(p => ((byte)Math.Max(0, p.R - 1), p.G, p.B));
         var recognition = Recognise(mine, still)!;
         Assert.Equal((new PictureTransform(Turn.TopBottom), Likeness.RoundedOtherwise), (recognition.Transform, recognition.Likeness));
     }
@@ -102,7 +102,7 @@ public class TransformFinderTests
     [Fact]
     public void WhatIsLeftWrongIsTold()
     {
-        var mine = Picture.Of(96, 64, (x, y) => still[x, 63 - y]).With(p => p[3, 3] = p[4, 4] = (9, 9, 9));
+        var mine = Picture.Create(96, 64, (x, y) => still[x, 63 - y]).With(p => p[3, 3] = p[4, 4] = (9, 9, 9));
         var recognition = Recognise(mine, still)!;
         Assert.Equal((new PictureTransform(Turn.TopBottom), Likeness.Wrong, 2),
             (recognition.Transform, recognition.Likeness, recognition.Difference.Wrong));
@@ -114,7 +114,7 @@ public class TransformFinderTests
 
     [Fact]
     public void NothingIsClaimedOfAnUnrelatedPicture() =>
-        Assert.Null(Recognise(Picture.Of(96, 64, (x, y) => ((byte)(x * y), (byte)(x ^ y), (byte)(3 * y))), still));
+        Assert.Null(Recognise(Picture.Create(96, 64, (x, y) => ((byte)(x * y), (byte)(x ^ y), (byte)(3 * y))), still));
 
     [Fact]
     public void NothingIsClaimedOfABlackPicture() => Assert.Null(Recognise(new Picture(96, 64), still));

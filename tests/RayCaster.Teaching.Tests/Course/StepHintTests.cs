@@ -48,18 +48,18 @@ public class StepHintTests
         var scene = LabSteps.SceneAt(SceneFolder.Read(SceneFolder.FileOf("plane")), 4);
         var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("u-unnorm")!.Usual, MistakeCatalog.Named("att-none")!.Usual]);
         Assert.StartsWith("  Only a few pixels are wrong: too few to name a mistake.\n  Ask yourself: Take the ray of one pixel",
-            StepHint.Of(scene, picture, 4, HintLevel.Question));
+            StepHint.Format(scene, picture, 4, HintLevel.Question));
     }
 
     [Fact]
     public void ABlackPictureOfALaterStepIsTheShapesAndNotTheLights()
     {
         var scene = LabSteps.SceneAt(SceneFolder.Small("sphere", 5), 8);
-        var black = Picture.Of(scene.Camera.Width, scene.Camera.Height, (_, _) => (0, 0, 0));
+        var black = Picture.Create(scene.Camera.Width, scene.Camera.Height, (_, _) => (0, 0, 0));
         Assert.Equal("""
               Missing where it should show: sphere.
               Ask yourself: Take a ray through the centre: what are t_ca, D and t_hc? What if the camera is inside?
-            """, StepHint.Of(scene, black, 8, HintLevel.Question));
+            """, StepHint.Format(scene, black, 8, HintLevel.Question));
     }
 
     [Fact]
@@ -122,6 +122,6 @@ public class StepHintTests
         var scene = LabSteps.SceneAt(SceneFolder.Small(file, 5), step);
         var picture = MistakeCatalog.Draw(scene, step < 5 ? [.. planted, MistakeCatalog.Named("att-none")!.Usual] : planted);
         var diagnosis = StepHint.Judge(scene, picture, step);
-        return (StepHint.Of(scene, diagnosis, step, HintLevel.Question), diagnosis.Kind);
+        return (StepHint.Format(scene, diagnosis, step, HintLevel.Question), diagnosis.Kind);
     }
 }

@@ -6,7 +6,7 @@ public class MutationCoverageTests
     public void TheRoomSaysWhatItHides()
     {
         var room = SceneFolder.Read(SceneFolder.FileOf("room"));
-        var fitness = MutationCoverage.Of([room.WithSize(50, 50)]);
+        var fitness = MutationCoverage.Measure([room.WithSize(50, 50)]);
         var hidden = fitness.Hidden.Select(mistake => mistake.Id).ToArray();
         string[] expected = [
             "aspect-none", "aspect-int", "fov-horiz", "u-unnorm", "znear-t", "no-zfar", "near-root-only", "aspect-inv", "tca-positive"];
@@ -24,7 +24,7 @@ public class MutationCoverageTests
     [Fact]
     public void AnEmptyWorldShowsNothing()
     {
-        var fitness = MutationCoverage.Of([new(new Camera(new(1, 0, 0), Vector3.Zero, width: 30, height: 20), [])]);
+        var fitness = MutationCoverage.Measure([new(new Camera(new(1, 0, 0), Vector3.Zero, width: 30, height: 20), [])]);
         Assert.Contains(MistakeCatalog.Named("w-sign")!, fitness.Hidden);
         Assert.Contains("the world is empty", CoverageReport.Text(fitness));
     }
@@ -33,14 +33,15 @@ public class MutationCoverageTests
     public void ACameraOnTheFacesOfABoxHasFragilePixels()
     {
         var box = Model.Of(new Aabb(new(-1, -1, 0), new(1, 1, 2))); // its lower face is at the camera's height: seen edge-on
-        var fitness = MutationCoverage.Of([new(new Camera(new(5, 0, 0), Vector3.Zero, width: 20, height: 20), [box])]);
+        var fitness = MutationCoverage.Measure([new(new Camera(new(5, 0, 0), Vector3.Zero, width: 20, height: 20), [box])]);
         Assert.InRange(fitness.FragilePixels, 1, 20);
     }
 
     [Fact(Explicit = true)]
     public void TheProjectsSetOfTestScenesHidesNothing()
     {
-        var fitness = MutationCoverage.Of([.. SceneFolder.Files("scenes/mistakes").Select(file => SceneFolder.Small(SceneFolder.NameOf(file)))]);
+        var fitness = MutationCoverage.Measure(
+            [.. SceneFolder.Files("scenes/mistakes").Select(file => SceneFolder.Small(SceneFolder.NameOf(file)))]);
         Assert.Equal(["round", "x256"], fitness.Hidden.Select(mistake => mistake.Id).Order()); // a level at most, by their nature
         Assert.Equal(fitness.Hidden, fitness.WithinRounding);
         Assert.Empty(fitness.Twins);

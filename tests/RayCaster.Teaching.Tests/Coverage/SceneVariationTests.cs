@@ -10,7 +10,7 @@ public class SceneVariationTests
 
     private static readonly string annas = Vary("anna");
 
-    private static string Vary(string seed) => Encoding.UTF8.GetString(SceneVariation.Of(scene, "", seed, "")!);
+    private static string Vary(string seed) => Encoding.UTF8.GetString(SceneVariation.Create(scene, "", seed, "")!);
 
     private static Scene Parsed(byte[] utf8) => SceneReader.Parse(utf8, "", "").Scene!;
 
@@ -38,7 +38,7 @@ public class SceneVariationTests
 
     [Fact(Explicit = true)] // its square picture shows "size-mixed" in one variant only, by the last bits of numbers that are equal by symmetry
     public void TheCoursesRoomCanBeVaried() =>
-        Assert.NotNull(SceneVariation.Of(File.ReadAllBytes(ProjectFolder.PathOf("scenes/room.json")), "", "anna", ""));
+        Assert.NotNull(SceneVariation.Create(File.ReadAllBytes(ProjectFolder.PathOf("scenes/room.json")), "", "anna", ""));
 
     [Fact(Explicit = true)]
     public void TheSameSeedGivesTheSameSceneAndAnotherAnother()
@@ -51,7 +51,7 @@ public class SceneVariationTests
     public void InAnotherFolderTheSchemaIsFound()
     {
         var weeks = ProjectFolder.PathOf("scenes/weeks");
-        var moved = Encoding.UTF8.GetString(SceneVariation.Of(scene, weeks, "anna", Path.Combine(weeks, "..", "my", "anna"))!);
+        var moved = Encoding.UTF8.GetString(SceneVariation.Create(scene, weeks, "anna", Path.Combine(weeks, "..", "my", "anna"))!);
         Assert.Contains("\"$schema\": \"../../scene.schema.json\"", moved);
     }
 }

@@ -149,7 +149,7 @@ public class PixelExplanationTests
         var (near, far) = (Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0))), Model.Of(new Plane(new(-10, 0, 0), new(1, 0, 0))));
         (near.Name, near.Color, far.Name, far.Color) = ("ball", new(1, 0, 0), "wall", new(0, 1, 0));
         var scene = Scene([near, far]);
-        var explanation = ReferenceExplanation.Of(new PixelExplanation(scene, 0, 0), ScalarRenderer.Render(scene with { Models = [far] }));
+        var explanation = ReferenceExplanation.Create(new PixelExplanation(scene, 0, 0), ScalarRenderer.Render(scene with { Models = [far] }));
         Assert.False(explanation.Agrees);
         Assert.Equal((-223, 191, 0), explanation.Difference);
         Assert.Equal("the other picture's colour is what wall would give: its crossing at t = 10 is hidden by ball, whose t = 5 < 10",
@@ -162,7 +162,7 @@ public class PixelExplanationTests
         var scene = Scene([Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)))]);
         var picture = ScalarRenderer.Render(scene);
         picture[0, 0] = ((byte)(picture[0, 0].R - 1), picture[0, 0].G, picture[0, 0].B);
-        var explanation = ReferenceExplanation.Of(new PixelExplanation(scene, 0, 0), picture);
+        var explanation = ReferenceExplanation.Create(new PixelExplanation(scene, 0, 0), picture);
         Assert.True(explanation.Agrees);
         Assert.Empty(explanation.Causes);
     }
@@ -178,7 +178,7 @@ public class PixelExplanationTests
     internal static string TextFile => ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Explanations/room.txt");
 
     internal static string Text() =>
-        ExplanationText.Of(new PixelExplanation(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!, 250, 380));
+        ExplanationText.Format(new PixelExplanation(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!, 250, 380));
 
     [Fact]
     public void TheTextForPeopleStaysAsItIs() => Assert.Equal(File.ReadAllText(TextFile).ReplaceLineEndings("\n"), Text());
@@ -192,7 +192,7 @@ public class PixelExplanationTests
             var (column, line) = (random.Next(picture.Width), random.Next(picture.Height));
             var pixel = new PixelExplanation(scene, column, line);
             Assert.Equal(picture[column, line], pixel.Bytes);
-            Assert.NotEmpty(ExplanationText.Of(pixel));
+            Assert.NotEmpty(ExplanationText.Format(pixel));
             CheckNumbers(pixel, picture[column, line]);
         }
     }

@@ -46,7 +46,7 @@ public class FormulaProgramTests
     {
         var both = Draw(generic, "rows", "bgr");
         var right = Draw(generic);
-        var turned = Picture.Of(both.Width, both.Height, (x, y) => right[x, both.Height - 1 - y] is var (r, g, b) ? (b, g, r) : default);
+        var turned = Picture.Create(both.Width, both.Height, (x, y) => right[x, both.Height - 1 - y] is var (r, g, b) ? (b, g, r) : default);
         Assert.Equal(turned.Rgb, both.Rgb);
     }
 
@@ -56,7 +56,7 @@ public class FormulaProgramTests
     [InlineData("t_hc = √(R - D2)", "t_hc = √(2·R - D2)", null)] // the same part
     public void TwoEditsOfAFormulaAreOneProgramIfTheyAreInDifferentParts(string one, string other, string? formula)
     {
-        var program = Hypothesis.Of([generic], ProgramInWords.Written($"sphere {one}"), ProgramInWords.Written($"sphere {other}"))?.Programs[0];
+        var program = Hypothesis.Create([generic], ProgramInWords.Written($"sphere {one}"), ProgramInWords.Written($"sphere {other}"))?.Programs[0];
         Assert.Equal(formula, program?[StepKind.Sphere].Formulas[3].ToString());
     }
 

@@ -71,7 +71,7 @@ public class ConfusionTests(ITestOutputHelper output)
         var picture = EditedLab.Render(scene, manner, planted);
         if (planted.Length > 0 && AreAlike(picture, EditedLab.Render(scene, manner))) return;
         if (planted.Length > 1 && planted.Any(one => AreAlike(picture, EditedLab.Render(scene, manner, one)))) return;
-        var diagnosis = Diagnosis.Of(scene, picture);
+        var diagnosis = Diagnosis.Find(scene, picture);
         var suspects = diagnosis.Suspects;
         switch (planted)
         {

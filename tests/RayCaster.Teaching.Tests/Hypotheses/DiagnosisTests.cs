@@ -10,7 +10,7 @@ public class DiagnosisTests
     private static readonly ConcurrentDictionary<string, Lazy<Diagnosis>> diagnoses = [];
 
     /// <summary>Of the picture with a planted mistake: one search for all tests that read it.</summary>
-    internal static Diagnosis OfPlanted(string id) => diagnoses.GetOrAdd(id, id => new(() => Diagnosis.Of(scene, Planted(id)))).Value;
+    internal static Diagnosis OfPlanted(string id) => diagnoses.GetOrAdd(id, id => new(() => Diagnosis.Find(scene, Planted(id)))).Value;
 
     internal static Picture Planted(string id)
     {
@@ -22,7 +22,7 @@ public class DiagnosisTests
     [Fact]
     public void AWarningIsInTheJsonOnlyIfThereIsOne()
     {
-        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene));
+        var diagnosis = Diagnosis.Find(scene, EditedLab.Render(scene));
         var warned = DiagnosisReport.Json(diagnosis, default, default, [], "src/RayCaster has been changed.");
         Assert.Contains("\"warning\": \"src/RayCaster has been changed.\"", warned);
         Assert.DoesNotContain("warning", DiagnosisReport.Json(diagnosis, default, default, [], null));
@@ -42,7 +42,7 @@ public class DiagnosisTests
     {
         var brighter = ScalarRenderer.Render(scene);
         for (var i = 0; i < brighter.Rgb.Length; i++) brighter.Rgb[i] = (byte)Math.Min(255, brighter.Rgb[i] + 1);
-        Assert.Contains("Every channel is 1 level brighter", DiagnosisReport.Text(Diagnosis.Of(scene, brighter), "mine.png", "scene.json"));
+        Assert.Contains("Every channel is 1 level brighter", DiagnosisReport.Text(Diagnosis.Find(scene, brighter), "mine.png", "scene.json"));
     }
 
     /// <summary>As screenshots make them. Nothing of the code is accused.</summary>
@@ -53,7 +53,7 @@ public class DiagnosisTests
     public void ACroppedPictureIsRightButForThat(int left, int top, int right, int bottom, string missing)
     {
         var (whole, (width, height)) = (ScalarRenderer.Render(scene), (scene.Camera.Width, scene.Camera.Height));
-        var mine = Picture.Of(width - left - right, height - top - bottom, (x, y) => whole[x + left, y + top]);
+        var mine = Picture.Create(width - left - right, height - top - bottom, (x, y) => whole[x + left, y + top]);
         var diagnosis = new SceneDiagnosis(scene.WithSize(mine.Width, mine.Height), size: (width, height)).Judge(mine);
         Assert.Equal((DiagnosisKind.Cropped, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.Equal($"mine.png is the picture of scene.json without {missing}. Was it cropped on its way, for example by a screenshot?",
@@ -73,8 +73,8 @@ public class DiagnosisTests
     public void APictureThatIsAPixelAsideDoesNotMatch()
     {
         var right = ScalarRenderer.Render(scene);
-        var moved = Picture.Of(right.Width, right.Height, (x, y) => right[(x + 1) % right.Width, y]);
-        Assert.NotEqual(DiagnosisKind.Matches, Diagnosis.Of(scene, moved).Kind);
+        var moved = Picture.Create(right.Width, right.Height, (x, y) => right[(x + 1) % right.Width, y]);
+        Assert.NotEqual(DiagnosisKind.Matches, Diagnosis.Find(scene, moved).Kind);
     }
 
     [Fact]
@@ -90,7 +90,7 @@ public class DiagnosisTests
                 for (var x = 0; x < alone.Width; x++)
                     if (alone[x, y] != open.Background.ToBytes()) picture[x, y] = alone[x, y];
         }
-        Assert.Equal(["last-hit"], Diagnosis.Of(open, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id));
+        Assert.Equal(["last-hit"], Diagnosis.Find(open, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id));
     }
 
     [Theory]
@@ -101,14 +101,14 @@ public class DiagnosisTests
     public void AModelThatIsMissingIsNamed(string name)
     {
         var without = scene with { Models = [.. scene.Models.Where(model => model.Name != name)] };
-        Assert.Equal($"`{name}`", Diagnosis.Of(scene, ScalarRenderer.Render(without), new(0)).MissingModel); // told without a search
+        Assert.Equal($"`{name}`", Diagnosis.Find(scene, ScalarRenderer.Render(without), new(0)).MissingModel); // told without a search
     }
 
     [Fact]
     public void APictureOfNothingProvesNothing()
     {
         var empty = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, width: 6, height: 4), []);
-        Assert.Contains("it proves nothing", DiagnosisReport.Text(Diagnosis.Of(empty, new Picture(6, 4)), "mine.png", "scene.json"));
+        Assert.Contains("it proves nothing", DiagnosisReport.Text(Diagnosis.Find(empty, new Picture(6, 4)), "mine.png", "scene.json"));
     }
 
     [Fact]
@@ -117,7 +117,7 @@ public class DiagnosisTests
         var room = SceneFolder.Read(SceneFolder.FileOf("room")); // the walls meet on its diagonals
         room = room.WithSize(166, 166);
         var picture = EditedLab.Render(room, new Manner(Truncates: true, Float: true));
-        Assert.Equal(DiagnosisKind.Matches, Diagnosis.Of(room, picture).Kind);
+        Assert.Equal(DiagnosisKind.Matches, Diagnosis.Find(room, picture).Kind);
     }
 
     [Theory]
@@ -131,7 +131,7 @@ public class DiagnosisTests
         {
             Background = new(0.2, 0.4, 0.6),
         };
-        var diagnosis = Diagnosis.Of(wall, MistakeCatalog.Draw(wall, [MistakeCatalog.Named(id)!.Usual]));
+        var diagnosis = Diagnosis.Find(wall, MistakeCatalog.Draw(wall, [MistakeCatalog.Named(id)!.Usual]));
         Assert.Equal((DiagnosisKind.TellsNothing, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith(says, Assert.Single(diagnosis.Likely));
         Assert.Contains("so none is named", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
@@ -144,10 +144,10 @@ public class DiagnosisTests
             [new Model<Plane>(new(new(0, 0, -2), new(0, 0, 1))) { Color = new(0.9, 0.5, 0.2) }]);
         var corner = MistakeCatalog.Draw(floor, [MistakeCatalog.Named("pix-int")!.Usual]);
         Assert.True(corner.IsOneColor);
-        Assert.Equal("pix-int", Diagnosis.Of(floor, corner).Suspects[0].Mistakes.Single().Id);
+        Assert.Equal("pix-int", Diagnosis.Find(floor, corner).Suspects[0].Mistakes.Single().Id);
 
         Array.Fill(corner.Rgb, (byte)77);
-        var grey = Diagnosis.Of(floor, corner);
+        var grey = Diagnosis.Find(floor, corner);
         Assert.Equal((DiagnosisKind.TellsNothing, 0), (grey.Kind, grey.Suspects.Count));
         Assert.StartsWith("Every pixel has the same colour, (77, 77, 77)", Assert.Single(grey.Likely));
     }
@@ -158,7 +158,7 @@ public class DiagnosisTests
         var first = SceneFolder.Small("first", 20);
         var picture = new Picture(first.Camera.Width, first.Camera.Height);
         for (var i = 0; i < picture.Rgb.Length; i++) picture.Rgb[i] = (byte)(1 + i % 3);
-        var diagnosis = Diagnosis.Of(first, picture);
+        var diagnosis = Diagnosis.Find(first, picture);
         Assert.Equal((DiagnosisKind.TellsNothing, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
     }
 
@@ -170,7 +170,7 @@ public class DiagnosisTests
         for (var y = 0; y < white.Height; y++)
             for (var x = 0; x < white.Width; x++)
                 if (white[x, y] != background) white[x, y] = (255, 255, 255);
-        var diagnosis = Diagnosis.Of(scene, white);
+        var diagnosis = Diagnosis.Find(scene, white);
         Assert.Equal((DiagnosisKind.TellsNothing, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith("All that is drawn is white", Assert.Single(diagnosis.Likely));
     }
@@ -180,9 +180,9 @@ public class DiagnosisTests
     {
         var mistake = MistakeCatalog.Named("zboth-t")!;
         var clipped = SceneFolder.Small("clip-depth", 5);
-        Assert.True(Diagnosis.Of(clipped, MistakeCatalog.Draw(clipped, [mistake.Usual])).Suspects[0].HasSymptoms);
+        Assert.True(Diagnosis.Find(clipped, MistakeCatalog.Draw(clipped, [mistake.Usual])).Suspects[0].HasSymptoms);
         var other = mistake.Changes.First(variant => variant.Cause.EndsWith("planes, circles and triangles", StringComparison.Ordinal));
-        var suspect = Diagnosis.Of(clipped, MistakeCatalog.Draw(clipped, [other])).Suspects[0];
+        var suspect = Diagnosis.Find(clipped, MistakeCatalog.Draw(clipped, [other])).Suspects[0];
         Assert.Equal((other.Id, false), (suspect.Mistakes[0].Id, suspect.HasSymptoms));
     }
 
@@ -191,12 +191,12 @@ public class DiagnosisTests
     {
         var small = SceneFolder.Small("mistakes/generic", 8);
         var picture = Renderer.Render(small.WithSize(small.Camera.Height, small.Camera.Width)); // the scene's colours
-        Assert.Equal(DiagnosisKind.NoneOfThese, Diagnosis.Of(small, picture).Kind);
+        Assert.Equal(DiagnosisKind.NoneOfThese, Diagnosis.Find(small, picture).Kind);
     }
 
     [Fact]
     public void APictureOfAnotherSizeCannotBeDiagnosed() =>
-        Assert.Throws<ArgumentException>(() => Diagnosis.Of(scene, new Picture(scene.Camera.Width + 1, scene.Camera.Height)));
+        Assert.Throws<ArgumentException>(() => Diagnosis.Find(scene, new Picture(scene.Camera.Width + 1, scene.Camera.Height)));
 
     [Fact]
     public void EachLevelOfHintsTellsMore()
@@ -217,7 +217,7 @@ public class DiagnosisTests
     {
         var picture = ScalarRenderer.Render(scene);
         for (var i = 0; i < 16; i++) picture[50 + i % 4, 30 + i / 4] = (255, 0, 255);
-        Assert.Equal(DiagnosisKind.NoneOfThese, Diagnosis.Of(scene, picture).Kind);
+        Assert.Equal(DiagnosisKind.NoneOfThese, Diagnosis.Find(scene, picture).Kind);
     }
 
     [Fact(Explicit = true)]
@@ -227,14 +227,14 @@ public class DiagnosisTests
         var y = picture.Height / 2;
         var x = Enumerable.Range(1, picture.Width - 1).First(x => PictureDifference.Levels(picture[x, y], picture[x - 1, y]) > 20);
         picture[x, y] = picture[x - 1, y];
-        Assert.Equal(DiagnosisKind.Matches, Diagnosis.Of(scene, picture).Kind);
+        Assert.Equal(DiagnosisKind.Matches, Diagnosis.Find(scene, picture).Kind);
     }
 
     [Fact(Explicit = true)]
     public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
     {
         var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!.Usual, MistakeCatalog.Named("att-no2")!.Usual]);
-        var suspects = Diagnosis.Of(scene, picture).Suspects;
+        var suspects = Diagnosis.Find(scene, picture).Suspects;
         var sets = suspects.Select(suspect => string.Join(' ', suspect.Mistakes.Select(mistake => mistake.Id).Order())).ToArray();
         Assert.Equal(sets.Distinct(), sets);
         Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "att-depth"));
@@ -247,7 +247,7 @@ public class DiagnosisTests
         var camera = scene.Camera;
         var foreign = new Picture(camera.Width, camera.Height);
         new Random(1).NextBytes(foreign.Rgb);
-        var diagnosis = Diagnosis.Of(scene, foreign);
+        var diagnosis = Diagnosis.Find(scene, foreign);
         Assert.Equal((DiagnosisKind.NoneOfThese, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith("This is another picture", Assert.Single(diagnosis.Likely));
     }

@@ -26,9 +26,9 @@ public class ForeignPictureTests
                 camera.With(up: new(0.2, 0.1, 0.9)),
             ]).Select(other => Renderer.Render(scene with { Camera = other })),
             Renderer.Render(scene with { Models = [.. scene.Models.Select(model => Colored(model, new(0.3, 0.8, 0.5)))] }),
-            Picture.Of(right.Width, right.Height, (x, y) => Negative(right[x, y])),
-            Picture.Of(right.Width, right.Height, (x, y) => Blurred(right, x, y)),
-            Picture.Of(right.Width, right.Height, (x, y) => ((byte)(x * 7), (byte)(y * 5), (byte)(x * y))),
+            Picture.Create(right.Width, right.Height, (x, y) => Negative(right[x, y])),
+            Picture.Create(right.Width, right.Height, (x, y) => Blurred(right, x, y)),
+            Picture.Create(right.Width, right.Height, (x, y) => ((byte)(x * 7), (byte)(y * 5), (byte)(x * y))),
             Renderer.Render(SceneFolder.Small("room").WithSize(right.Width, right.Height)),
             Renderer.Render(SceneFolder.Small("weeks/4-all").WithSize(right.Width, right.Height)),
         ];

@@ -13,7 +13,7 @@ public class NotTheFormulasTests
     [InlineData("room", "blocks", "blocks of 8 x 8 pixels are (205, 205, 205)")]
     public void PixelsThatNoLoopReachedAreTold(string name, string which, string says)
     {
-        var diagnosis = Diagnosis.Of(SceneOf(name), Spoilt(Renderer.Render(SceneOf(name)), which));
+        var diagnosis = Diagnosis.Find(SceneOf(name), Spoilt(Renderer.Render(SceneOf(name)), which));
         Assert.Equal((DiagnosisKind.NotTheFormulas, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.Contains(says, Assert.Single(diagnosis.Likely));
     }
@@ -21,7 +21,7 @@ public class NotTheFormulasTests
     [Fact]
     public void OneUnreachedLineIsToldAndIsAKnownMistake()
     {
-        var diagnosis = Diagnosis.Of(room, Spoilt(Renderer.Render(room), "last line"));
+        var diagnosis = Diagnosis.Find(room, Spoilt(Renderer.Render(room), "last line"));
         Assert.Equal("row-off", diagnosis.Suspects[0].Mistakes.Single().Id);
         Assert.Equal("The last line is (0, 0, 0): does your loop reach it?", Assert.Single(diagnosis.Likely));
     }
@@ -29,7 +29,7 @@ public class NotTheFormulasTests
     [Fact]
     public void AMistakeBesideUnreachedLinesIsStillNamed()
     {
-        var diagnosis = Diagnosis.Of(generic, Spoilt(EditedLab.Render(generic, PlantedMistake.Named("tri-uv")), "border of 3"));
+        var diagnosis = Diagnosis.Find(generic, Spoilt(EditedLab.Render(generic, PlantedMistake.Named("tri-uv")), "border of 3"));
         Assert.Equal("tri-uv", string.Join(" + ", diagnosis.Suspects[0].Mistakes.Select(mistake => mistake.Id)));
         Assert.StartsWith("The first 3 and the last 3 lines", diagnosis.Likely[0]);
     }
@@ -41,7 +41,7 @@ public class NotTheFormulasTests
     public void FewColoursAreNoMistakeOfTheFormulas(string name, int step)
     {
         var right = Renderer.Render(SceneOf(name));
-        var diagnosis = Diagnosis.Of(SceneOf(name), Picture.Of(right.Width, right.Height, (x, y) => Rounded(right[x, y])));
+        var diagnosis = Diagnosis.Find(SceneOf(name), Picture.Create(right.Width, right.Height, (x, y) => Rounded(right[x, y])));
         Assert.Equal((DiagnosisKind.NotTheFormulas, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith("The picture was saved with fewer colours", Assert.Single(diagnosis.Likely));
 
@@ -57,10 +57,10 @@ public class NotTheFormulasTests
     public void APictureOfNearlyOneColourProvesNothing(int level, int more, string says)
     {
         var right = Renderer.Render(room);
-        var picture = Picture.Of(right.Width, right.Height, (x, y) => Grey((byte)(level + (x * y % 3 == 0 ? more : 0))));
-        var diagnosis = Diagnosis.Of(room, picture);
+        var picture = Picture.Create(right.Width, right.Height, (x, y) => Grey((byte)(level + (x * y % 3 == 0 ? more : 0))));
+        var diagnosis = Diagnosis.Find(room, picture);
         Assert.Equal((DiagnosisKind.TellsNothing, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
-        var compared = ComparisonText.Of(new PictureComparison(picture, right, room), "mine.png", "right.png");
+        var compared = ComparisonText.Format(new PictureComparison(picture, right, room), "mine.png", "right.png");
         Assert.Contains(says, compared);
         Assert.DoesNotContain("is a number added", compared);
     }
@@ -70,9 +70,9 @@ public class NotTheFormulasTests
     {
         var right = Renderer.Render(generic);
         var error = new double[3 * right.Width];
-        var picture = Picture.Of(right.Width, right.Height,
+        var picture = Picture.Create(right.Width, right.Height,
             (x, y) => (Next(x, 0, right[x, y].R), Next(x, 1, right[x, y].G), Next(x, 2, right[x, y].B)));
-        Assert.StartsWith("The picture was saved with fewer colours", Assert.Single(Diagnosis.Of(generic, picture).Likely));
+        Assert.StartsWith("The picture was saved with fewer colours", Assert.Single(Diagnosis.Find(generic, picture).Likely));
 
         // the error of a pixel goes to the one below, and to the next one
         byte Next(int x, int channel, byte value)
@@ -104,7 +104,7 @@ public class NotTheFormulasTests
     {
         var right = Renderer.Render(SceneOf(name));
         var alpha = Alpha(right, x => (byte)(first + step * x));
-        var multiplied = Picture.Of(right.Width, right.Height, (x, y) => Times(right[x, y], first + step * x));
+        var multiplied = Picture.Create(right.Width, right.Height, (x, y) => Times(right[x, y], first + step * x));
         var diagnosis = new SceneDiagnosis(SceneOf(name)).Judge(multiplied, alpha: alpha);
         Assert.Equal((DiagnosisKind.NotTheFormulas, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.Contains("multiplied by the file's alpha", diagnosis.Alpha);
@@ -118,7 +118,7 @@ public class NotTheFormulasTests
     {
         var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, fovY: 3, width: 20, height: 20),
             [new Model<Plane>(new(new(-5, 0, 0), new(1, 0, 0)))]);
-        var diagnosis = Diagnosis.Of(wall, Renderer.Render(wall));
+        var diagnosis = Diagnosis.Find(wall, Renderer.Render(wall));
         Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);
         Assert.True(diagnosis.ProvesNothing);
     }
@@ -133,7 +133,7 @@ public class NotTheFormulasTests
     private static Picture Spoilt(Picture picture, string which)
     {
         var (width, height) = (picture.Width, picture.Height);
-        return Picture.Of(width, height, (x, y) => which switch
+        return Picture.Create(width, height, (x, y) => which switch
         {
             "last line" when y == height - 1 => default,
             "last line and column" when y == height - 1 || x == width - 1 => default,

@@ -20,7 +20,7 @@ public class SearchBudgetTests
     public void ADiagnosisEndsWhenItsWorkIsDone(long work)
     {
         var budget = new SearchBudget(work);
-        var diagnosis = Diagnosis.Of(room, wrong, budget);
+        var diagnosis = Diagnosis.Find(room, wrong, budget);
         Assert.NotEqual(DiagnosisKind.Matches, diagnosis.Kind);
         Assert.Equal("the usual amount of work", budget.UsedUp);
         var all = Spent(new(long.MaxValue));
@@ -58,7 +58,7 @@ public class SearchBudgetTests
     [Fact]
     public void WhatWasNotTriedIsNamed()
     {
-        var fitness = MutationCoverage.Of([room], budget: new(0));
+        var fitness = MutationCoverage.Measure([room], budget: new(0));
         Assert.True(fitness.IsCut);
         Assert.NotEmpty(fitness.NotTried);
         Assert.Contains("shows 0 of the 0 known mistakes that were tried; 95 were not (--all tries them).", CoverageReport.Text(fitness));
@@ -78,13 +78,13 @@ public class SearchBudgetTests
     {
         var budget = new SearchBudget(long.MaxValue, TimeSpan.FromHours(1));
         var picture = MistakeCatalog.Draw(room, [MistakeCatalog.Named("bgr")!.Usual]);
-        Assert.Equal("bgr", Diagnosis.Of(room, picture, budget).Suspects[0].Mistakes.Single().Id);
+        Assert.Equal("bgr", Diagnosis.Find(room, picture, budget).Suspects[0].Mistakes.Single().Id);
         Assert.Null(budget.UsedUp);
     }
 
     private static long Spent(SearchBudget budget)
     {
-        Diagnosis.Of(room, wrong, budget);
+        Diagnosis.Find(room, wrong, budget);
         return budget.Done;
     }
 }

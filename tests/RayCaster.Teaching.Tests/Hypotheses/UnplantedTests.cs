@@ -18,7 +18,7 @@ public partial class UnplantedTests
     {
         Assert.NotNull(edit + compared); // for draw.py, and for the other test
         var (judged, mine) = Read(picture, scene);
-        var said = Blanks().Replace(DiagnosisReport.Text(Diagnosis.Of(judged, mine, new SearchBudget()), "mine.png", "scene.json"), " ");
+        var said = Blanks().Replace(DiagnosisReport.Text(Diagnosis.Find(judged, mine, new SearchBudget()), "mine.png", "scene.json"), " ");
         Assert.Contains(says, said, StringComparison.Ordinal);
         Assert.All(never.Split("; "), other => Assert.DoesNotContain(other, said, StringComparison.Ordinal));
     }
@@ -29,7 +29,8 @@ public partial class UnplantedTests
     {
         Assert.NotNull(edit + says + never);
         var (judged, mine) = Read(picture, scene);
-        Assert.Contains(compared, ComparisonText.Of(new(mine, Renderer.Render(judged), judged), "mine.png", "right.png"), StringComparison.Ordinal);
+        Assert.Contains(compared, ComparisonText.Format(new(mine, Renderer.Render(judged), judged), "mine.png", "right.png"),
+                StringComparison.Ordinal);
     }
 
     private static (Scene Scene, Picture Mine) Read(string picture, string scene)

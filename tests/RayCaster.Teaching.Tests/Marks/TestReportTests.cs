@@ -11,14 +11,14 @@ public class TestReportTests
     private const string Two = "<testsuites><testsuite name='lab'><testcase classname='Step03Plane' name='hit'/>" +
         "<testcase classname='Step08Sphere' name='near'><failure message='expected 1'/></testcase></testsuite></testsuites>";
 
-    private static string Counts(byte[] report) => Counts(TestReport.Of(report));
+    private static string Counts(byte[] report) => Counts(TestReport.Parse(report));
 
     private static string Counts(IReadOnlyList<ReportedTest> tests) =>
         string.Join("; ", TestResults.ByStep(tests).Values.OrderBy(step => step.Step).Select(step => $"{step.Step}: {step.Passed} of {step.Count}"));
 
     private static string Notes(IReadOnlyList<ReportedTest> tests) => string.Join("; ", TestResults.NotesOn(tests, [3, 8]));
 
-    private static IReadOnlyList<ReportedTest> Tests(string cases) => TestReport.Of(Encoding.UTF8.GetBytes($"<testsuite>{cases}</testsuite>"));
+    private static IReadOnlyList<ReportedTest> Tests(string cases) => TestReport.Parse(Encoding.UTF8.GetBytes($"<testsuite>{cases}</testsuite>"));
 
     [Theory]
     [InlineData("pytest.xml", "3: 1 of 1; 8: 3 of 6", "2 of 8 tests of step 8 did not run (skipped)")]
@@ -154,7 +154,7 @@ public class TestReportTests
         var text = (declared == "" ? "" : $"<?xml version=\"1.0\" encoding=\"{declared}\"?>\n") + Two.Replace("near", "n\u00E4her");
         byte[] bytes = [.. used.EndsWith("mark") ? encoding.Preamble : [], .. encoding.GetBytes(text)];
         Assert.Equal("3: 1 of 1; 8: 0 of 1", Counts(bytes));
-        Assert.Equal("n\u00E4her", TestReport.Of(bytes)[1].Name);
+        Assert.Equal("n\u00E4her", TestReport.Parse(bytes)[1].Name);
     }
 
     [Theory]
@@ -187,14 +187,14 @@ public class TestReportTests
     [InlineData("<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>", "it has a DTD that may name other files")]
     [InlineData("\n<?xml version='1.0'?><!-- --> <!DOCTYPE testsuites SYSTEM 'file:///etc/passwd'><testsuites/>", "it has a DTD")]
     public void AFileThatIsNotReadSaysWhatItIsAndWhatToDo(string text, string problem) =>
-        Assert.StartsWith(problem, Assert.Throws<ProblemException>(() => TestReport.Of(Encoding.UTF8.GetBytes(text))).Message);
+        Assert.StartsWith(problem, Assert.Throws<ProblemException>(() => TestReport.Parse(Encoding.UTF8.GetBytes(text))).Message);
 
     [Fact]
     public void APackedFileIsToldAsSuch()
     {
         using var packed = new MemoryStream();
         using (var gzip = new GZipStream(packed, CompressionLevel.Fastest)) gzip.Write(Encoding.UTF8.GetBytes(Two));
-        Assert.Equal("it is packed: unpack it", Assert.Throws<ProblemException>(() => TestReport.Of(packed.ToArray())).Message);
+        Assert.Equal("it is packed: unpack it", Assert.Throws<ProblemException>(() => TestReport.Parse(packed.ToArray())).Message);
     }
 
     [Theory(Timeout = 60_000)] // each took time that grows with the square of its length, or more
@@ -208,7 +208,7 @@ public class TestReportTests
         var text = around.Contains("{0}") ? string.Format(around, many) : many + around;
         await Task.Run(() =>
         {
-            try { TestReport.Of(Encoding.UTF8.GetBytes(text)); }
+            try { TestReport.Parse(Encoding.UTF8.GetBytes(text)); }
             catch (ProblemException) { } // or is refused
         }, TestContext.Current.CancellationToken);
     }

@@ -5,7 +5,7 @@ public class TestResultsTests
     private const string Stopped = "<error message='The run was stopped in this test. Probably ...'/>";
 
     private static string Count(string cases) => string.Join(", ",
-        TestResults.ByStep(TestReport.Of(System.Text.Encoding.UTF8.GetBytes($"<testsuites><testsuite>{cases}</testsuite></testsuites>"))).Values);
+        TestResults.ByStep(TestReport.Parse(System.Text.Encoding.UTF8.GetBytes($"<testsuites><testsuite>{cases}</testsuite></testsuites>"))).Values);
 
     private static string Case(string type, string name, string content = "") => $"<testcase classname='{type}' name='{name}'>{content}</testcase>";
 
@@ -46,5 +46,5 @@ public class TestResultsTests
     [InlineData("<testsuites><testcase")]
     [InlineData("<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>")]
     public void WhatIsNoReportIsRefused(string report) =>
-        Assert.Throws<ProblemException>(() => TestReport.Of(System.Text.Encoding.UTF8.GetBytes(report)));
+        Assert.Throws<ProblemException>(() => TestReport.Parse(System.Text.Encoding.UTF8.GetBytes(report)));
 }

@@ -99,7 +99,7 @@ internal static class Gallery
     {
         var scale = Math.Max((double)tile.Width / ThumbWidth, (double)tile.Height / ThumbHeight);
         var (width, height) = ((int)(tile.Width / scale), (int)(tile.Height / scale));
-        return Picture.Of(width, height, (x, y) => Mean(tile,
+        return Picture.Create(width, height, (x, y) => Mean(tile,
             x * tile.Width / width, (x + 1) * tile.Width / width, y * tile.Height / height, (y + 1) * tile.Height / height));
     }
 

@@ -66,7 +66,7 @@ public static class PictureAssert
         // What wrong formulas draw tells less than their own tests.
         var hint = FormulaTests.FirstFailure(step > 0 ? step : LabSteps.Count) is { } failure
             ? $"  First let the formulas' tests pass: {failure}"
-            : StepHint.Of(scene, mine, step, Teacher.Hints);
+            : StepHint.Format(scene, mine, step, Teacher.Hints);
         var difference = new PictureDifference(mine, nearest);
         Assert.Fail($"{Text(difference, nearest)}\n  yours:    {received}\n  expected: {expected}\n{hint}{OwnNumbers(sceneFile, difference)}");
     }
