@@ -13,28 +13,32 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
     private bool isCut;
 
     /// <summary>The comparison, which the first use makes.</summary>
-    private PictureComparison? Result => Mine is null ? null : field ??= new(Mine, Renderer.Render(Scene), Scene);
+    private PictureComparison? Result => Mine is null ? null : field ??= PictureComparison.With(Scene, Mine);
 
     /// <summary>The words for the page, without the diagnosis.</summary>
-    public byte[] Message() => Messages.Of(new
+    /// <param name="isVerdict">Whether only the verdict is told: a browser finds the rest seconds later.</param>
+    public byte[] Message(bool isVerdict) => Messages.Of(new
     {
         Kind = "comparison",
         Name,
         Problem,
-        Text = Result is null ? null : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
+        IsVerdict = isVerdict,
+        Text = Result is null ? null : isVerdict ? "Looking for what is wrong …" : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
         Verdict = Result is null ? null : ComparisonText.Format(Result.Likeness),
         HasLayers = Result?.Difference is not null,
         Middle = Result?.Difference?.WrongMiddle is var (x, y) ? (int[])[x, y] : null,
     });
 
-    /// <summary>The user's picture, the difference, and the difference by object.</summary>
+    /// <summary>The user's picture, and the difference.</summary>
     public IEnumerable<(Layer, Frame)> Frames()
     {
         if (Result?.Difference is not { } difference) yield break;
         yield return (Layer.Mine, Frame.Of(Mine!));
         yield return (Layer.Difference, Frame.Of(HeatMap.Of(difference)));
-        yield return (Layer.ByObject, Frame.Of(HeatMap.ByModel(Result)));
     }
+
+    /// <summary>The difference by object; null if the pictures' sizes differ.</summary>
+    public Frame? ByObject() => Result?.Difference is null ? null : Frame.Of(HeatMap.ByModel(Result));
 
     /// <summary>Names the mistake that may have made the picture.</summary>
     public async Task<string> DiagnoseAsync(HintLevel level, TimeSpan time, CancellationToken cancellation)

@@ -88,6 +88,7 @@ internal static class Messages
             Column = column,
             Line = line,
             Color = Hex(pixel.Bytes),
+            Gist = ExplanationText.Gist(pixel),
             Sections = ExplanationText.Sections(pixel, mine is null ? null : ReferenceExplanation.Create(pixel, mine)),
             Drawing = RaySection.Create(pixel),
         });

@@ -180,8 +180,10 @@ internal sealed partial class Tab(
 
     private async Task SendAsync(Comparison comparison, int version)
     {
-        await SendAsync(await studio.DoAsync(comparison.Message, end));
+        await SendAsync(await studio.DoAsync(() => comparison.Message(isVerdict: true), end));
         foreach (var (layer, frame) in comparison.Frames()) await SendFrameAsync(frame, layer, version, isFinal: true);
+        await SendAsync(await studio.DoAsync(() => comparison.Message(isVerdict: false), end));
+        if (comparison.ByObject() is { } byObject) await SendFrameAsync(byObject, Layer.ByObject, version, isFinal: true);
     }
 
     /// <summary>Sends the diagnosis later: it takes seconds, in which the page can be used.</summary>

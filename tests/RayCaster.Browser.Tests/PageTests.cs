@@ -4,7 +4,7 @@ namespace RayCaster.Browser.Tests;
 
 /// <summary>What the page does whichever host it comes from, used by mouse, by keyboard and by fingers.</summary>
 [Trait("waits", "yes")]
-public abstract class PageTests : IAsyncLifetime
+public abstract partial class PageTests : IAsyncLifetime
 {
     private const string Distance = """
         () => {
@@ -65,7 +65,9 @@ public abstract class PageTests : IAsyncLifetime
         Assert.Contains("Column 20, line 14", await Page.TextOfAsync("#pixel-head"));
         Assert.Equal(
             sections.Skip(1).Select(section => section.Text),
-            await Page.EvaluateExpressionAsync<string[]>("[...document.querySelectorAll('#pixel-explained pre')].map(pre => pre.textContent)"));
+            await Page.EvaluateExpressionAsync<string[]>("""
+                [...document.querySelectorAll('#pixel-parts pre')].map(pre => [...pre.children].map(line => line.textContent + '\n').join(''))
+                """));
         Assert.EndsWith("#pixel=20,14", Page.Url);
         Assert.NotNull(await Page.QuerySelectorAsync(".section path.shape"));
 
@@ -160,6 +162,23 @@ public abstract class PageTests : IAsyncLifetime
         await Page.DropAsync(ScalarRenderer.Render(PageExtensions.Read(Ball)), () => Page.ShowsAsync("body.dropping"));
         await Page.SaysAsync("mine.png is compared: identical.");
         Assert.Null(await Page.QuerySelectorAsync("body.dropping"));
+    }
+
+    /// <summary>What is wrong takes a browser seconds to find; the verdict and the difference do not wait for it.</summary>
+    [BrowserFact]
+    public async Task TheVerdictOnAPictureComesBeforeItsCauses()
+    {
+        await Page.EvaluateExpressionAsync("""
+            {
+                const text = document.getElementById('compare-text'), said = document.getElementById('mine-said');
+                window.seen = [];
+                new MutationObserver(() => seen.push(`${said.textContent} ${text.textContent.slice(0, 24)}`)).observe(text, { childList: true });
+            }
+            """);
+        await Page.DropWrongAsync(40, 30);
+        var seen = await Page.EvaluateExpressionAsync<string[]>("seen");
+        Assert.StartsWith("mine.png is compared: wrong. Looking for what is", seen[0]);
+        Assert.StartsWith("mine.png is compared: wrong. mine.png is wrong:", seen[^1]);
     }
 
     [BrowserFact]

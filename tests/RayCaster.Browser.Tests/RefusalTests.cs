@@ -64,6 +64,52 @@ public class RefusalTests(Chromium chromium, Site site)
         await tab.Page.SaysAsync("RayCaster cannot start in this browser: workers are off.");
     }
 
+    /// <summary>Lockdown Mode of phones.</summary>
+    [BrowserFact]
+    public async Task ABrowserWithoutWebAssemblyIsTold()
+    {
+        await using var server = await site.ServeAsync(refusal: ("worker.js", "delete self.WebAssembly;"));
+        await using var tab = await chromium.OpenAsync();
+        await tab.Page.GoToAsync(server.Address);
+        await tab.Page.SaysAsync("RayCaster cannot start in this browser: it runs no WebAssembly, which a phone's Lockdown Mode turns off.");
+    }
+
+    /// <summary>Private windows, and disks that are full.</summary>
+    [BrowserTheory]
+    [InlineData("CacheStorage.prototype.open = () => Promise.reject(new DOMException('no', 'SecurityError'));")]
+    [InlineData("CacheStorage.prototype.match = () => Promise.reject(new DOMException('no', 'SecurityError'));")]
+    [InlineData("Cache.prototype.addAll = () => Promise.reject(new DOMException('full', 'QuotaExceededError'));")]
+    [InlineData("Object.defineProperty(self, 'caches', { value: undefined });")]
+    public async Task WithoutACacheThePageDrawsEachTimeItIsLoaded(string refusal)
+    {
+        var server = await site.ServeAsync(refusal: ("offline.js", refusal));
+        await using var web = new FolderPage(await chromium.OpenAsync(), server);
+        await web.Tab.ShowAsync(server.Address);
+        await web.Page.WaitForFunctionAsync("""
+            () => navigator.serviceWorker.getRegistration().then(found => !found || (!found.installing && !found.waiting))
+            """);
+        await web.Page.ReloadAsync();
+        await web.Page.ShowsAsync("#picture[data-final=true]");
+        await web.WriteSceneAsync(Ball);
+        await web.Page.ShowsPictureOfAsync(Ball);
+        Assert.Equal("", await web.Page.TextOfAsync("#notice"));
+    }
+
+    [BrowserFact]
+    public async Task ABrowserThatSavesNoFileSaysSo()
+    {
+        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball),
+            script: "URL.createObjectURL = () => { throw new DOMException('no', 'SecurityError'); }");
+        await web.Page.ClickOnAsync("#save-scene");
+        await web.Page.SaysAsync("The browser does not allow the page to save a file. The text is selected: copy it.");
+        Assert.Equal(Ball, await web.Page.EvaluateExpressionAsync<string>("getSelection().toString()"));
+        Assert.Empty(web.Complaints);
+    }
+
+    /// <summary>Without it GitHub Pages leaves out the folder _framework.</summary>
+    [BrowserFact]
+    public void TheSiteHoldsANojekyll() => Assert.Contains(site.Files(), file => Path.GetFileName(file) == ".nojekyll");
+
     [BrowserFact]
     public async Task ABrowserThatCannotPackSaysSoOfItsLinksAndOfThoseThatItOpens()
     {

@@ -1,13 +1,13 @@
 // The user's own picture beside the scene's: one that was dropped or chosen, or a file that the program watches.
 import { sendPicture } from "./connection.js";
-import { $, show } from "./dom.js";
-import { lay } from "./picture.js";
+import { $, lines, reveal, show } from "./dom.js";
+import { forget, lay } from "./picture.js";
 import { explain } from "./pixel.js";
 import { ask, on } from "./server.js";
 
 export const dropped = { onFile: send }; // what to do with a file that is dropped on the page
 
-let middle = null, isDiagnosing = false;
+let middle = null, isDiagnosing = false, isNew = false; // isNew: somebody has just given the picture
 
 on("scene", ({ good }) => { // a new comparison follows
   if (!good || $("compared").hidden) return;
@@ -19,19 +19,22 @@ on("comparison", message => {
   const name = message.name;
   $("mine-said").textContent = message.problem ? `${name}: ${message.problem}` : name ? `${name} is compared: ${message.verdict}.` : "";
   show($("compared"), Boolean(name) && !message.problem);
-  $("compare-text").textContent = message.text ?? "";
+  $("compare-text").replaceChildren(...lines(message.text ?? ""));
   show($("diagnosis-text"), false);
   middle = message.middle;
   show($("mine-worst"), middle !== null);
   for (const option of $("mine-show").options) option.disabled = !message.hasLayers && option.value !== "none";
   if (!message.hasLayers) $("mine-show").value = "none";
   diagnosing(false);
-  $("diagnose").disabled = false;
+  $("diagnose").disabled = message.isVerdict;
+  if (message.isVerdict) forget("objects");
   arrange();
+  if (isNew) reveal($("comparison"));
+  isNew = false;
 });
 
 on("diagnosis", message => {
-  $("diagnosis-text").textContent = message.text;
+  $("diagnosis-text").replaceChildren(...lines(message.text));
   show($("diagnosis-text"), true);
   diagnosing(false);
 });
@@ -43,8 +46,8 @@ on("closed", () => diagnosing(false));
 $("mine-show").addEventListener("change", arrange);
 $("mine-forget").addEventListener("click", () => ask({ forgetMine: true }));
 $("mine-worst").addEventListener("click", () => {
+  $("pixel").focus({ preventScroll: true });
   explain(middle);
-  $("pixel").focus();
 });
 $("diagnose").addEventListener("click", () => isDiagnosing ? ask({ diagnose: false }) : diagnose());
 $("hint").addEventListener("change", event => {
@@ -63,6 +66,7 @@ function diagnose() {
   diagnosing(true);
   $("diagnosis-text").textContent = "Drawing the scene with each known mistake …";
   show($("diagnosis-text"), true);
+  reveal($("diagnosis-text"));
   ask({ hint: $("hint").value, diagnose: true });
 }
 
@@ -72,6 +76,7 @@ function arrange() {
 }
 
 async function send(file) {
+  isNew = true;
   $("mine-said").textContent = `Comparing ${file.name} …`;
   const problem = await sendPicture(file).catch(() => "it cannot be read");
   if (problem) $("mine-said").textContent = `${file.name}: ${problem}`;

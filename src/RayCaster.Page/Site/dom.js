@@ -28,6 +28,23 @@ export function digits(value, significant = 6) {
   return (isPlain ? String(Number(value.toPrecision(significant))) : `${mantissa}e${exponent}`).replace(/^-/, "−");
 }
 
+/** The lines of a text. What a narrow window breaks off a line stands further right than its beginning; the rows of a table are not broken. */
+export function lines(text) {
+  return text.trimEnd().split("\n").map(line => {
+    const isRow = /\S {2,}\S.* {2,}\S/.test(line);
+    const element = make("span", { class: isRow ? "line row" : "line" }, line);
+    element.style.setProperty("--indent", `${/^ */.exec(line)[0].length + 2}ch`);
+    return element;
+  });
+}
+
+/** Scrolls to what somebody has opened, if its beginning is not in sight. */
+export function reveal(element) {
+  const { top } = element.getBoundingClientRect();
+  const covered = parseFloat(getComputedStyle(document.documentElement).scrollPaddingTop) || 0; // by the picture, in a narrow window
+  if (top < covered || top > innerHeight * 0.7) element.scrollIntoView();
+}
+
 /** A small square of a colour. */
 export function swatch(color) {
   const square = make("span", { class: "swatch", "aria-hidden": "true" });

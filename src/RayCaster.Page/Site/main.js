@@ -1,5 +1,5 @@
 // Connects the parts of the page: the picture, its status, the camera, the maps.
-import { $, digits, show } from "./dom.js";
+import { $, digits, reveal, show } from "./dom.js";
 import { hand } from "./hand.js";
 import { explain, stayInside, step } from "./pixel.js";
 import { setSize, size } from "./picture.js";
@@ -10,7 +10,7 @@ import "./models.js";
 import "./host.js";
 
 const patience = 300; // milliseconds in which most pictures are drawn
-const hint = $("hover").textContent;
+const hint = [...$("hover").childNodes];
 let scene = null, pointed = null, news = "", shown = 0, timer = 0; // shown: the version whose picture has come
 
 on("open", () => say("Connected."));
@@ -46,7 +46,7 @@ on("scene", message => {
 
 on("camera", message => {
   const { position, target, fovY } = message;
-  $("camera-json").textContent = `"position": ${JSON.stringify(position)}, "target": ${JSON.stringify(target)}, "fovY": ${JSON.stringify(fovY)}`;
+  $("camera-json").textContent = `"position": [${position.join(", ")}],\n"target": [${target.join(", ")}],\n"fovY": ${fovY}`;
   $("camera-write").disabled = $("camera-reset").disabled = !message.moved;
   remember("camera", message.moved ? { position, target } : null);
   if (message.moved) $("camera-said").textContent = ""; // it was about another camera
@@ -62,7 +62,7 @@ $("camera-copy").addEventListener("click", async () => {
     $("camera-said").textContent = "Copied.";
   } catch {
     getSelection().selectAllChildren($("camera-json"));
-    $("camera-said").textContent = "The browser does not allow the page to copy. The text is selected; press Ctrl + C.";
+    $("camera-said").textContent = "The browser does not allow the page to copy. The text is selected: copy it.";
   }
 });
 $("camera-write").addEventListener("click", () => ask({ write: scene.version }));
@@ -70,8 +70,8 @@ $("camera-reset").addEventListener("click", () => ask({ camera: null }));
 
 // What is said about a pixel and about the picture is no longer true while the camera moves.
 $("stage").addEventListener("frame", ({ detail: { isFinal, version, width } }) => {
+  $("view").classList.toggle("moving", !isFinal);
   if (!isFinal) {
-    $("hover").textContent = hint;
     if (width < size.width) say("The camera moves; the picture is sharp again when it rests.");
     return;
   }
@@ -94,7 +94,7 @@ hand.onPoint = pixel => {
 function point() {
   if (!pointed) return;
   if (pointed[0] < size.width && pointed[1] < size.height) ask({ hover: pointed });
-  else $("hover").textContent = hint;
+  else $("hover").replaceChildren(...hint);
 }
 
 hand.onClick = explain;

@@ -42,6 +42,12 @@ export function lay(name) {
   show(canvases.mine, Boolean(name && kept[name]));
 }
 
+/** Forgets a layer until it comes again. */
+export function forget(name) {
+  delete kept[name];
+  if (name === overlay) lay(name);
+}
+
 /** Sets the size of the picture on the page; a frame of a moving camera may have fewer pixels. */
 export function setSize(width, height) {
   Object.assign(size, { width, height });

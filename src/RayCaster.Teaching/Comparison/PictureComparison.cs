@@ -3,29 +3,38 @@ namespace RayCaster.Teaching.Comparison;
 /// <summary>Compares a picture with the one that it should be: whether it is right, where it is wrong, and which change explains that.</summary>
 public sealed class PictureComparison
 {
+    private readonly PictureJudge judge;
+    private readonly Lazy<Causes> causes; // the verdict does not wait for them
+
     /// <summary>Compares two pictures, which may have different sizes.</summary>
     /// <param name="scene">The reference's scene, in any size; without it, models are not compared.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     public PictureComparison(Picture mine, Picture reference, Scene? scene = null, int? threads = null)
+        : this(mine, reference, scene, null, threads)
+    {
+    }
+
+    /// <param name="hits">What the scene's rays hit, if they are cast already.</param>
+    private PictureComparison(Picture mine, Picture reference, Scene? scene, HitMap? hits, int? threads)
     {
         (Mine, Reference) = (mine, reference);
         if (scene is not null) Scene = scene.WithSize(reference.Width, reference.Height);
         if ((mine.Width, mine.Height) == (reference.Width, reference.Height))
         {
             Difference = new(mine, reference);
-            if (Scene is not null) ByModels = new(Scene, Difference, threads);
+            if (Scene is not null) ByModels = new(Scene, Difference, threads, hits);
         }
         else Crop = Crop.Find(mine, reference);
-        var judge = new PictureJudge(reference, ByModels is { IsReferenceOwn: true } ? Scene : null);
+        judge = new(reference, ByModels is { IsReferenceOwn: true } ? Scene : null);
         Likeness = Difference is null ? Likeness.Wrong : judge.Judge(Difference);
-        if (Likeness != Likeness.Wrong) return;
-        if (Difference is not null)
-        {
-            FewColors = Comparison.FewColors.Find(Difference);
-            if (FewColors is null) Unreached = UnreachedPixels.Find(Difference, Scene);
-        }
-        if (FewColors is null && Unreached is not { IsRestRight: true })
-            Recognition = new TransformFinder(mine, reference, Difference, judge).Find();
+        causes = new(FindCauses);
+    }
+
+    /// <summary>Compares with a scene's own picture. Its rays are cast once, for the picture and for the models that it shows.</summary>
+    public static PictureComparison With(Scene scene, Picture mine)
+    {
+        var hits = new Renderer(scene).CastHits();
+        return new(mine, scene.PictureOf(hits), scene, hits, null);
     }
 
     /// <summary>The picture in question.</summary>
@@ -44,17 +53,29 @@ public sealed class PictureComparison
     public PictureDifference? Difference { get; }
 
     /// <summary>A change of the whole picture that explains the difference; null if there is none.</summary>
-    internal Recognition? Recognition { get; }
+    internal Recognition? Recognition => causes.Value.Recognition;
 
     /// <summary>What the picture lacks at its border, if it is right but for that.</summary>
     internal Crop? Crop { get; }
 
     /// <summary>The pixels that no loop reached; null if there are none.</summary>
-    internal UnreachedPixels? Unreached { get; }
+    internal UnreachedPixels? Unreached => causes.Value.Unreached;
 
     /// <summary>A sentence if the picture is right but for the number of its colours; otherwise null.</summary>
-    internal string? FewColors { get; }
+    internal string? FewColors => causes.Value.FewColors;
 
     /// <summary>The difference model by model; null without a scene, or if the sizes differ.</summary>
     internal SceneDifference? ByModels { get; }
+
+    private Causes FindCauses()
+    {
+        if (Likeness != Likeness.Wrong) return new(null, null, null);
+        var few = Difference is null ? null : Comparison.FewColors.Find(Difference);
+        var unreached = Difference is null || few is not null ? null : UnreachedPixels.Find(Difference, Scene);
+        var isKnown = few is not null || unreached is { IsRestRight: true };
+        return new(few, unreached, isKnown ? null : new TransformFinder(Mine, Reference, Difference, judge).Find());
+    }
+
+    /// <summary>What may have made a wrong picture; no more than one is certain.</summary>
+    private sealed record Causes(string? FewColors, UnreachedPixels? Unreached, Recognition? Recognition);
 }

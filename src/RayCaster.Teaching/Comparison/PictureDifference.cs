@@ -40,10 +40,17 @@ public sealed class PictureDifference
     {
         get
         {
-            var pairs = Mine.Rgb.Zip(Reference.Rgb, (a, b) => (Shown: a, Right: b));
-            var most = pairs.Select(pair => pair.Shown - pair.Right).MaxBy(Math.Abs);
-            return most != 0 && pairs.All(pair => pair.Shown == Math.Clamp(pair.Right + most, 0, 255))
-                && pairs.Count(pair => pair.Shown != pair.Right) > Mine.Rgb.Length / 10 ? most : null; // few: the others may be at an end by chance
+            var (most, changed) = (0, 0);
+            for (var i = 0; i < Mine.Rgb.Length; i++)
+            {
+                var levels = Mine.Rgb[i] - Reference.Rgb[i];
+                if (levels != 0) changed++;
+                if (Math.Abs(levels) > Math.Abs(most)) most = levels;
+            }
+            if (changed <= Mine.Rgb.Length / 10) return null; // few: the others may be at an end by chance
+            for (var i = 0; i < Mine.Rgb.Length; i++)
+                if (Mine.Rgb[i] != Math.Clamp(Reference.Rgb[i] + most, 0, 255)) return null;
+            return most;
         }
     }
 
@@ -60,7 +67,7 @@ public sealed class PictureDifference
     /// The pixel in the middle of the widest wrong area. It is as far from right pixels as possible, so it is not on an outline. Null if no pixel
     /// differs by more than rounding.
     /// </summary>
-    public (int X, int Y)? WrongMiddle => WrongArea is null ? null : FindMiddle();
+    public (int X, int Y)? WrongMiddle => WrongArea is null ? null : field ??= FindMiddle();
 
     /// <summary>
     /// The first and the last column and line, from the top, with a pixel that differs by more than rounding; null if there is none.

@@ -20,6 +20,9 @@ public static class PictureExtensions
     {
         /// <summary>The bytes of a pixel, by its index in reading order.</summary>
         internal (byte R, byte G, byte B) BytesAt(HitMap hits, int pixel) => scene.Shade(hits[pixel]).ToBytes();
+
+        /// <summary>The picture of hits.</summary>
+        internal Picture PictureOf(HitMap hits) => Picture.Create(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
     }
 
     /// <param name="picture">Any picture.</param>

@@ -19,16 +19,17 @@ internal sealed class SceneDifference
 
     /// <param name="scene">The scene in the pictures' size.</param>
     /// <param name="threads">How many threads cast rays; one per core if null.</param>
-    public SceneDifference(Scene scene, PictureDifference difference, int? threads)
+    /// <param name="hits">What the rays hit, if they are cast already.</param>
+    public SceneDifference(Scene scene, PictureDifference difference, int? threads, HitMap? hits = null)
     {
         (this.scene, this.difference, this.threads) = (scene, difference, threads);
-        hits = new Renderer(scene, threads).CastHits();
-        var own = Picture.Create(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
+        this.hits = hits ?? new Renderer(scene, threads).CastHits();
+        var own = scene.PictureOf(this.hits);
         ReferenceToOwn = new(difference.Reference, own);
         var mineToOwn = new PictureDifference(difference.Mine, own);
         IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
         IsReferenceOwn = IsOwn(ReferenceToOwn) && !IsMineOwn;
-        others = new(hits.Width, hits.Height);
+        others = new(own.Width, own.Height);
     }
 
     public PictureDifference ReferenceToOwn { get; }

@@ -52,8 +52,8 @@ internal sealed class UnreachedPixels
 
         public UnreachedPixels? Find(Scene? scene)
         {
-            int[] lines = Whole(height, width, (along, across) => across * width + along);
-            int[] columns = Whole(width, height, (along, across) => along * width + across);
+            int[] lines = Whole(height, width, InLine), columns = Whole(width, height, InColumn);
+            if (IsPlainElsewhere(lines, height, width, InLine) || IsPlainElsewhere(columns, width, height, InColumn)) return null;
             HashSet<int> wholeLines = [.. lines], wholeColumns = [.. columns];
             foreach (var i in Enumerable.Range(0, difference.Pixels)) isFound[i] = isWrong[i] && IsInWhole(i);
             var blocks = Blocks();
@@ -70,6 +70,10 @@ internal sealed class UnreachedPixels
             bool[] unreached = [.. isFound.Select((isOne, i) => isOne || (Has(i) && IsInWhole(i)))];
             return new(Sentence(lines, columns, blocks), isRestRight, unreached, rest);
 
+            int InLine(int along, int across) => across * width + along;
+
+            int InColumn(int along, int across) => along * width + across;
+
             bool IsInWhole(int pixel) => wholeLines.Contains(pixel / width) || wholeColumns.Contains(pixel % width);
         }
 
@@ -79,6 +83,15 @@ internal sealed class UnreachedPixels
             .. Enumerable.Range(0, count).Where(across => Enumerable.Range(0, length).All(along => Has(place(along, across)))
                 && Enumerable.Range(0, length).Any(along => isWrong[place(along, across)])),
         ];
+
+        /// <summary>Whether more lines, or columns, have another colour each, and should not: then all rays of one are the same ray.</summary>
+        private bool IsPlainElsewhere(int[] found, int count, int length, Func<int, int, int> place) =>
+            found.Length > 0 && Enumerable.Range(0, count).Except(found).Count(across =>
+            {
+                var first = difference.Mine.At(place(0, across));
+                return Enumerable.Range(0, length).All(along => difference.Mine.At(place(along, across)) == first)
+                    && Enumerable.Range(0, length).Any(along => difference.IsWrong(place(along, across)));
+            }) > found.Length;
 
         /// <summary>Takes the blocks of a grid in, or rectangles, if they hold all other pixels of the colour; their words, or null.</summary>
         private string? Blocks()

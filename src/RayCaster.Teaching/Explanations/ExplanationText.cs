@@ -41,6 +41,20 @@ public sealed class ExplanationText
         return [.. writer.sections.Select(section => new ExplanationSection(section.Title, section.Text.ToString()))];
     }
 
+    /// <summary>In short, how what the pixel shows gets its t and its colour: the model's first formula, its t, and the attenuation.</summary>
+    public static string Gist(PixelExplanation pixel)
+    {
+        if (pixel.Models.FirstOrDefault(model => model.Result.Index == pixel.Winner) is not { } shown)
+            return "The ray hits nothing that counts: the pixel shows the background's colour.\n";
+        var writer = new ExplanationText(pixel);
+        writer.Section("", "");
+        writer.Steps(0, [.. shown.Steps.Take(1)]);
+        foreach (var crossing in shown.Crossings.Where(crossing => crossing.Outcome == Outcome.Shows && crossing.Numbers.Length > 0))
+            writer.Line(0, $"t = {crossing.Numbers} = {Digits.Format(crossing.T)}");
+        writer.Steps(0, [.. pixel.ColorSteps.Take(1)]);
+        return writer.Text.ToString();
+    }
+
     /// <summary>The section that is being written.</summary>
     private StringBuilder Text => sections[^1].Text;
 

@@ -127,5 +127,6 @@ async function fail(reason) {
   if (hasBegun) return told.closed(`RayCaster has ended in this page (${reason}); it starts again.`);
   if (isOver) return;
   isOver = true;
-  told.closed(await lacks() ?? `RayCaster cannot start in this browser: ${reason ?? "it allows no worker"}.`, true);
+  const why = reason?.replace(/^Uncaught (\w*Error: )?/, "") ?? "it allows no worker";
+  told.closed(await lacks() ?? `RayCaster cannot start in this browser: ${why}.`, true);
 }

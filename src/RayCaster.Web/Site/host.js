@@ -3,16 +3,14 @@ import { dropped } from "./comparison.js";
 import { change, scene } from "./connection.js";
 import { $, make, show } from "./dom.js";
 import { cannot, isLink, longest, toLink } from "./link.js";
-import "./pixel.js"; // these two make their parts before those in them are made here
-import "./problems.js";
+import "./problems.js"; // it makes its part before this is added
 import { on } from "./server.js";
 
 const most = 10_000_000; // letters of a scene
 const editor = $("scene-text"), said = $("scene-said");
-let timer = 0, camera = null;
+let timer = 0, camera = null, pixel = null;
 
-show($("scene"), true);
-editor.after($("problems"));
+for (const id of ["scene", "pixel-share"]) show($(id), true);
 $("problem-list").setAttribute("role", "status"); // an alert would interrupt whoever types
 
 on("open", () => { editor.value ||= scene[1]; });
@@ -60,8 +58,14 @@ $("open-scene").addEventListener("change", event => {
 const { onFile } = dropped;
 dropped.onFile = file => file.name.toLowerCase().endsWith(".json") ? open(file) : onFile(file);
 
-$("save-scene").addEventListener("click", () =>
-  make("a", { download: scene[0], href: URL.createObjectURL(new Blob([editor.value], { type: "application/json" })) }).click());
+$("save-scene").addEventListener("click", () => {
+  try {
+    make("a", { download: scene[0], href: URL.createObjectURL(new Blob([editor.value], { type: "application/json" })) }).click();
+  } catch {
+    editor.select();
+    said.textContent = "The browser does not allow the page to save a file. The text is selected: copy it.";
+  }
+});
 
 /** Copies a link to the scene, or shows it to be copied; with a pixel, to that pixel as the camera sees it now. */
 async function share(said, field, pixel = null) {
@@ -72,7 +76,7 @@ async function share(said, field, pixel = null) {
   field.select();
   const isCopied = isLink && await navigator.clipboard?.writeText(link).then(() => true, () => false);
   said.textContent = isCopied ? "The link is copied."
-    : isLink ? "The link is selected: press Ctrl + C to copy it."
+    : isLink ? "The link is selected: copy it."
     : `${cannot ?? `The link would have ${link.length} characters; many programs cut it.`} Save the scene as a file instead.`;
 }
 
@@ -80,11 +84,11 @@ $("share-scene").addEventListener("click", () => share(said, $("share-link")));
 
 on("camera", message => { camera = message; });
 on("explanation", ({ column, line }) => {
-  if (!$("pixel-head") || $("pixel-link")) return; // another pixel was chosen meanwhile
-  const linked = make("span", { role: "status" }), field = make("input", { class: "link", readonly: true, "aria-label": "The link", hidden: true });
-  const button = make("button", { type: "button", id: "pixel-link", onclick: () => share(linked, field, [column, line]) }, "Link to this pixel");
-  $("pixel-head").after(make("p", {}, button, " ", linked), field);
+  pixel = [column, line];
+  $("pixel-said").textContent = ""; // it was about another pixel, or another camera
+  show($("pixel-link-field"), false);
 });
+$("pixel-link").addEventListener("click", () => share($("pixel-said"), $("pixel-link-field"), pixel));
 
 addEventListener("hashchange", () => { if (isLink(location.href)) location.reload(); });
 

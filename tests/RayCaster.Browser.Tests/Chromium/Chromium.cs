@@ -8,7 +8,7 @@ public sealed class Chromium : IAsyncLifetime
     private static readonly string[] flags =
     [
         "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-        "--disable-component-update", "--disable-sync", "--disable-features=AutofillServerCommunication",
+        "--disable-component-update", "--disable-sync", "--force-prefers-reduced-motion", "--disable-features=AutofillServerCommunication",
     ];
 
     private IBrowser? browser;

@@ -39,10 +39,11 @@ public sealed partial class Site : IAsyncLifetime
     /// <summary>Serves the folder as any web host does.</summary>
     /// <param name="below">The folder of the host that it is copied to.</param>
     /// <param name="missing">The beginning of the names that the host does not have.</param>
-    internal Task<FileServer> ServeAsync(string below = "", string? missing = null)
+    /// <param name="refusal">What stands before a script of the site, which then runs as in a browser that refuses something.</param>
+    internal Task<FileServer> ServeAsync(string below = "", string? missing = null, (string File, string Script)? refusal = null)
     {
         Assert.SkipWhen(cannotBeRestored, "the runtime pack for browser-wasm cannot be restored");
-        return FileServer.StartAsync(published ?? folder.Path, below, missing);
+        return FileServer.StartAsync(published ?? folder.Path, below, missing, refusal);
     }
 
     public ValueTask DisposeAsync()
@@ -79,7 +80,8 @@ internal sealed class FileServer(WebApplication server, ConcurrentQueue<string> 
     /// <summary>All requests so far: their addresses and the status that was answered.</summary>
     public string[] Requests => [.. requests];
 
-    public static async Task<FileServer> StartAsync(string folder, string below, string? missing)
+    public static async Task<FileServer> StartAsync(
+        string folder, string below, string? missing, (string File, string Script)? refusal)
     {
         var builder = WebApplication.CreateSlimBuilder();
         builder.Logging.ClearProviders();
@@ -99,6 +101,15 @@ internal sealed class FileServer(WebApplication server, ConcurrentQueue<string> 
             if (missing is not null && context.Request.Path.StartsWithSegments(below, out var rest) && rest.Value!.StartsWith("/" + missing,
                 StringComparison.Ordinal)) context.Request.Path = "/missing";
             return next();
+        });
+        server.Use(async (context, next) =>
+        {
+            if (refusal is not var (file, script) || context.Request.Path != $"{below}/{file}") await next();
+            else
+            {
+                context.Response.ContentType = "text/javascript";
+                await context.Response.WriteAsync(script + "\n" + await File.ReadAllTextAsync(Path.Combine(folder, file)));
+            }
         });
         server.UseDefaultFiles(new DefaultFilesOptions { FileProvider = files, RequestPath = below });
         server.UseStaticFiles(new StaticFileOptions { FileProvider = files, RequestPath = below });
