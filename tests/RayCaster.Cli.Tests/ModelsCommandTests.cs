@@ -1,6 +1,6 @@
 namespace RayCaster.Cli.Tests;
 
-public sealed class ModelsTests : CommandTests
+public sealed class ModelsCommandTests : CommandTests
 {
     private const string LooksAway = """
         { "camera": { "position": [-9, 0, 0], "target": [-12, 0, 0], "width": 30, "height": 20 },

@@ -3,7 +3,7 @@ using System.Text.Json;
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Wrong pictures on purpose, and what a scene must show.</summary>
-public sealed class WrongTests : CommandTests
+public sealed class WrongCommandTests : CommandTests
 {
     [Fact]
     public void AWrongPictureIsDrawn()

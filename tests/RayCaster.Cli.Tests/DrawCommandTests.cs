@@ -2,7 +2,7 @@ using System.Text;
 
 namespace RayCaster.Cli.Tests;
 
-public sealed class DrawTests : CommandTests
+public sealed class DrawCommandTests : CommandTests
 {
     [Fact]
     public void ThePictureIsNamedAfterTheSceneAndLiesInTheCurrentFolder()

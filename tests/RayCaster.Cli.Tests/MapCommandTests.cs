@@ -1,6 +1,6 @@
 namespace RayCaster.Cli.Tests;
 
-public sealed class MapTests : CommandTests
+public sealed class MapCommandTests : CommandTests
 {
     [Fact]
     public void AMapIsNumbersAndAPictureNamedAfterSceneAndKind()

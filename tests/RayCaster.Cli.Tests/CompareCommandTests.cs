@@ -1,7 +1,7 @@
 namespace RayCaster.Cli.Tests;
 
 /// <summary>The console app's command compare, with real pictures of the project's scenes.</summary>
-public sealed class CompareTests : CommandTests
+public sealed class CompareCommandTests : CommandTests
 {
     private static readonly string reference = ProjectFolder.PathOf("tests/References/room.png");
 

@@ -1,6 +1,6 @@
 namespace RayCaster.Cli.Tests;
 
-public sealed class DiagnoseTests : CommandTests
+public sealed class DiagnoseCommandTests : CommandTests
 {
     private const string scene = "scene.json"; // the first of the project's, made small
 
@@ -18,7 +18,7 @@ public sealed class DiagnoseTests : CommandTests
             "iVBORw0KGgoAAAANSUhEUgAAAAYAAAAECAYAAACtBE5DAAAAJUlEQVR42mNgYGBIAWEjZYYUYxUIDRWDMECCJioQGkUCpw50DACB4gxpBFucDw" +
             "AAAABJRU5ErkJggg==";
 
-    public DiagnoseTests() => raycaster.Write(scene, File.ReadAllText(Path.Combine(RayCasterProcess.Scenes, "first.json"))
+    public DiagnoseCommandTests() => raycaster.Write(scene, File.ReadAllText(Path.Combine(RayCasterProcess.Scenes, "first.json"))
         .Replace("\"target\"", "\"width\": 30, \"height\": 20, \"target\"", StringComparison.Ordinal));
 
     [Fact]

@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
-public sealed class PartTests : CommandTests
+public sealed class PartCommandTests : CommandTests
 {
     [Fact]
     public void APartIsNamedAfterItsLines()

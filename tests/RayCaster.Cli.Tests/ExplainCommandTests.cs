@@ -1,7 +1,7 @@
 namespace RayCaster.Cli.Tests;
 
 /// <summary>The console app's explain.</summary>
-public sealed class ExplainTests : CommandTests
+public sealed class ExplainCommandTests : CommandTests
 {
     [Fact]
     public void TheAnswerGoesToStandardOutput()

@@ -1,7 +1,7 @@
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Marks and varied scenes by the console app itself.</summary>
-public sealed class MarkTests : CommandTests
+public sealed class MarkCommandTests : CommandTests
 {
     private void WriteRubric(string more)
     {
