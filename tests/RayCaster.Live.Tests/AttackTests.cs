@@ -92,7 +92,8 @@ public class AttackTests(LiveServerFixture fixture) : IClassFixture<LiveServerFi
         PictureFile.Write(file, new Picture(60, 45), PictureFormat.Png);
         await page.ConnectAsync();
         Assert.Equal(HttpStatusCode.NoContent, (await PostAsync(file.ToArray())).StatusCode);
-        var told = await page.MessageAsync("comparison", message => message.GetProperty("text").GetString() is not null);
+        var told = await page.MessageAsync("comparison", message => !message.GetProperty("isVerdict").GetBoolean()
+            && message.GetProperty("text").GetString() is not null);
         Assert.Contains("60 x 45", told.GetProperty("text").GetString());
     }
 
