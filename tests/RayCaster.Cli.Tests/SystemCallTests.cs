@@ -62,7 +62,8 @@ public sealed class SystemCallTests : CommandTests
             Directory.CreateDirectory(Path.GetDirectoryName(copy)!);
             File.Copy(file, copy);
         }
-        foreach (var file in (string[])["raycaster-live.dll", "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"]) raycaster.Write($"app/{file}", "");
+        foreach (var file in (string[])["raycaster-live.dll", "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"])
+            raycaster.Write($"app/{file}", "");
         return raycaster.PathOf(Path.Combine("app", Path.GetFileName(RayCasterProcess.App)));
     }
 }
