@@ -41,7 +41,7 @@ public sealed class ExplanationText
         return [.. writer.sections.Select(section => new ExplanationSection(section.Title, section.Text.ToString()))];
     }
 
-    /// <summary>In short, how what the pixel shows gets its t and its colour: the model's first formula, its t, and the attenuation.</summary>
+    /// <summary>In short, how what the pixel shows gets its t and its colour: the model's first formula, its t, and the way from there to the bytes.</summary>
     public static string Gist(PixelExplanation pixel)
     {
         if (pixel.Models.FirstOrDefault(model => model.Result.Index == pixel.Winner) is not { } shown)
@@ -51,7 +51,7 @@ public sealed class ExplanationText
         writer.Steps(0, [.. shown.Steps.Take(1)]);
         foreach (var crossing in shown.Crossings.Where(crossing => crossing.Outcome == Outcome.Shows && crossing.Numbers.Length > 0))
             writer.Line(0, $"t = {crossing.Numbers} = {Digits.Format(crossing.T)}");
-        writer.Steps(0, [.. pixel.ColorSteps.Take(1)]);
+        writer.Steps(0, pixel.ColorSteps);
         return writer.Text.ToString();
     }
 

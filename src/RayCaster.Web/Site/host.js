@@ -25,6 +25,7 @@ on("text", ({ text }) => take(text)); // the camera was written into it
 
 editor.addEventListener("input", () => {
   clearTimeout(timer);
+  if (editor.value !== scene[1]) $("status").textContent = "Drawing …"; // what it said is about the old text
   timer = setTimeout(() => take(editor.value), 300);
 });
 
