@@ -41,7 +41,7 @@ public sealed class ExplanationText
         return [.. writer.sections.Select(section => new ExplanationSection(section.Title, section.Text.ToString()))];
     }
 
-    /// <summary>In short, how what the pixel shows gets its t and its colour: the model's first formula, its t, and the way from there to the bytes.</summary>
+    /// <summary>In short, how the pixel gets its colour: its model's first formula, the t, and the way from there to the bytes.</summary>
     public static string Gist(PixelExplanation pixel)
     {
         if (pixel.Models.FirstOrDefault(model => model.Result.Index == pixel.Winner) is not { } shown)
