@@ -51,7 +51,10 @@ public sealed class ExplanationText
         writer.Steps(0, [.. shown.Steps.Take(1)]);
         foreach (var crossing in shown.Crossings.Where(crossing => crossing.Outcome == Outcome.Shows && crossing.Numbers.Length > 0))
             writer.Line(0, $"t = {crossing.Numbers} = {Digits.Format(crossing.T)}");
-        writer.Steps(0, pixel.ColorSteps);
+        writer.Steps(0, [.. pixel.ColorSteps.Take(1)]);
+        var (r, g, b) = pixel.Bytes;
+        writer.Line(0, $"color = attenuation · {Digits.Format(pixel.Scene.Models[shown.Result.Index].Color)} = {Digits.Format(pixel.Color)}, " +
+            $"bytes {r} {g} {b}");
         return writer.Text.ToString();
     }
 
