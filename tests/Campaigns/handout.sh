@@ -61,7 +61,7 @@ solved stopped
     done
     curl -sf "$address" | grep "<title>" # to the end: grep -q would end before curl has written all
     kill $live
-    ! dotnet lib/raycaster.dll handout ../solved 2> said
+    ! dotnet lib/raycaster.dll handout ../new 2> said
     grep -q "the folder handout is not beside this program" said
 )
 
