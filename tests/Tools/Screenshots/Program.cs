@@ -54,7 +54,8 @@ async Task<HostedPage> RestAsync(HostedPage host)
 
 async Task SizeAsync(IPage page, int width, string scheme)
 {
-    await page.SetViewportAsync(new() { Width = width, Height = width > 700 ? 900 : 740 });
+    var isPhone = width < 700;
+    await page.SetViewportAsync(new() { Width = width, Height = isPhone ? 740 : 900, HasTouch = isPhone, IsMobile = isPhone });
     await page.EmulateMediaFeaturesAsync([new() { MediaFeature = MediaFeature.PrefersColorScheme, Value = scheme }]);
     await page.EvaluateExpressionAsync("scrollTo(0, 0)");
     await page.WaitForFunctionAsync("width => innerWidth === width", width);
