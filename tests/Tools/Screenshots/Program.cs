@@ -13,6 +13,7 @@ if (args is [var looks])
             {
                 await using var host = await open();
                 await SizeAsync(host.Page, width, scheme);
+                await RestAsync(host); // the browser loads the page again for a phone
                 await ShootAsync(host.Page, "start");
                 await host.Page.ClickOnPixelAsync(325, 360, 500, 500);
                 await ShootAsync(host.Page, "pixel");
@@ -38,6 +39,7 @@ await using (var web = await FolderAsync())
     await SizeAsync(web.Page, 1400, "light");
     await web.Page.ScreenshotAsync(Path.Combine(docs, "web.png"));
     await SizeAsync(web.Page, 360, "light");
+    await RestAsync(web); // the browser loads the page again for a phone
     await web.Page.ScreenshotAsync(Path.Combine(docs, "web-phone.png"));
 }
 
@@ -48,7 +50,7 @@ async Task<HostedPage> FolderAsync() => await RestAsync(await FolderPage.OpenAsy
 // What the page tells last is how often each model shows.
 async Task<HostedPage> RestAsync(HostedPage host)
 {
-    await host.Page.WaitForFunctionAsync("() => document.getElementById('model-0-rays').textContent.includes('%')");
+    await host.Page.WaitForFunctionAsync("() => document.getElementById('model-0-rays')?.textContent.includes('%')");
     return host;
 }
 
