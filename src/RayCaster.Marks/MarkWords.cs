@@ -9,7 +9,7 @@ internal static class MarkWords
     /// <summary>The question that leads to a mistake; for a missing shape the question of a mistake that hides it, or an empty text.</summary>
     public static string Question(string because, IReadOnlyList<string> hiding) => MistakeCatalog.Named(because)?.Hint.Question
         ?? (hiding.Select(id => MistakeCatalog.Named(id)!)
-                .FirstOrDefault(mistake => mistake.IsOnlyOf(because)) is { } mistake
+                .FirstOrDefault(mistake => mistake.Usual.IsOnlyOf(because)) is { } mistake
             ? $"If they are written: {mistake.Hint.Question}" : "");
 
     public static string NotDrawn(string part) => part == MissingParts.Attenuation

@@ -60,6 +60,9 @@ public sealed record Change
     /// <summary>Whether it counts as a mistake; rays through the other sample point are none beside one.</summary>
     internal bool IsMistake => Id != "" && !IsOtherSample;
 
+    /// <summary>Whether its mistake, or the slip, changes the formulas of a kind of shape, and nothing else.</summary>
+    public bool IsOnlyOf(string kind) => ShapeKind.Find(kind) is { } shape && Steps.SetEquals([shape.Step]);
+
     /// <summary>The kinds of shape whose formulas it changes in the slides' program, by their names in scene files.</summary>
     public IEnumerable<string> ShapesIn(Camera camera) =>
         In(FormulaProgram.For(camera)) is { } program ? ShapeKind.All.Where(kind => program.ChangedShapes.Any(shape => shape.Step == kind.Step))

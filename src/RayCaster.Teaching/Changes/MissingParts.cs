@@ -19,7 +19,7 @@ public static class MissingParts
     public static Change Without(string part) => ChangeSource.Missing(part);
 
     /// <summary>Several shapes of a kind, in words.</summary>
-    public static string Many(string kind) => ShapeKind.Find(kind)?.Many ?? kind;
+    public static string Many(string kind) => ShapeKind.Find(kind)?.Many ?? $"shapes of the type {kind}";
 
     /// <summary>The mistakes that draw the same as a program without these parts: for example, "no attenuation" is also in the catalogue.</summary>
     internal static IEnumerable<Change> AsMistakes(IEnumerable<string> parts) =>

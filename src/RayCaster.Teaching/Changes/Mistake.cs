@@ -61,9 +61,6 @@ public sealed class Mistake
     /// <summary>Whether the mistake changes programs that draw these kinds of shape, by their names in scene files.</summary>
     public bool Touches(IEnumerable<string> kinds) => Steps.Any(step => !step.IsOfShape()) || kinds.Any(Touches);
 
-    /// <summary>Whether it changes the formulas of a kind of shape, and nothing else.</summary>
-    public bool IsOnlyOf(string kind) => ShapeKind.Find(kind) is { } shape && Steps.SetEquals([shape.Step]);
-
     /// <summary>Whether it changes the formulas of a kind of shape, or only its rule.</summary>
     internal bool Touches(string kind) => ShapeKind.Find(kind) is { } shape && Steps.Contains(shape.Step);
 

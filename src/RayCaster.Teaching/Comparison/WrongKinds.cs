@@ -60,7 +60,7 @@ internal sealed class WrongKinds
             if (!IsCertain) return null;
             var right = Agreeing.Count == 0 ? "" : $"The rays are right: {Names(Agreeing)} agree{(Agreeing.Count == 1 ? "s" : "")}. ";
             if (Kinds.Count == 0) return right.TrimEnd();
-            var many = string.Join(" and ", Kinds.Select(ManyOf));
+            var many = string.Join(" and ", Kinds.Select(MissingParts.Many));
             var formula = Kinds.Count == 1 ? "their formula" : "their formulas, and at what these share";
             int[] bad = [.. ModelsOf(Kinds).Where(IsBad)], good = [.. ModelsOf(Kinds).Where(AgreesWholly)];
             var what = good.Length > 0 && bad.Length > 0
@@ -150,7 +150,4 @@ internal sealed class WrongKinds
         return models.Count > MaxNames ? $"{string.Join(", ", names)} and others"
             : names is [.. var first, var last] && first.Length > 0 ? $"{string.Join(", ", first)} and {last}" : names[0];
     }
-
-    /// <summary>A kind in the plural.</summary>
-    public static string ManyOf(string kind) => ShapeKind.Find(kind)?.Many ?? $"shapes of the type {kind}";
 }

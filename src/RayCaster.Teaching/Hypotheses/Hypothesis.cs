@@ -55,8 +55,7 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
     public bool IsUsual => Mistakes.All(mistake => mistake.Place is not null || mistake.IsUsual);
 
     /// <summary>Whether one of its mistakes is in the formulas of a kind of shape alone.</summary>
-    public bool IsAbout(string kind) =>
-        ShapeKind.Find(kind) is { } shape && Changes.Any(change => change.IsMistake && change.Steps.SetEquals([shape.Step]));
+    public bool IsAbout(string kind) => Changes.Any(change => change.IsMistake && change.IsOnlyOf(kind));
 
     private bool IsOtherSample => Changes.All(change => change.IsOtherSample);
 

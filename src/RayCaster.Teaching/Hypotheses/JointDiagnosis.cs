@@ -200,6 +200,6 @@ public sealed record JointDiagnosis
         var kinds = wrong.Select(sample => sample.Difference is { } difference
             ? new SceneDifference(sample.Scene, difference, 1).WrongKinds.Kinds : []).ToArray();
         return kinds.All(kind => kind.Count == 1) && kinds.Select(kind => kind[0]).Distinct().ToArray() is [var only]
-            ? $"only {WrongKinds.ManyOf(only)} are wrong" : null;
+            ? $"only {MissingParts.Many(only)} are wrong" : null;
     }
 }

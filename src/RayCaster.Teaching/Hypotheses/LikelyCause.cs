@@ -24,7 +24,7 @@ internal static class LikelyCause
         {
             yield return meant is [{ } only] ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
                 : kinds is [var kind] && scene.Models.Any(model => model.Kind != kind)
-                    ? $"Only {WrongKinds.ManyOf(kind)}: the same outlines, but another light. Is their t right?"
+                    ? $"Only {MissingParts.Many(kind)}: the same outlines, but another light. Is their t right?"
                 : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
         }
         else if (certain.IsCertain || meant.Count == 1 || (meant.Count > 1 && meant.All(model => model.IsExplained)))

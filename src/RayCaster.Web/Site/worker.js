@@ -3,7 +3,7 @@
 async function start() {
   if (!globalThis.WebAssembly) throw new Error("it runs no WebAssembly, which a phone's Lockdown Mode turns off");
   const { dotnet } = await import("./_framework/dotnet.js");
-  const options = ["--jiterpreter-minimum-trace-hit-count=300"]; // compiles loops sooner: the first picture takes 0.82 of the time
+  const options = ["--jiterpreter-minimum-trace-hit-count=300"]; // compiles loops sooner, which the first picture needs
   const { getAssemblyExports, getConfig, setModuleImports } = await dotnet.withRuntimeOptions(options).create();
   setModuleImports("worker", {
     post: message => postMessage(message),
