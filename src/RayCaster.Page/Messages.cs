@@ -95,12 +95,13 @@ internal static class Messages
     }
 
     /// <summary>The ledger: in how many pixels each model shows, or why it does not.</summary>
-    public static byte[] OfLedger(HitLedger ledger) => Of(new
+    public static byte[] OfLedger(Scene scene, HitLedger ledger) => Of(new
     {
         Kind = "ledger",
         ledger.Rays,
-        Models = ledger.Models.Take(MaxModels).Select(entry => new
+        Models = ledger.Models.Take(MaxModels).Select((entry, i) => new
         {
+            Name = ModelName.Plain(scene, i),
             Shows = entry[Outcome.Shows],
             Reason = entry[Outcome.Shows] > 0 ? "" : InWords(entry.Reason),
         }),

@@ -210,7 +210,7 @@ internal sealed partial class Tab(
         if (isMoving || !Takes(Pending.Ledger)) return;
         var scene = view.Of(state.Scene!);
         var ledger = await Task.Run(() => HitLedger.Take(scene, Outdated()));
-        await SendAsync(Messages.OfLedger(ledger));
+        await SendAsync(Messages.OfLedger(scene, ledger));
     }
 
     /// <summary>Cancelled when the scene or the view changes, or the page closes.</summary>

@@ -69,14 +69,15 @@ public abstract partial class PageTests
                 const parts = [...document.querySelectorAll('section, figcaption, #screen')];
                 const places = () => parts.map(part => {
                     const { top, height } = part.getBoundingClientRect();
-                    return `${part.id} ${top} ${height}`;
-                }).join('\n');
+                    return `${part.id || part.tagName} ${top} ${height}`;
+                });
                 const before = places();
                 window.moved = [];
                 window.moving = 0;
                 document.getElementById('stage').addEventListener('frame', ({ detail }) => {
-                    if (!detail.isFinal) moving++;
-                    if (!detail.isFinal && places() !== before) moved.push(places());
+                    if (detail.isFinal) return;
+                    moving++;
+                    places().forEach((place, i) => { if (place !== before[i]) moved.push(`${before[i]}, then ${place}`); });
                 });
             }
             """);

@@ -2,37 +2,47 @@
 import { $, make, swatch } from "./dom.js";
 import { on } from "./server.js";
 
-let scene = null;
+let scene = null, ledger = null, legend = null; // the newest of each; without a server they come from two workers, in any order
 
 on("scene", message => {
-  const isOther = !scene || message.models?.map(model => model.name).join() !== scene.models?.map(model => model.name).join();
   scene = message;
   if (!scene.models) return;
-  if (isOther) build();
-  if ($("map-kind").value !== "model") paintSwatches(scene.models.map(model => model.color));
+  build();
+  fill();
 });
 
-on("ledger", ledger => {
-  ledger.models.forEach((entry, i) => {
-    const cell = $(`model-${i}-rays`);
-    if (!cell) return;
-    const share = entry.shows / Math.max(1, ledger.rays) * 100;
-    cell.textContent = entry.shows > 0 ? `${share < 0.1 ? "<\u00a00.1" : share.toFixed(1)}\u00a0%` : entry.reason;
-    $(`model-${i}`).classList.toggle("unseen", entry.shows === 0);
-  });
+on("ledger", message => {
+  ledger = message;
   $("ledger-report").textContent = ledger.report;
+  fill();
 });
 
-on("legend", legend => {
-  if (legend.map === "model") paintSwatches(legend.colors);
+on("legend", message => {
+  legend = message;
+  fill();
 });
 
-$("map-kind").addEventListener("change", event => {
-  if (event.target.value !== "model") paintSwatches(scene?.models?.map(model => model.color));
-});
+$("map-kind").addEventListener("change", fill);
 
-function paintSwatches(colors = []) {
-  colors.forEach((color, i) => { if ($(`model-${i}`)) $(`model-${i}`).querySelector(".swatch").style.background = color; });
+/** The models' names, which tell whether two messages are about the same models. */
+function names(message) {
+  return JSON.stringify(message?.models?.map(model => model.name));
+}
+
+/** Fills the table: the colours of the models or of their map, and how many rays each has. */
+function fill() {
+  if (!scene?.models) return;
+  const colors = $("map-kind").value === "model" && legend?.map === "model" ? legend.colors : [];
+  const isCounted = names(ledger) === names(scene);
+  scene.models.forEach((model, i) => {
+    const row = $(`model-${i}`);
+    row.querySelector(".swatch").style.background = colors[i] ?? model.color;
+    if (!isCounted) return;
+    const { shows, reason } = ledger.models[i];
+    const share = shows / Math.max(1, ledger.rays) * 100;
+    $(`model-${i}-rays`).textContent = shows > 0 ? `${share < 0.1 ? "<\u00a00.1" : share.toFixed(1)}\u00a0%` : reason;
+    row.classList.toggle("unseen", shows === 0);
+  });
 }
 
 function build() {
