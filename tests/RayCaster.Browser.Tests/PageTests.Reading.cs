@@ -25,6 +25,14 @@ public abstract partial class PageTests
         }
         """;
 
+    /// <summary>Where the parts of the page are, and how high.</summary>
+    private const string Places = """
+        [...document.querySelectorAll('section, figcaption, #screen')].map(part => {
+            const { top, height } = part.getBoundingClientRect();
+            return `${part.id || part.tagName} ${top} ${height}`;
+        })
+        """;
+
     [BrowserTheory]
     [InlineData(Laptop)]
     [InlineData(Phone)]
@@ -59,18 +67,29 @@ public abstract partial class PageTests
     [BrowserTheory]
     [InlineData(Laptop)]
     [InlineData(Phone)]
+    public async Task NothingMovesWhileOnePointsAtPixels(int width)
+    {
+        await ResizeAsync(width);
+        var before = await Page.EvaluateExpressionAsync<string[]>(Places);
+        foreach (var (column, line, told) in new[] { (20, 14, "column 20, line 14 (row 15)"), (2, 2, "column 2, line 2 (row 27)") })
+        {
+            await Page.HoverOnPixelAsync(column, line, 40, 30);
+            await Page.SaysAsync(told);
+            Assert.Equal(before, await Page.EvaluateExpressionAsync<string[]>(Places));
+        }
+    }
+
+    [BrowserTheory]
+    [InlineData(Laptop)]
+    [InlineData(Phone)]
     public async Task NothingMovesDuringADrag(int width)
     {
         await ResizeAsync(width);
         await Page.HoverOnPixelAsync(20, 14, 40, 30);
         await Page.SaysAsync("column 20, line 14 (row 15)");
-        await Page.EvaluateExpressionAsync("""
+        await Page.EvaluateExpressionAsync($$"""
             {
-                const parts = [...document.querySelectorAll('section, figcaption, #screen')];
-                const places = () => parts.map(part => {
-                    const { top, height } = part.getBoundingClientRect();
-                    return `${part.id || part.tagName} ${top} ${height}`;
-                });
+                const places = () => {{Places}};
                 const before = places();
                 window.moved = [];
                 window.moving = 0;
