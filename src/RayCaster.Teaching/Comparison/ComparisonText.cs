@@ -33,7 +33,7 @@ public static class ComparisonText
             Likeness.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed for up to 1 % of them.\n",
             Likeness.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n" +
                 (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n" : ""),
-            Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but only 1 % may be.\n" + Rounding(d) +
+            Likeness.RoundedOtherwise => $"{mine} {RoundedOtherwise(d)}" +
                 (d.Wrong > 0 ? $"  Besides, {Outlines(d)}, which is allowed.\n" : ""),
             _ => $"{mine} is wrong: {Digits.Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n" +
                 Where(comparison, d, mine),
@@ -49,7 +49,7 @@ public static class ComparisonText
             $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n" +
             $"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n" +
-            (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}" : "") +
+            (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Indented(Rounding(d)) : "")}" : "") +
             (Math.Abs(d.Shift ?? 0) > 1 && !d.Mine.IsNearlyOneColor ? $"  {Shifted(d.Shift!.Value)}\n" : "") +
             OneColor(comparison, mine) + Recognized(comparison) +
             ((comparison.FewColors ?? comparison.Unreached?.Sentence) is { } cause ? $"{cause}\n" : "") +
@@ -73,19 +73,26 @@ public static class ComparisonText
         };
         var change = r.Transform.Description;
         return $"{char.ToUpperInvariant(change[0])}{change[1..]} it is {rest}: {r.Transform.Question}\n" +
-            (r.Likeness == Likeness.RoundedOtherwise ? Rounding(d) : "");
+            (r.Likeness == Likeness.RoundedOtherwise ? Indented(Rounding(d)) : "");
     }
 
-    private static string Rounding(PictureDifference d)
+    /// <summary>What more pixels are than rounding explains, and why.</summary>
+    internal static string RoundedOtherwise(PictureDifference d) =>
+        $"is rounded otherwise: {OffByOne(d)}, but only 1 % may be.\n" + Indented(Rounding(d));
+
+    /// <summary>Why channels are off by a level; null if they are so both ways.</summary>
+    private static string? Rounding(PictureDifference d)
     {
-        if (d.Shift is { } levels) return $"  {Shifted(levels)}\n";
+        if (d.Shift is { } levels) return Shifted(levels);
         var lighter = d.OffByOne - d.OneDarker;
         return lighter <= 0.01 * d.OffByOne
-                ? $"  {Digits.Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded?\n"
+                ? $"{Digits.Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded? The slide rounds a channel: 255 x + 0.5."
             : d.OneDarker <= 0.01 * d.OffByOne
-                ? $"  {Digits.Share(lighter, d.Pixels)} of the pixels are one level lighter: rounded up, or times 256 instead of 255?\n"
-            : "";
+                ? $"{Digits.Share(lighter, d.Pixels)} of the pixels are one level lighter: rounded up, or times 256 instead of 255?"
+            : null;
     }
+
+    private static string Indented(string? sentence) => sentence is null ? "" : $"  {sentence}\n";
 
     private static string OffByOne(PictureDifference d) =>
         $"{Digits.Part(d.OffByOne, d.Pixels)} {(d.OffByOne == 1 ? "is" : "are")} off by 1 level";

@@ -36,7 +36,8 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         TooManyModels = prepared.TooManyModels,
         NotTried = prepared.NotTried,
         ProvesNothing = prepared.Right.IsNearlyOneColor,
-        Shift = picture.IsNearlyOneColor ? null : sample.Shift,
+        Rounding = sample.Difference is { } difference && difference.OffByOne > PictureJudge.Rounded * difference.Pixels
+            ? ComparisonText.RoundedOtherwise(difference) : null,
         PixelCount = sample.PixelCount,
         WrongCount = sample.WrongCount,
         OutlineCount = sample.OutlineCount,

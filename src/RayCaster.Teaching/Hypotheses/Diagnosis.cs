@@ -52,8 +52,8 @@ public sealed record Diagnosis
     /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches proves nothing.</summary>
     public bool ProvesNothing { get; internal init; }
 
-    /// <inheritdoc cref="PictureDifference.Shift"/>
-    public int? Shift { get; internal init; }
+    /// <summary>In words, that more pixels are off by a level than rounding explains; null if not.</summary>
+    public string? Rounding { get; internal init; }
 
     /// <summary>How many pixels the picture has.</summary>
     public int PixelCount { get; internal init; }

@@ -68,11 +68,7 @@ public static class DiagnosisReport
         var outlines = diagnosis.WrongCount + diagnosis.OutlineCount;
         text.AppendLine($"{picture} matches: it is the picture of {scene}" +
             $"{(outlines > 0 ? $", but for {Digits.Count(outlines, "pixel")} on outlines" : "")}.");
-        if (diagnosis.Shift is { } levels) text.AppendLine(ComparisonText.Shifted(levels));
-        else if (diagnosis.DarkerShare > PictureJudge.Rounded)
-            text.AppendLine(
-                $"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker, where 1 % may be: " +
-                "truncated instead of rounded? The slide rounds a channel: 255 x + 0.5.");
+        if (diagnosis.Rounding is { } rounding) text.Append($"It {rounding}");
     }
 
     /// <summary>After "matches": the mistakes that the scene cannot show, because a right picture does not prove a right program.</summary>

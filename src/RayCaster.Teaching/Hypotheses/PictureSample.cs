@@ -52,7 +52,6 @@ internal sealed class PictureSample
         List<int> wrong = [], other = [];
         for (var i = 0; i < PixelCount; i++)
             if (isLeftOut?.Invoke(i) != true) (difference is null || difference.IsWrong(i) ? wrong : other).Add(i);
-        Shift = difference?.Shift;
         DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
         if (forgiveOutlines && difference is not null && wrong.Count <= FewPixels * PixelCount)
         {
@@ -117,9 +116,6 @@ internal sealed class PictureSample
 
     /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
     public double DarkerShare { get; }
-
-    /// <inheritdoc cref="PictureDifference.Shift"/>
-    public int? Shift { get; }
 
     /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
     public bool IsOnlyOutlines { get; }

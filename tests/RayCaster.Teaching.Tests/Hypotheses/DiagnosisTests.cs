@@ -34,7 +34,19 @@ public class DiagnosisTests
         var diagnosis = OfPlanted("round");
         Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);
         Assert.InRange(diagnosis.DarkerShare, 0.2, 1);
-        Assert.Contains("a level darker", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+        Assert.Matches(
+            @"mine\.png matches: .*\nIt is rounded otherwise: .* off by 1 level, but only 1 % may be\.\n.* one level darker: truncated",
+            DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+    }
+
+    [Fact]
+    public void APictureThatIsRoundedUpMatchesAndIsSaidToBeLighter()
+    {
+        var lighter = ScalarRenderer.Render(scene);
+        for (var i = 0; i < lighter.Rgb.Length; i += 2) lighter.Rgb[i] = (byte)Math.Min(255, lighter.Rgb[i] + 1);
+        Assert.Matches(
+            @"mine\.png matches: .*\nIt is rounded otherwise: .* off by 1 level, but only 1 % may be\.\n.* one level lighter: rounded up",
+            DiagnosisReport.Text(Diagnosis.Find(scene, lighter), "mine.png", "scene.json"));
     }
 
     [Fact]
