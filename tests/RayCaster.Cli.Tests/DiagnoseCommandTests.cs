@@ -4,19 +4,9 @@ public sealed class DiagnoseCommandTests : CommandTests
 {
     private const string scene = "scene.json"; // the first of the project's, made small
 
-    private const string Box = """
-        {"camera": {"position": [20, 0, 0], "target": [0, 0, 0], "width": 6, "height": 4},
-        "models": [{"type": "aabb", "min": [-1, -4, -4], "max": [1, 4, 4], "color": [1, 0.7, 0]}]}
-        """;
-
-    /// <summary>Its right picture with alpha 0 everywhere; its colours multiplied by an alpha of 100.</summary>
-    private const string
-        Transparent =
-            "iVBORw0KGgoAAAANSUhEUgAAAAYAAAAECAYAAACtBE5DAAAAH0lEQVR42mNggILGKAaG5hgIjQJAgm1xEBoF4NSBDgDgpQfN+zp6BQAAAABJRU" +
-            "5ErkJggg==",
-        Premultiplied =
-            "iVBORw0KGgoAAAANSUhEUgAAAAYAAAAECAYAAACtBE5DAAAAJUlEQVR42mNgYGBIAWEjZYYUYxUIDRWDMECCJioQGkUCpw50DACB4gxpBFucDw" +
-            "AAAABJRU5ErkJggg==";
+    /// <summary>The right picture of the <see cref="TransparentBox"/>, its colours multiplied by an alpha of 100.</summary>
+    private const string Premultiplied =
+        "iVBORw0KGgoAAAANSUhEUgAAAAYAAAAECAYAAACtBE5DAAAAJUlEQVR42mNgYGBIAWEjZYYUYxUIDRWDMECCJioQGkUCpw50DACB4gxpBFucDwAAAABJRU5ErkJggg==";
 
     public DiagnoseCommandTests() => raycaster.Write(scene, File.ReadAllText(Path.Combine(RayCasterProcess.Scenes, "first.json"))
         .Replace("\"target\"", "\"width\": 30, \"height\": 20, \"target\"", StringComparison.Ordinal));
@@ -63,11 +53,11 @@ public sealed class DiagnoseCommandTests : CommandTests
     }
 
     [Theory]
-    [InlineData(Transparent, 0, "mine.png matches", "The file's alpha is 0 in every pixel")]
+    [InlineData(TransparentBox.Png, 0, "mine.png matches", "The file's alpha is 0 in every pixel")]
     [InlineData(Premultiplied, 1, "mine.png is not the picture", "multiplied by the file's alpha")]
     public void TheAlphaOfAFileIsTold(string file, int exitCode, string begins, string says)
     {
-        raycaster.Write("box.json", Box);
+        raycaster.Write("box.json", TransparentBox.Scene);
         File.WriteAllBytes(raycaster.PathOf("mine.png"), Convert.FromBase64String(file));
         raycaster.Run("box.json", "-o", "right.png", "-q").Run("compare", "mine.png", "right.png");
         Assert.Contains(says, raycaster.OutputText.ReplaceLineEndings(" "));

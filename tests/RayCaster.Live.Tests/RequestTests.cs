@@ -82,4 +82,16 @@ public class RequestTests
         Assert.Contains("\"raycaster explain\"", text);
         Assert.DoesNotContain("\"explain\"", text);
     }
+
+    [Fact]
+    public async Task TheAlphaOfAWatchedPictureIsTold()
+    {
+        await using var page = await LivePage.OpenAsync(TransparentBox.Scene, "mine.png",
+            folder => File.WriteAllBytes(folder["mine.png"], TransparentBox.Bytes));
+        await page.ConnectAsync();
+        await page.AskAsync("""{"diagnose":true}""");
+        var compared = await page.MessageAsync("comparison", message => !message.GetProperty("isVerdict").GetBoolean());
+        Assert.Contains(TransparentBox.Told, compared.GetProperty("text").GetString());
+        Assert.Contains(TransparentBox.Told, (await page.MessageAsync("diagnosis")).GetProperty("text").GetString());
+    }
 }

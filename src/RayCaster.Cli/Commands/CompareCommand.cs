@@ -43,8 +43,7 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
 
     private static string Text(PictureComparison comparison, AlphaChannel? alpha, string mine, string reference, string? output)
     {
-        var text = ComparisonText.Format(comparison, mine, reference);
-        if (AlphaText.Describe(alpha, comparison.Mine, comparison.Reference) is { } sentence) text += sentence + "\n";
+        var text = ComparisonText.Format(comparison, mine, reference, alpha);
         var heat = comparison.Difference is null ? "" : ", the difference as a heat map";
         if (output is not null) return text + $"{output}: mine, the reference{heat}\n";
         return comparison.Likeness.IsSame() || comparison.Difference is null ? text : text + "To see the differences: -o difference.png\n";

@@ -16,7 +16,12 @@ public static class ComparisonText
     /// <summary>The comparison in whole lines.</summary>
     /// <param name="mine">The name of the picture in question.</param>
     /// <param name="reference">The name of the picture that it should be.</param>
-    public static string Format(PictureComparison comparison, string mine, string reference)
+    /// <param name="alpha">The alpha of the file of the picture in question; null if each pixel is opaque.</param>
+    public static string Format(PictureComparison comparison, string mine, string reference, AlphaChannel? alpha = null) =>
+        OfColors(comparison, mine, reference)
+        + (AlphaText.Describe(alpha, comparison.Mine, comparison.Reference) is { } sentence ? sentence + "\n" : "");
+
+    private static string OfColors(PictureComparison comparison, string mine, string reference)
     {
         if (comparison.Difference is not { } d)
         {
