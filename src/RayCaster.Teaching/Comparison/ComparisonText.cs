@@ -91,7 +91,8 @@ public static class ComparisonText
         if (d.Shift is { } levels) return Shifted(levels);
         var lighter = d.OffByOne - d.OneDarker;
         return lighter <= 0.01 * d.OffByOne
-                ? $"{Digits.Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded? The slide rounds a channel: 255 x + 0.5."
+                ? $"{Digits.Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded? " +
+                    "The slide rounds a channel: 255 x + 0.5."
             : d.OneDarker <= 0.01 * d.OffByOne
                 ? $"{Digits.Share(lighter, d.Pixels)} of the pixels are one level lighter: rounded up, or times 256 instead of 255?"
             : null;
