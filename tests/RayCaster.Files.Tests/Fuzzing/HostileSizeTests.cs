@@ -7,6 +7,7 @@ namespace RayCaster.Files.Tests.Fuzzing;
 
 /// <summary>Files that promise or hold far too much are refused by the header or by a limit that is named, before memory is taken for
 /// them.</summary>
+[Collection(Alone.Name)]
 public sealed class HostileSizeTests : IDisposable
 {
     private static readonly string digits = new('9', 1_000_000);

@@ -1,8 +1,7 @@
 namespace RayCaster.Files.Tests.Pictures;
 
-/// <summary>Runs alone, because it counts the allocations of all threads.</summary>
-[CollectionDefinition(nameof(PictureWriterMemoryTests), DisableParallelization = true)]
-[Collection(nameof(PictureWriterMemoryTests))]
+/// <summary>Counts the allocations of all threads.</summary>
+[Collection(Alone.Name)]
 public class PictureWriterMemoryTests
 {
     [Theory]
