@@ -6,6 +6,7 @@ import { keep, kept, readdress } from "./memory.js";
 
 const answers = { view: "Scene, Hover, Frame, Camera, Explanation", study: "Map, Comparison, Ledger", search: "Diagnosis" };
 const workers = {};
+const waiting = new Set(); // workers that have not begun
 let isOpen = false; // whether a worker has said something
 let isSearching = false; // whether a diagnosis runs
 let isOver = false; // whether it has been told that none can start
@@ -27,6 +28,7 @@ export async function connect(listener) {
     change(name, text);
   }
   ["view", "study"].forEach(start);
+  begin("view"); // the study begins after the first picture, which it would delay
   if (camera) told.camera(camera);
 }
 
@@ -63,7 +65,10 @@ async function first() {
 export function send(requests) {
   if (requests.diagnose === false) cancel();
   isSearching ||= Boolean(requests.diagnose);
-  if (requests.diagnose && !workers.search) start("search");
+  if (requests.diagnose && !workers.search) {
+    start("search");
+    begin("search");
+  }
   if (requests.forgetMine) mine = null;
   tell("Ask", JSON.stringify(requests));
 }
@@ -106,16 +111,23 @@ function start(name) {
   worker.addEventListener("message", event => {
     if (!isOpen) told.open();
     isOpen = true;
+    if (typeof event.data !== "string") begin("study");
     if (name === "search") isSearching = false;
     told.message(event.data);
   });
   worker.addEventListener("error", event => { if (workers[name] === worker) fail(event.message); });
+  waiting.add(name);
   worker.postMessage(["Start", answers[name], ...scene]);
   if (mine) worker.postMessage(["Compare", ...mine]);
 }
 
+function begin(name) {
+  if (waiting.delete(name)) workers[name].postMessage(["Begin"]);
+}
+
 function end(name) {
   workers[name]?.terminate();
+  waiting.delete(name);
   delete workers[name];
 }
 

@@ -1,4 +1,5 @@
 // A Web Worker that runs RayCaster. A message is an exported method of Program.cs and its arguments; the answers are those of a server.
+// It starts at "Begin"; the calls before that wait.
 
 async function start() {
   if (!globalThis.WebAssembly) throw new Error("it runs no WebAssembly, which a phone's Lockdown Mode turns off");
@@ -17,6 +18,7 @@ async function start() {
   return (await getAssemblyExports(getConfig().mainAssemblyName)).RayCaster.Web.Program;
 }
 
-const program = start();
-addEventListener("message", async ({ data: [method, ...values] }) => (await program)[method](...values));
+let begin = null;
+const program = new Promise(resolve => { begin = resolve; }).then(start);
+addEventListener("message", async ({ data: [method, ...values] }) => method === "Begin" ? begin() : (await program)[method](...values));
 addEventListener("unhandledrejection", event => setTimeout(() => { throw event.reason; })); // so that the page hears of it as an error
