@@ -4,8 +4,7 @@
 async function start() {
   if (!globalThis.WebAssembly) throw new Error("it runs no WebAssembly, which a phone's Lockdown Mode turns off");
   const { dotnet } = await import("./_framework/dotnet.js");
-  const options = ["--jiterpreter-minimum-trace-hit-count=300"]; // compiles loops sooner, which the first picture needs
-  const { getAssemblyExports, getConfig, setModuleImports } = await dotnet.withRuntimeOptions(options).create();
+  const { getAssemblyExports, getConfig, setModuleImports } = await dotnet.create();
   setModuleImports("worker", {
     post: message => postMessage(message),
     postFrame: (header, pixels) => {
