@@ -82,14 +82,15 @@ internal static class Messages
     public static byte[] OfExplanation(Scene scene, int column, int line, Picture? mine)
     {
         var pixel = new PixelExplanation(scene, column, line);
+        var reference = mine is null ? null : ReferenceExplanation.Create(pixel, mine);
         return Of(new
         {
             Kind = "explanation",
             Column = column,
             Line = line,
             Color = Hex(pixel.Bytes),
-            Gist = ExplanationText.Gist(pixel),
-            Sections = ExplanationText.Sections(pixel, mine is null ? null : ReferenceExplanation.Create(pixel, mine)),
+            Gist = ExplanationText.Gist(pixel, reference),
+            Sections = ExplanationText.Sections(pixel, reference),
             Drawing = RaySection.Create(pixel),
         });
     }

@@ -84,6 +84,17 @@ public class RequestTests
     }
 
     [Fact]
+    public async Task TheAnswerOfAnExplanationSaysWhatTheWatchedPictureHasThere()
+    {
+        await using var page = await LivePage.OpenAsync(
+            mine: "mine.png", prepare: folder => PictureFile.Write(folder["mine.png"], new Picture(40, 30)));
+        await page.ConnectAsync();
+        await page.MessageAsync("comparison", message => message.GetProperty("verdict").GetString() == "wrong");
+        await page.AskAsync("""{"explain":[20,14]}""");
+        Assert.EndsWith("your picture has bytes 0 0 0 here\n", (await page.MessageAsync("explanation")).GetProperty("gist").GetString());
+    }
+
+    [Fact]
     public async Task TheAlphaOfAWatchedPictureIsTold()
     {
         await using var page = await LivePage.OpenAsync(TransparentBox.Scene, "mine.png",

@@ -41,8 +41,12 @@ public sealed class ExplanationText
         return [.. writer.sections.Select(section => new ExplanationSection(section.Title, section.Text.ToString()))];
     }
 
-    /// <summary>In short, how the pixel gets its colour: its model's first formula, the t, and the way from there to the bytes.</summary>
-    public static string Gist(PixelExplanation pixel)
+    /// <summary>In short, how the pixel gets its colour, and that another picture has another one there.</summary>
+    public static string Gist(PixelExplanation pixel, ReferenceExplanation? reference) =>
+        Gist(pixel) + (reference is { Agrees: false, Bytes: var (r, g, b) } ? $"your picture has bytes {r} {g} {b} here\n" : "");
+
+    /// <summary>The model's first formula, the t, and the way from there to the bytes.</summary>
+    private static string Gist(PixelExplanation pixel)
     {
         if (pixel.Models.FirstOrDefault(model => model.Result.Index == pixel.Winner) is not { } shown)
             return "The ray hits nothing that counts: the pixel shows the background's colour.\n";

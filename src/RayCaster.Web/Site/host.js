@@ -77,7 +77,7 @@ async function share(said, field, pixel = null) {
   field.select();
   const isCopied = isLink && await navigator.clipboard?.writeText(link).then(() => true, () => false);
   said.textContent = isCopied ? "The link is copied."
-    : isLink ? "The link is selected: copy it."
+    : isLink ? `The link is selected: ${matchMedia("(pointer: coarse)").matches ? "hold a finger on it, and choose Copy" : "copy it"}.`
     : `${cannot ?? `The link would have ${link.length} characters; many programs cut it.`} Save the scene as a file instead.`;
 }
 
