@@ -39,10 +39,10 @@ public sealed class SystemCallTests : CommandTests
         Assert.Contains("openat(", trace);
         Assert.Single(Regex.Matches(trace, @"\bexecve\(")); // its own
         Assert.DoesNotMatch(@"\b(socket|connect|bind|sendto)\(", trace);
-        string[] changed =
+        string[] changed = // a call of one thread may be cut by another's: the rest of it, from "<unfinished", is on a later line
         [
             .. Regex.Matches(trace,
-                    """openat\([^"]*"([^"]*)"[^)]*O_(?:WRONLY|RDWR|CREAT)|\b(?:mkdir|unlink|mknod\w*|symlink|link)\(.*?"([^"]*)["]""")
+                    """openat\([^"\n]*"([^"\n]*)"[^)\n]*O_(?:WRONLY|RDWR|CREAT)|\b(?:mkdir|unlink|mknod\w*|symlink|link)\(.*?"([^"]*)["]""")
                 .Select(call => call.Groups[1].Value + call.Groups[2].Value)
                 .Where(path => !path.StartsWith("/proc/self/task/")) // the names of the threads
                 // Of what is in its folder the file or folder there, by the name that it gets at the end.
