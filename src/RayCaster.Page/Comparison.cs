@@ -52,7 +52,7 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
             if (diagnosis is null)
             {
                 var budget = new SearchBudget(lastResort: time, cancellation: cancellation);
-                var found = await Task.Run(() => new SceneDiagnosis(Scene, budget: budget).Judge(Mine, alpha: Alpha), CancellationToken.None);
+                var found = await Task.Run(() => Diagnosis.Find(Scene, Mine, budget, Alpha), CancellationToken.None);
                 cancellation.ThrowIfCancellationRequested();
                 (diagnosis, isCut) = (found, found.IsOpen && budget.UsedUp is not null);
             }
