@@ -19,7 +19,7 @@ internal static class Failure
             {Fault.InWords("raycaster", e)}
             With RAYCASTER_TRACE=1 it shows where it happened.
             """);
-        if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1") StandardStreams.WriteError($"{e.StackTrace}");
+        if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1") StandardStreams.WriteError($"{e}");
         return ExitCode.InternalError;
     }
 

@@ -6,9 +6,7 @@ internal static class Program
 
     internal static int Main(string[] arguments)
     {
-        Console.OutputEncoding = Encoding.UTF8; // of a console of Windows; others have it already
-        Renderer.Disagreed = difference =>
-            StandardStreams.WriteError($"raycaster: the engine disagrees with ScalarRenderer, which draws again: {difference}");
+        StandardStreams.UseUtf8();
         if (arguments.Length == 0)
         {
             StandardStreams.WriteError(HelpPage.FirstSteps);

@@ -16,12 +16,6 @@ public sealed class Renderer
     }
 
     /// <summary>
-    /// Receives a message when a picture or a hit map in memory differs from the definition, which then computes it anew. If this is null, the
-    /// renderer throws an <see cref="EngineDisagreesException"/>.
-    /// </summary>
-    public static Action<string>? Disagreed { get; set; }
-
-    /// <summary>
     /// Whether this process draws many pictures. Then the engine compiles the kernels of the float path, which takes as long as casting some ten
     /// million rays (without this option only a native program and a picture of as many pixels use them), and keeps what depends only on the list of
     /// models in memory, as long as the list lives: 48 bytes for each sphere. The list must not change between the pictures; colours may. It
@@ -32,6 +26,7 @@ public sealed class Renderer
     internal Plan Plan => Plan.For(scene, threadCount, ManyFrames);
 
     /// <summary>Draws a whole picture in memory, which must not have more than 2³¹ bytes.</summary>
+    /// <exception cref="EngineDisagreesException">A pixel differs from the definition.</exception>
     public static Picture Render(Scene scene, int? threads = null, CancellationToken cancellation = default)
     {
         var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
@@ -41,6 +36,7 @@ public sealed class Renderer
 
     /// <summary>Draws into an existing picture of the right size.</summary>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    /// <exception cref="EngineDisagreesException">A pixel differs from the definition.</exception>
     public void DrawInto(Picture picture, CancellationToken cancellation = default)
     {
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
@@ -59,19 +55,20 @@ public sealed class Renderer
             });
         }, threadCount);
         check.Take(picture.Rgb);
-        if (!Agrees(check.Difference())) ScalarRenderer.Render(scene, picture);
+        EngineDisagreesException.ThrowIf(check.Difference());
     }
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>
     /// <param name="map">An existing map of the picture's size, to write into; a new one if left out.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    /// <exception cref="EngineDisagreesException">A hit differs from the definition.</exception>
     public HitMap CastHits(HitMap? map = null, CancellationToken cancellation = default)
     {
         var hits = map ?? new(camera.Width, camera.Height);
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(map));
         using (var frame = Frame.Of(scene, Plan, cancellation)) Cast(frame, cancellation, () => frame.HitsInto(hits));
-        if (!Agrees(new DefinitionCheck(scene, 0, camera.Height, threadCount).Difference(hits))) CastByDefinition(hits);
+        EngineDisagreesException.ThrowIf(new DefinitionCheck(scene, 0, camera.Height, threadCount).Difference(hits));
         return hits;
     }
 
@@ -101,20 +98,6 @@ public sealed class Renderer
         return check.Difference();
     }
 
-    private static bool Agrees(string? difference)
-    {
-        if (difference is null) return true;
-        if (Disagreed is null) throw new EngineDisagreesException(difference);
-        Disagreed(difference);
-        return false;
-    }
-
-    private void CastByDefinition(HitMap hits)
-    {
-        for (var i = 0; i < hits.T.Length; i++)
-            hits[i] = ScalarRenderer.Cast(scene, i % hits.Width, hits.Height - 1 - i / hits.Width);
-    }
-
     /// <summary>Casts all rays, on this thread and others.</summary>
     private void Cast(Frame frame, CancellationToken cancellation, Func<IHitConsumer> newConsumer)
     {
@@ -139,4 +122,12 @@ public sealed class Renderer
 
 /// <summary>The engine's picture differs from the definition's: a fault of the engine, or of a formula that means something else over a packet of
 /// numbers than over one number.</summary>
-public sealed class EngineDisagreesException(string difference) : Exception($"the engine's picture is not the definition's at {difference}");
+public sealed class EngineDisagreesException(string difference) : Exception($"the engine's picture is not the definition's at {difference}")
+{
+    /// <param name="difference">The pixel, and what both have there; null if they agree.</param>
+    /// <exception cref="EngineDisagreesException">They do not.</exception>
+    public static void ThrowIf(string? difference)
+    {
+        if (difference is not null) throw new EngineDisagreesException(difference);
+    }
+}

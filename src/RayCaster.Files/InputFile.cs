@@ -53,7 +53,8 @@ internal static class InputFile
         var bytes = new MemoryStream((int)known);
         var piece = new byte[1 << 16];
         bytes.Write(begun);
-        while (bytes.Length <= most && stream.Read(piece) is > 0 and var count) bytes.Write(piece.AsSpan(0, count));
+        while (bytes.Length <= most && stream.Read(piece, 0, (int)Math.Min(piece.Length, most + 1 - bytes.Length)) is > 0 and var count)
+            bytes.Write(piece, 0, count);
         all = new(bytes.GetBuffer(), 0, (int)bytes.Length);
         return bytes.Length <= most;
     }

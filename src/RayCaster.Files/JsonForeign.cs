@@ -25,33 +25,8 @@ internal static partial class JsonForeign
         if (BegunNumber().Match(word).Length is > 0 and var length)
             return $"{word} is not a number; a number ends before '{Rune.GetRuneAt(word, length)}'";
         if (!char.IsLetter(word[0]) && word[0] != '_') return $"a value is expected here, not '{Rune.GetRuneAt(word, 0)}'";
-        return word.AsSpan().ContainsAny('.', '(') ? $"{word} is {Language(word)}, not JSON: write its value" : null;
+        return word.AsSpan().ContainsAny('.', '(') ? $"{word} is code of a program, not JSON: write its value" : null;
     }
-
-    /// <summary>A call, a tuple or arithmetic at the beginning of a text: its length, and what to write.</summary>
-    public static (int Length, string Message)? Expression(string text)
-    {
-        if (Arithmetic().Match(text) is { Success: true } sum)
-        {
-            var quotient = Number(sum.Groups["a"]) / Number(sum.Groups["b"]);
-            var result = double.IsFinite(quotient) ? FormattableString.Invariant($"{quotient}") : "the result";
-            return (sum.Length, $"{sum.Value} is not a number, and JSON does not calculate: write {result}");
-        }
-        if (Call().Match(text) is not { Success: true } call) return null;
-        var code = call.Value;
-        var inner = call.Groups["inner"].Value;
-        if (NotFinite().IsMatch(inner.Trim('\'', '"'))) return (call.Length, $"{code} is not allowed; a number must be finite");
-        var numbers = Array.ConvertAll(NamedArgument().Replace(inner, "").Split(','), word => NumberSpelling.Correct(word.Trim([.. " []()'\""])));
-        var write = numbers.Contains(null) ? "its value"
-            : numbers.Length == 3 ? $"[{string.Join(", ", numbers)}]"
-            : numbers.Length == 1 && Cast().IsMatch(call.Groups["name"].Value) ? numbers[0] : "its value";
-        return (call.Length, $"{code} is {Language(code)}, not JSON: write {write}");
-    }
-
-    private static double Number(Group group) =>
-        double.TryParse(group.ValueSpan, CultureInfo.InvariantCulture, out var number) ? number : double.NaN;
-
-    private static string Language(string code) => Python().IsMatch(code) ? "Python" : "code of a program";
 
     [GeneratedRegex(@"^[+-]?([A-Za-z_][\w.]*\.)?(nan|inf|infinity|(positive|negative)_?infinity|∞|(1\.)?#(inf|ind|qnan|snan)\w*)(\(\w*\))?$",
         RegexOptions.IgnoreCase)]
@@ -62,22 +37,4 @@ internal static partial class JsonForeign
 
     [GeneratedRegex(@"^[+-]?([0-9]+(\.[0-9]*)?(e[+-]?[0-9]*)?)?", RegexOptions.IgnoreCase)]
     private static partial Regex BegunNumber();
-
-    // A name with what stands between its parentheses, or a tuple; the value of one number in parentheses is the number.
-    [GeneratedRegex(@"^(new\s+)?(?<name>[A-Za-z_][\w.:<>]*)?\s*\((?<inner>[^()]*|\([^()]*\))\)")]
-    private static partial Regex Call();
-
-    [GeneratedRegex(@"(^|\.)((float|double|int|long|uint|decimal|number|array|tensor|f|i)_?[0-9]*)?$", RegexOptions.IgnoreCase)]
-    private static partial Regex Cast();
-
-    [GeneratedRegex(@"^(np|numpy|array|tensor|torch|math|float|int|Decimal|Fraction|tuple|list)\b")]
-    private static partial Regex Python();
-
-    [GeneratedRegex(@",\s*\w+\s*=.*$")] // dtype=float32
-    private static partial Regex NamedArgument();
-
-    // A fraction of two numbers, or anything with an operator, up to a comma, a closing bracket or a comment.
-    [GeneratedRegex(@"^((?<a>-?[0-9.]+)\s*/\s*(?<b>[0-9.]+)|[^\s,\]}""]*[\w.)]\s*([*^×÷·]|/(?=\s*[0-9.(])|[+-]\s)[^,\]}""]*?)"
-        + @"(?=\s*([,\]}]|//|/\*|$))")]
-    private static partial Regex Arithmetic();
 }

@@ -152,8 +152,9 @@ internal sealed class LiveServer : IAsyncDisposable
     private async Task TakeMineAsync(HttpContext context)
     {
         var scene = Scene.State.Scene;
-        // The longest format is a PPM in text: three numbers of four characters for each pixel. The rest is for its comments.
-        context.Features.Get<IHttpMaxRequestBodySizeFeature>()!.MaxRequestBodySize = 12 * View.PixelsOf(scene) + 65_536;
+        // The longest format is a PPM in text: three numbers of five digits and a blank for each pixel. The rest is for its comments.
+        var limit = 18 * View.PixelsOf(scene) + 65_536;
+        context.Features.Get<IHttpMaxRequestBodySizeFeature>()!.MaxRequestBodySize = limit;
         try
         {
             using var bytes = new MemoryStream();
@@ -164,7 +165,8 @@ internal sealed class LiveServer : IAsyncDisposable
         }
         catch (BadHttpRequestException e)
         {
-            await RefuseAsync(context, e.StatusCode, "The file is larger than any picture of this scene's size, and of a million pixels.");
+            await RefuseAsync(context, e.StatusCode, FormattableString.Invariant(
+                $"The file has more than {limit:N0} bytes, the limit for a picture of this scene's size: save it as PNG, or as a binary PPM."));
         }
         catch (ProblemException e)
         {

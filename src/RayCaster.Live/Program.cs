@@ -12,7 +12,7 @@ internal static class Program
 
     private static async Task<int> Main(string[] arguments)
     {
-        Renderer.Disagreed = difference => Console.Error.WriteLine($"The engine disagrees with ScalarRenderer, which draws again: {difference}");
+        StandardStreams.UseUtf8();
         // The process ends with this method, even with open pages: they hold nothing that could be lost.
         var end = new TaskCompletionSource<int>(TaskCreationOptions.RunContinuationsAsynchronously);
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => End(context, ExitCode.Interrupted));

@@ -160,15 +160,16 @@ internal sealed class Marker(Rubric rubric)
             yield return $"{(isAll ? "all scenes" : string.Join(", ", group.Select(picture => picture.Scene.Name)))}: " +
                 group.First().ProblemOf(several: group.Count() > 1);
         }
-        foreach (var same in submitted.Where(picture => picture.OnAlpha is not null).GroupBy(picture => picture.OnAlpha))
-            yield return $"{string.Join(", ", same.Select(picture => picture.Scene.Name))}: {same.Key}";
         string[][] repeated = [.. Repeated(submitted)];
         foreach (var scenes in repeated)
             yield return $"{string.Join(", ", scenes)}: the same picture of different scenes, so the program does not draw the scene yet";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
         string[] unexplained = [.. ofWrong.Except(repeated.SelectMany(scenes => scenes))];
-        if (diagnosis.Cause is { } notTheFormulas && unexplained.Length > 0) yield return $"{string.Join(", ", unexplained)}: {notTheFormulas}";
-        else if (!diagnosis.TellsNothing && unexplained.Length > 0)
+        SubmittedPicture[] judged = [.. submitted.Where(picture => picture.CanBeJudged)];
+        foreach (var group in diagnosis.Causes.GroupBy(cause => cause.Value, cause => judged[cause.Key].Scene.Name))
+            if (group.Intersect(unexplained).ToArray() is { Length: > 0 } scenes)
+                yield return $"{string.Join(", ", scenes)}: {group.Key}";
+        if (diagnosis.Causes.Count == 0 && !diagnosis.TellsNothing && unexplained.Length > 0)
             yield return $"{string.Join(", ", unexplained)}: " +
                 (diagnosis.Note is { } note ? $"no known mistake explains this, but {note}"
                     : "no known mistake explains this" +

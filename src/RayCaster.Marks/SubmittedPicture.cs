@@ -13,9 +13,6 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     /// <summary>A picture that promises more than so many times the scene's pixels is not read.</summary>
     private const long SizeFactor = 16;
 
-    /// <summary>What is odd about the file's alpha, in a sentence; null if each pixel is opaque.</summary>
-    public string? OnAlpha { get; private init; }
-
     /// <summary>Whether it has a size in which it can be judged (<see cref="SceneDiagnosis.CanJudge"/>).</summary>
     public bool CanBeJudged => Picture is not null && SceneDiagnosis.CanJudge(Scene.Scene, Picture);
 
@@ -41,12 +38,9 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
                 return new(scene, null,
                     FormattableString.Invariant($"the picture file has {file.Length:N0} bytes, too many for the scene's {pixels:N0} pixels"));
             using var stream = file.OpenRead();
-            var picture = PictureFile.Read(stream, 3 * SizeFactor * pixels, out var alpha);
+            var picture = PictureFile.Read(stream, 3 * SizeFactor * pixels);
             return new(scene, picture, SceneDiagnosis.CanJudge(scene.Scene, picture) ? null
-                : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels")
-            {
-                OnAlpha = AlphaText.Describe(alpha, picture, scene.Right),
-            };
+                : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels");
         }
         catch (Exception e) when (e is ProblemException || ProblemException.IsCausedByFile(e))
         {

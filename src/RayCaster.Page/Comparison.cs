@@ -6,8 +6,7 @@ namespace RayCaster.Page;
 /// <param name="Name">The picture's name; null if there is no picture.</param>
 /// <param name="Problem">Why it cannot be compared; null if it can.</param>
 /// <param name="Mine">The picture; null if it cannot be compared.</param>
-/// <param name="Alpha">The alpha of its file; null if each pixel is opaque.</param>
-internal sealed partial record Comparison(string? Name, string? Problem, Picture? Mine, AlphaChannel? Alpha, Scene Scene, string SceneName)
+internal sealed partial record Comparison(string? Name, string? Problem, Picture? Mine, Scene Scene, string SceneName)
 {
     private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds
     private Diagnosis? diagnosis;
@@ -24,7 +23,7 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
         Name,
         Problem,
         IsVerdict = isVerdict,
-        Text = Result is null ? null : isVerdict ? "Looking for what is wrong …" : ForPage(ComparisonText.Format(Result, Name!, SceneName, Alpha)),
+        Text = Result is null ? null : isVerdict ? "Looking for what is wrong …" : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
         Verdict = Result is null ? null : ComparisonText.Format(Result.Likeness),
         HasLayers = Result?.Difference is not null,
         Middle = Result?.Difference?.WrongMiddle is var (x, y) ? (int[])[x, y] : null,
@@ -52,7 +51,7 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
             if (diagnosis is null)
             {
                 var budget = new SearchBudget(lastResort: time, cancellation: cancellation);
-                var found = await Task.Run(() => Diagnosis.Find(Scene, Mine, budget, Alpha), CancellationToken.None);
+                var found = await Task.Run(() => Diagnosis.Find(Scene, Mine, budget), CancellationToken.None);
                 cancellation.ThrowIfCancellationRequested();
                 (diagnosis, isCut) = (found, found.IsOpen && budget.UsedUp is not null);
             }

@@ -7,7 +7,7 @@ internal sealed class MinePicture(string? path, TimeProvider clock, Cancellation
     private static readonly TimeSpan GracePeriod = TimeSpan.FromMilliseconds(300);
 
     private readonly Lock sync = new();
-    private (int Version, string? Name, Picture? Picture, AlphaChannel? Alpha, string? Problem) now;
+    private (int Version, string? Name, Picture? Picture, string? Problem) now;
     private (SceneState? State, int Version, Comparison? Comparison) last;
 
     public event Action? Changed;
@@ -20,12 +20,12 @@ internal sealed class MinePicture(string? path, TimeProvider clock, Cancellation
         watch.Watch([Path.GetFullPath(path)]);
         do
         {
-            var (picture, alpha, problem) = Read(path);
-            while (picture is null && await watch.WaitAsync(GracePeriod)) (picture, alpha, problem) = Read(path);
+            var (picture, problem) = Read(path);
+            while (picture is null && await watch.WaitAsync(GracePeriod)) (picture, problem) = Read(path);
             var stamp = FileWatch.StampOf(path);
             if ((known.Stamp, known.Problem) == (stamp, problem) && IsSame(known.Picture, picture)) continue; // a second notice of the same picture
             known = (stamp, picture, problem);
-            Put(path, picture, alpha, problem);
+            Put(path, picture, problem);
         }
         while (await watch.WaitAsync());
     }
@@ -34,7 +34,7 @@ internal sealed class MinePicture(string? path, TimeProvider clock, Cancellation
     /// <param name="file">The name of its file.</param>
     /// <exception cref="ProblemException">The file is no picture, or too large.</exception>
     public void Take(string file, Stream bytes, Scene? scene) =>
-        Put(NameOf(file), PictureFile.Read(bytes, 3 * View.PixelsOf(scene), out var alpha), alpha);
+        Put(NameOf(file), PictureFile.Read(bytes, 3 * View.PixelsOf(scene)));
 
     public void Forget() => Put(null, null);
 
@@ -54,7 +54,7 @@ internal sealed class MinePicture(string? path, TimeProvider clock, Cancellation
             var scene = state.Scene!;
             var isTooLarge = now.Picture is not null && View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height);
             var problem = isTooLarge ? $"the page compares at most {View.MaxPixels:N0} pixels; use \"raycaster compare\"" : now.Problem;
-            last = (state, now.Version, new(now.Name, problem, isTooLarge ? null : now.Picture, now.Alpha, scene, sceneName));
+            last = (state, now.Version, new(now.Name, problem, isTooLarge ? null : now.Picture, scene, sceneName));
             return last.Comparison;
         }
     }
@@ -69,25 +69,25 @@ internal sealed class MinePicture(string? path, TimeProvider clock, Cancellation
     private static bool IsSame(Picture? a, Picture? b) =>
         (a?.Width, a?.Height) == (b?.Width, b?.Height) && (a is null || a.Rgb.AsSpan().SequenceEqual(b!.Rgb));
 
-    private static (Picture? Picture, AlphaChannel? Alpha, string? Problem) Read(string path)
+    private static (Picture? Picture, string? Problem) Read(string path)
     {
         try
         {
-            return FileWatch.IsEmpty(path) ? (null, null, $"{path} is empty") : (PictureFile.Read(path, null, out var alpha), alpha, null);
+            return FileWatch.IsEmpty(path) ? (null, $"{path} is empty") : (PictureFile.Read(path), null);
         }
         catch (ProblemException e)
         {
-            return (null, null, e.Message);
+            return (null, e.Message);
         }
         catch (Exception unexpected)
         {
-            return (null, null, Fault.InWords("raycaster-live", unexpected));
+            return (null, Fault.InWords("raycaster-live", unexpected));
         }
     }
 
-    private void Put(string? name, Picture? picture, AlphaChannel? alpha = null, string? problem = null)
+    private void Put(string? name, Picture? picture, string? problem = null)
     {
-        lock (sync) now = (now.Version + 1, name, picture, alpha, problem);
+        lock (sync) now = (now.Version + 1, name, picture, problem);
         Changed?.Invoke();
     }
 }

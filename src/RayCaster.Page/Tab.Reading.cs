@@ -29,7 +29,7 @@ internal sealed partial class Tab
             switch (name)
             {
                 case "shown":
-                    shown = value.GetInt32();
+                    wishes = wishes with { Shown = value.GetInt32() };
                     break;
                 case "turn":
                     Move(camera => CameraMotion.Turn(camera, Finite(value[0]), Finite(value[1])));
@@ -41,7 +41,7 @@ internal sealed partial class Tab
                     Move(camera => CameraMotion.Shift(camera, Finite(value[0]), Finite(value[1])));
                     break;
                 case "divisor":
-                    divisor = Math.Clamp(value.GetInt32(), 1, 8);
+                    wishes = wishes with { Divisor = Math.Clamp(value.GetInt32(), 1, 8) };
                     break;
                 case "rest":
                     Rest();
@@ -50,23 +50,26 @@ internal sealed partial class Tab
                     SeeThrough(value);
                     break;
                 case "hover":
-                    hover = new(value[0].GetInt32(), value[1].GetInt32());
+                    wishes = wishes with { Hover = new(value[0].GetInt32(), value[1].GetInt32()) };
                     pending |= Pending.Hover;
                     break;
                 case "explain":
-                    explained = IsNull(value) ? null : new(value[0].GetInt32(), value[1].GetInt32());
+                    wishes = wishes with { Explained = IsNull(value) ? null : new(value[0].GetInt32(), value[1].GetInt32()) };
                     pending |= Pending.Explanation;
                     break;
                 case "map":
-                    map = IsNull(value) ? null : MapKinds.Named(value.GetString()!) ?? throw new FormatException("there is no such map");
+                    MapKind? map = IsNull(value) ? null : MapKinds.Named(value.GetString()!) ?? throw new FormatException("there is no such map");
+                    wishes = wishes with { Map = map };
                     pending |= Pending.Map;
                     break;
                 case "hint":
-                    hint = Named<HintLevel>(value);
+                    wishes = wishes with { Hint = Named<HintLevel>(value) };
                     break;
                 case "diagnose":
-                    diagnosing.Cancel();
-                    if (value.GetBoolean()) pending |= Pending.Diagnosis;
+                    diagnosing.Cancel(); // if it has not begun, it begins and is told to be cancelled
+                    if (!value.GetBoolean()) break;
+                    diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end);
+                    pending |= Pending.Diagnosis;
                     break;
                 case "forgetMine":
                     mine.Forget();
@@ -96,8 +99,8 @@ internal sealed partial class Tab
     private void Move(Func<Camera, Camera> move)
     {
         if (live.State.Scene is not { } scene) return;
-        view = view with { Camera = move(view.Camera ?? scene.Camera) };
-        isMoving = true;
+        See(move(wishes.View.Camera ?? scene.Camera));
+        wishes = wishes with { IsMoving = true };
         pending |= Pending.Frame;
         outdated.Cancel();
     }
@@ -105,8 +108,8 @@ internal sealed partial class Tab
     /// <summary>Ends a movement: the next frame has its full size.</summary>
     private void Rest()
     {
-        if (view.Camera is { } camera) view = view with { Camera = CameraMotion.Rounded(camera) };
-        isMoving = false;
+        if (wishes.View.Camera is { } camera) See(CameraMotion.Rounded(camera));
+        wishes = wishes with { IsMoving = false };
         pending |= Pending.Camera;
         Refresh();
     }
@@ -116,17 +119,20 @@ internal sealed partial class Tab
     {
         var camera = IsNull(value) || live.State.Scene is not { } scene ? null : scene.Camera.With(
             position: VectorOf(value.GetProperty("position")), target: VectorOf(value.GetProperty("target")));
-        view = view with { Camera = camera?.ValidationError is null ? camera : null };
+        See(camera?.ValidationError is null ? camera : null);
         outdated.Cancel();
         Rest();
     }
+
+    /// <param name="camera">The camera that the page has moved; null for the scene's own.</param>
+    private void See(Camera? camera) => wishes = wishes with { View = wishes.View with { Camera = camera } };
 
     private static Vector3 VectorOf(JsonElement value) => new(Finite(value[0]), Finite(value[1]), Finite(value[2]));
 
     /// <summary>Writes the camera into the scene file, unless the file has changed since the version that the page knows.</summary>
     private void WriteCamera(int version)
     {
-        var camera = view.Camera;
+        var camera = wishes.View.Camera;
         _ = Task.Run(() => Post(Messages.Of(new { Kind = "written", Problem = Write() })));
 
         string Write()

@@ -18,23 +18,23 @@ internal sealed partial class Tab(
     private Task sending = Task.CompletedTask;
     private bool hasFault; // the page shows a fault of the code
     private Comparison? compared; // the comparison that the page knows
-    private CancellationTokenSource diagnosing = new();
     private int sent; // frames
 
-    private readonly Lock sync = new(); // for the fields below, which the reading loop writes, and the sending loop reads after Takes
+    private readonly Lock sync = new(); // for the fields below
     private Pending pending;
-    private View view = new();
-    private bool isMoving;
-    private int divisor = 1;
-    private MapKind? map;
-    private Place? hover, explained;
-    private HintLevel hint = HintLevel.Question;
-    private int shown; // frames
+    private Wishes wishes = new();
     private SceneState? known; // the state that the page knows
-    private CancellationTokenSource outdated = new();
+    private CancellationTokenSource outdated = new(), diagnosing = new();
 
     /// <summary>A pixel of the picture that the page shows, from the left and from the top.</summary>
     private sealed record Place(int Column, int Line);
+
+    /// <summary>What the page has last requested. The reading loop replaces it as a whole, so the sending loop needs no lock to read it.</summary>
+    /// <param name="Shown">How many frames the page has shown.</param>
+    private sealed record Wishes(View View, bool IsMoving, int Divisor, MapKind? Map, Place? Hover, Place? Explained, HintLevel Hint, int Shown)
+    {
+        public Wishes() : this(new(), false, 1, null, null, null, HintLevel.Question, 0) { }
+    }
 
     public void Wake() => wake.Writer.TryWrite(true);
 
@@ -93,7 +93,7 @@ internal sealed partial class Tab(
         lock (sync)
         {
             // After a change of the camera in the file the page shows the file's camera, not the one that was turned.
-            if (state.IsGood && known?.Scene is { } before && !IsSame(before.Camera, state.Scene!.Camera)) view = view with { Camera = null };
+            if (state.IsGood && known?.Scene is { } before && !IsSame(before.Camera, state.Scene!.Camera)) See(null);
             known = state;
             if (!state.IsGood) return;
             Refresh();
@@ -117,11 +117,11 @@ internal sealed partial class Tab(
 
     private async Task SendPictureAsync(SceneState state)
     {
-        if (sent - shown >= MaxUnseen || !Takes(Pending.Frame)) return;
-        var moves = isMoving;
-        var wanted = moves ? view with { Divisor = divisor } : view;
-        var frame = await studio.DrawAsync(state.Scene!, wanted, moves ? end : Outdated());
-        await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
+        if (sent - wishes.Shown >= MaxUnseen || !Takes(Pending.Frame)) return;
+        var now = wishes;
+        var view = now.IsMoving ? now.View with { Divisor = now.Divisor } : now.View;
+        var frame = await studio.DrawAsync(state.Scene!, view, now.IsMoving ? end : Outdated());
+        await SendFrameAsync(frame, Layer.Picture, state.Version, !now.IsMoving);
         if (hasFault) await SendAsync(Messages.OfFault(null));
         hasFault = false;
     }
@@ -129,21 +129,20 @@ internal sealed partial class Tab(
     private async Task SendCameraAsync(SceneState state)
     {
         if (!Takes(Pending.Camera)) return;
-        var camera = view.Camera;
+        var camera = wishes.View.Camera;
         await SendAsync(Messages.OfCamera(camera ?? state.Scene!.Camera, camera is not null));
     }
 
     private async Task SendHoverAsync(SceneState state)
     {
-        if (!Takes(Pending.Hover) || hover is not { } place) return;
-        var scene = view.Of(state.Scene!);
+        if (!Takes(Pending.Hover) || wishes is not { Hover: { } place } now) return;
+        var scene = now.View.Of(state.Scene!);
         if (IsIn(scene, place)) await SendAsync(Messages.OfHover(scene, place.Column, place.Line));
     }
 
     private async Task SendExplanationAsync(SceneState state)
     {
-        if (isMoving || !Takes(Pending.Explanation) || explained is not { } place) return;
-        var seen = view;
+        if (wishes.IsMoving || !Takes(Pending.Explanation) || wishes is not { Explained: { } place, View: var seen }) return;
         if (!IsIn(seen.Of(state.Scene!), place)) return;
         await SendAsync(await Task.Run(() =>
         {
@@ -155,8 +154,8 @@ internal sealed partial class Tab(
 
     private async Task SendMapAsync(SceneState state)
     {
-        if (isMoving || !Takes(Pending.Map) || map is not { } kind) return;
-        var scene = view.Of(state.Scene!);
+        if (wishes.IsMoving || !Takes(Pending.Map) || wishes is not { Map: { } kind } now) return;
+        var scene = now.View.Of(state.Scene!);
         var (legend, frame) = await studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
         await SendAsync(legend);
         await SendFrameAsync(frame, Layer.Map, state.Version, isFinal: true);
@@ -164,18 +163,18 @@ internal sealed partial class Tab(
 
     private async Task SendComparisonAsync(SceneState state)
     {
-        var diagnoses = Takes(Pending.Diagnosis);
+        bool diagnoses;
+        CancellationTokenSource diagnosis;
+        lock (sync) (diagnoses, diagnosis) = (Takes(Pending.Diagnosis), diagnosing); // "Cancel" may come before the diagnosis begins
         if (!Takes(Pending.Comparison) && !diagnoses) return;
         var comparison = mine.CompareWith(state, live.Path);
         if (!ReferenceEquals(comparison, compared))
         {
-            diagnosing.Cancel();
+            if (!diagnoses) diagnosis.Cancel();
             compared = comparison;
             if (answers.HasFlag(Pending.Comparison)) await SendAsync(comparison, state.Version);
         }
-        if (!diagnoses) return;
-        diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end);
-        _ = SendDiagnosisAsync(comparison, hint, diagnosing.Token);
+        if (diagnoses) _ = SendDiagnosisAsync(comparison, wishes.Hint, diagnosis.Token);
     }
 
     private async Task SendAsync(Comparison comparison, int version)
@@ -207,8 +206,8 @@ internal sealed partial class Tab(
 
     private async Task SendLedgerAsync(SceneState state)
     {
-        if (isMoving || !Takes(Pending.Ledger)) return;
-        var scene = view.Of(state.Scene!);
+        if (wishes.IsMoving || !Takes(Pending.Ledger)) return;
+        var scene = wishes.View.Of(state.Scene!);
         var ledger = await Task.Run(() => HitLedger.Take(scene, Outdated()));
         await SendAsync(Messages.OfLedger(scene, ledger));
     }

@@ -8,9 +8,10 @@ public static class Fault
     /// <param name="program">The program's name, with which the message begins.</param>
     public static string InWords(string program, Exception fault)
     {
-        if (fault is AggregateException { InnerException: { } first }) fault = first; // of several threads
-        return Place(fault) is { } place
-            ? $"{program}: {fault.GetType().Name} in {place}: {fault.Message}\n" +
+        while (fault is AggregateException or TypeInitializationException && fault.InnerException is { } cause) fault = cause;
+        var place = Place(fault);
+        return place is not null || fault is EngineDisagreesException
+            ? $"{program}: {(place is null ? "" : $"{fault.GetType().Name} in {place}: ")}{fault.Message}\n" +
                 "If you changed src/RayCaster, the change may be the cause: \"git diff src/RayCaster\" shows it."
             : $"{program}: internal error: {fault.Message}\nThis is a fault of {program}, please report it.";
     }

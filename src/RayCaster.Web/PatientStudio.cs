@@ -24,7 +24,7 @@ internal sealed class PatientStudio : Studio
                 rgb.CopyTo(picture.Rgb.AsSpan(done));
                 done += rgb.Length;
             }, cancellation: cancellation);
-            if (difference is not null) return Frame.Of(ScalarRenderer.Render(seen));
+            EngineDisagreesException.ThrowIf(difference);
             await Task.Delay(1, cancellation);
         }
         return Frame.Of(picture);

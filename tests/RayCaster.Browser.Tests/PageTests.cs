@@ -195,15 +195,6 @@ public abstract partial class PageTests : IAsyncLifetime
         Assert.Contains("nohalf", await Page.TextOfAsync("#diagnosis-text"));
     }
 
-    [BrowserFact]
-    public async Task TheAlphaOfADroppedPictureIsTold()
-    {
-        await Host.WriteSceneAsync(TransparentBox.Scene);
-        await Page.ShowsPictureOfAsync(TransparentBox.Scene);
-        await Page.DropAsync("mine.png", TransparentBox.Bytes);
-        await Page.SaysAsync(TransparentBox.Told);
-    }
-
     /// <summary>Whatever the page asks a browser for may be refused, full, or hold what another page has left there.</summary>
     [BrowserTheory]
     [InlineData("Object.defineProperty(window, 'sessionStorage', { get() { throw new DOMException('no', 'SecurityError'); } })")]

@@ -4,10 +4,6 @@ public sealed class DiagnoseCommandTests : CommandTests
 {
     private const string scene = "scene.json"; // the first of the project's, made small
 
-    /// <summary>The right picture of the <see cref="TransparentBox"/>, its colours multiplied by an alpha of 100.</summary>
-    private const string Premultiplied =
-        "iVBORw0KGgoAAAANSUhEUgAAAAYAAAAECAYAAACtBE5DAAAAJUlEQVR42mNgYGBIAWEjZYYUYxUIDRWDMECCJioQGkUCpw50DACB4gxpBFucDwAAAABJRU5ErkJggg==";
-
     public DiagnoseCommandTests() => raycaster.Write(scene, File.ReadAllText(Path.Combine(RayCasterProcess.Scenes, "first.json"))
         .Replace("\"target\"", "\"width\": 30, \"height\": 20, \"target\"", StringComparison.Ordinal));
 
@@ -50,26 +46,6 @@ public sealed class DiagnoseCommandTests : CommandTests
         Assert.Equal(1, raycaster.ExitCode);
         Assert.StartsWith("mine.png is 15 x 10, not the scene's 30 x 20 pixels", raycaster.Error);
         Assert.StartsWith("mine.png matches", raycaster.OutputText);
-    }
-
-    [Theory]
-    [InlineData(TransparentBox.Png, 0, "mine.png matches", "The file's alpha is 0 in every pixel")]
-    [InlineData(Premultiplied, 1, "mine.png is not the picture", "multiplied by the file's alpha")]
-    public void TheAlphaOfAFileIsTold(string file, int exitCode, string begins, string says)
-    {
-        raycaster.Write("box.json", TransparentBox.Scene);
-        File.WriteAllBytes(raycaster.PathOf("mine.png"), Convert.FromBase64String(file));
-        raycaster.Run("box.json", "-o", "right.png", "-q").Run("compare", "mine.png", "right.png");
-        Assert.Contains(says, raycaster.OutputText.ReplaceLineEndings(" "));
-        raycaster.Run("diagnose", "box.json", "mine.png");
-        Assert.Equal(exitCode, raycaster.ExitCode);
-        Assert.StartsWith(begins, raycaster.OutputText);
-        Assert.Contains(says, raycaster.OutputText.ReplaceLineEndings(" "));
-        Assert.DoesNotContain("Most likely", raycaster.OutputText);
-
-        raycaster.Run("diagnose", "box.json", "mine.png", "--json");
-        using var json = System.Text.Json.JsonDocument.Parse(raycaster.Output);
-        Assert.Contains(says, json.RootElement.GetProperty("alpha").GetString());
     }
 
     private string Draw(string file)

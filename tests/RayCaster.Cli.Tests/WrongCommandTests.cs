@@ -14,6 +14,14 @@ public sealed class WrongCommandTests : CommandTests
     }
 
     [Fact]
+    public void AWrongPictureThatDoesNotFitIntoMemoryIsRefused()
+    {
+        raycaster.Run("wrong", Room, "rows", "--size", "30000x30000");
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.Contains("30,000 × 30,000 pixels needs 2,700,000,000 bytes, the limit is ", raycaster.Error);
+    }
+
+    [Fact]
     public void JsonIsOnStandardOutputWhateverIsInTheWay()
     {
         raycaster.Run("diagnose", Room, "nothing.png", "--json");

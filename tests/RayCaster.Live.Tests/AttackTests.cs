@@ -100,8 +100,15 @@ public class AttackTests(LiveServerFixture fixture) : IClassFixture<LiveServerFi
     [Fact]
     public async Task AnUploadLargerThanThePictureIsCutOff()
     {
-        var answer = await PostAsync(new byte[12 * 1_000_000 + 65_537]);
+        var answer = await PostAsync(new byte[18 * 1_000_000 + 65_537]);
         Assert.Equal(HttpStatusCode.RequestEntityTooLarge, answer.StatusCode);
+    }
+
+    [Fact]
+    public async Task APictureInPaddedTextIsTaken()
+    {
+        var file = new StringBuilder("P3 1000 1000 255\n").Insert(17, "  255    0  128", 1_000_000);
+        Assert.Equal(HttpStatusCode.NoContent, (await PostAsync(Encoding.ASCII.GetBytes($"{file}"))).StatusCode);
     }
 
     [Fact]

@@ -8,6 +8,11 @@ public sealed class FaultTests
         Fault.InWords("raycaster", new AggregateException(new DivideByZeroException("boom"))));
 
     [Fact]
+    public void AFaultInATextOfTheProgramIsToldWithItsPlace() => Assert.StartsWith(
+        "raycaster: internal error: Mistakes.txt(7): no symptom\n",
+        Fault.InWords("raycaster", new TypeInitializationException("MistakeBook", new FormatException("Mistakes.txt(7): no symptom"))));
+
+    [Fact]
     public void AFaultOfTheCoursesLibraryNamesItsClassAndSuspectsAChange()
     {
         var fault = Assert.ThrowsAny<Exception>(() => ScalarRenderer.Render(null!));

@@ -8,6 +8,15 @@ internal static class StandardStreams
     /// <summary>Whether a write to standard output was begun.</summary>
     public static bool HasOutput { get; private set; }
 
+    /// <summary>Lets a console of Windows show UTF-8, until the process ends; others have it already.</summary>
+    public static void UseUtf8()
+    {
+        if (!OperatingSystem.IsWindows()) return;
+        var before = Console.OutputEncoding;
+        Console.OutputEncoding = Encoding.UTF8;
+        AppDomain.CurrentDomain.ProcessExit += (_, _) => Console.OutputEncoding = before;
+    }
+
     /// <summary>Writes a command's answer, in whole lines, to standard output.</summary>
     public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Bytes(text)));
 

@@ -32,18 +32,18 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         InputFiles.Note(files);
         var format = file is null ? PictureFormat.Png : PictureFormats.ByExtension(file);
         Action<string> warn = StandardStreams.WriteError;
-        var mine = PictureFile.Read(mineFile, warn, out var alpha);
+        var mine = PictureFile.Read(mineFile, warn);
         var reference = PictureFile.Read(referenceFile, warn);
         var scene = line.Get(sceneFile) is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
         var comparison = new PictureComparison(mine, reference, scene, line.Get(Option.Threads));
         if (file is not null) PictureOutput.Write(file, SideBySide.Draw(comparison), format, cancellation);
-        StandardStreams.WriteOutput(Text(comparison, alpha, mineFile, referenceFile, file));
+        StandardStreams.WriteOutput(Text(comparison, mineFile, referenceFile, file));
         return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
     }
 
-    private static string Text(PictureComparison comparison, AlphaChannel? alpha, string mine, string reference, string? output)
+    private static string Text(PictureComparison comparison, string mine, string reference, string? output)
     {
-        var text = ComparisonText.Format(comparison, mine, reference, alpha);
+        var text = ComparisonText.Format(comparison, mine, reference);
         var heat = comparison.Difference is null ? "" : ", the difference as a heat map";
         if (output is not null) return text + $"{output}: mine, the reference{heat}\n";
         return comparison.Likeness.IsSame() || comparison.Difference is null ? text : text + "To see the differences: -o difference.png\n";

@@ -46,7 +46,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         var level = line.Get(hint) ?? HintLevel.Question;
         var json = line.Get(asJson);
         var scene = SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true);
-        var picture = PictureFile.Read(picturePath, StandardStreams.WriteError, out var alpha);
+        var picture = PictureFile.Read(picturePath, StandardStreams.WriteError);
         var size = (scene.Camera.Width, scene.Camera.Height);
         var hasOtherSize = !SceneDiagnosis.CanJudge(scene, picture);
         if (hasOtherSize)
@@ -58,7 +58,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         }
         var budget = line.Budget();
         var prepared = new SceneDiagnosis(scene, line.Get(Option.Threads), budget: budget, size: size);
-        var diagnosis = prepared.Judge(picture, line.Get(parts) ?? [], alpha: alpha);
+        var diagnosis = prepared.Judge(picture, line.Get(parts) ?? []);
         var hidden = diagnosis.Kind == DiagnosisKind.Matches ? prepared.Hidden : [];
         var mayChange = diagnosis.IsOpen || diagnosis.Kind == DiagnosisKind.Matches; // after a match it may be the mistakes that cannot show
         if (mayChange && budget?.UsedUp is { } limit) line.Warn($"Not everything was tried within {limit}; --all tries everything.");

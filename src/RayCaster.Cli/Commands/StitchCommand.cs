@@ -56,20 +56,21 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
 
         InputFiles.Note(parts.Files);
         var (width, height) = parts.Size;
-        try
+        OutputFile.Write(file, cancellation, stream =>
         {
-            OutputFile.Write(file, cancellation, stream =>
+            using var progress = ProgressLine.For(line, width, height, "pixels");
+            using var writer = PictureWriter.Create(format, stream, width, height);
+            try
             {
-                using var progress = ProgressLine.For(line, width, height, "pixels");
-                using var writer = PictureWriter.Create(format, stream, width, height);
                 parts.Write(writer, lines => progress?.LinesDone(lines), cancellation);
-                writer.Finish();
-            });
-        }
-        catch (ProblemException) when (new PartSet(files, named.Contains, whole: true) is { Unreadable.Count: > 0 } damaged)
-        {
-            return Unreadable(damaged); // all of them, not only the first
-        }
+            }
+            catch (ProblemException) when (new PartSet(files, named.Contains, whole: true) is { Unreadable.Count: > 0 } damaged)
+            {
+                Unreadable(damaged); // all of them, not only the first
+                throw new ReportedException("a part is damaged");
+            }
+            writer.Finish();
+        });
         var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
         line.Tell($"{OutputFile.NameOf(file)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
         return ExitCode.Done;

@@ -30,7 +30,7 @@ internal sealed class VaryCommand() : Command("vary", "<scene>", "Makes a simila
 
         var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
         var newFolder = Path.GetDirectoryName(Path.GetFullPath(file))!;
-        if (scene.Models.Any(model => model is Mesh) && newFolder != folder)
+        if (scene.Models.Any(model => model is Mesh) && Path.GetRelativePath(folder, newFolder) != ".")
             throw new ProblemException($"{path} names mesh files, whose paths start at its folder: " +
                 $"write {Path.GetFileName(file)} to {folder}");
         var budget = line.Budget();

@@ -25,6 +25,7 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
         var file = line.Get(output) ?? $"{SceneInput.NameOf(operands[0])}.{string.Join('+', ids)}.png";
         var format = PictureOutput.FormatOf(file, line.Get(Option.Format));
         var scene = SceneInput.Read(operands[0], line, cancellation, judges: true);
+        PictureFile.ThrowIfTooLarge(scene.Camera.Width, scene.Camera.Height); // it is in memory at once
 
         var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!.Usual);
         PictureOutput.Write(file, Draw(), format, cancellation);
@@ -37,7 +38,7 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
             {
                 return MistakeCatalog.Draw(scene, mistakes, line.Get(Option.Threads));
             }
-            catch (ArgumentException)
+            catch (ArgumentException e) when (e.ParamName == "mistakes")
             {
                 throw ProblemException.Usage($"{operands[1]}: two of these mistakes are in the same part of a formula, so no program has both");
             }

@@ -19,7 +19,7 @@ internal sealed class RendererChoice(Scene scene, int? threads, bool plain, bool
     private readonly Renderer engine = new(scene, threads) { ManyFrames = manyFrames };
     private readonly bool isByDefinition =
         plain || (!manyFrames && RuntimeFeature.IsDynamicCodeCompiled &&
-            (long)scene.Camera.Width * scene.Camera.Height * scene.ShapeCount <= SmallWork);
+            (double)scene.Camera.Width * scene.Camera.Height * Math.Max(1, scene.ShapeCount) <= SmallWork);
 
     public Scene Scene => scene;
 

@@ -16,37 +16,11 @@ public static class PictureFile
     /// </summary>
     /// <param name="warn">Gets what is odd about a file that is read all the same, in a line that names the file.</param>
     /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
-    public static Picture Read(string path, Action<string>? warn = null) => Read(path, warn, withAlpha: false).Picture;
-
-    /// <summary>Reads a picture as <see cref="Read(string, Action{string})"/> does, and its alpha.</summary>
-    /// <param name="alpha">The alpha; null if each pixel is opaque.</param>
-    /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
-    public static Picture Read(string path, Action<string>? warn, out AlphaChannel? alpha)
-    {
-        (var picture, alpha) = Read(path, warn, withAlpha: true);
-        return picture;
-    }
-
-    /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string, Action{string})"/> does; the messages name no file.</summary>
-    /// <exception cref="ProblemException">The data are damaged, of another kind, or too large.</exception>
-    /// <exception cref="IOException">The stream fails.</exception>
-    /// <param name="limit">The most bytes that the picture may take in memory, three for each pixel; those of the largest array if left out.</param>
-    public static Picture Read(Stream stream, long? limit = null) => Read(stream, limit, withAlpha: false).Picture;
-
-    /// <summary>Reads a picture from the rest of a stream, and its alpha.</summary>
-    /// <param name="alpha">The alpha; null if each pixel is opaque.</param>
-    /// <inheritdoc cref="Read(Stream, long?)"/>
-    public static Picture Read(Stream stream, long? limit, out AlphaChannel? alpha)
-    {
-        (var picture, alpha) = Read(stream, limit, withAlpha: true);
-        return picture;
-    }
-
-    private static (Picture Picture, AlphaChannel? Alpha) Read(string path, Action<string>? warn, bool withAlpha) => Open(path, file =>
+    public static Picture Read(string path, Action<string>? warn = null) => Open(path, file =>
     {
         try
         {
-            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: warning: {odd}"), withAlpha);
+            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: warning: {odd}"));
         }
         catch (IOException e)
         {
@@ -54,11 +28,15 @@ public static class PictureFile
         }
     });
 
-    private static (Picture Picture, AlphaChannel? Alpha) Read(Stream stream, long? limit, bool withAlpha)
+    /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string, Action{string})"/> does; the messages name no file.</summary>
+    /// <exception cref="ProblemException">The data are damaged, of another kind, or too large.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
+    /// <param name="limit">The most bytes that the picture may take in memory, three for each pixel; those of the largest array if left out.</param>
+    public static Picture Read(Stream stream, long? limit = null)
     {
         try
         {
-            return Read(stream, limit ?? MaxBytes, _ => { }, withAlpha);
+            return Read(stream, limit ?? MaxBytes, _ => { });
         }
         catch (ProblemException e) when (e.Line > 0)
         {
@@ -66,19 +44,18 @@ public static class PictureFile
         }
     }
 
-    private static (Picture Picture, AlphaChannel? Alpha) Read(Stream stream, long maxBytes, Action<string> warn, bool withAlpha)
+    private static Picture Read(Stream stream, long maxBytes, Action<string> warn)
     {
         try
         {
             var first = stream.ReadByte(); // shows the format; a pipe cannot seek back
             if (first < 0) throw new ProblemException("the file is empty");
-            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), maxBytes, warn, withAlpha);
-            if (first == 'P') return (PnmReader.Read(stream, maxBytes, warn), null);
+            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), maxBytes, warn);
+            if (first == 'P') return PnmReader.Read(stream, maxBytes, warn);
             var begun = new byte[FileKind.Bytes];
             begun[0] = (byte)first;
             var count = 1 + stream.ReadAtLeast(begun.AsSpan(1, 3), 3, throwOnEndOfStream: false);
-            if (begun.AsSpan(0, count) is [0xEF, 0xBB, 0xBF, (byte)'P'])
-                return (PnmReader.Read(stream, maxBytes, warn), null); // after a byte order mark
+            if (begun.AsSpan(0, count) is [0xEF, 0xBB, 0xBF, (byte)'P']) return PnmReader.Read(stream, maxBytes, warn); // after a byte order mark
             count += stream.ReadAtLeast(begun.AsSpan(count), begun.Length - count, throwOnEndOfStream: false);
             throw new ProblemException(KindOf(begun.AsSpan(0, count)));
         }
@@ -122,14 +99,16 @@ public static class PictureFile
         }
     }
 
-    /// <summary>Refuses a size that a header promises, before anything is allocated for it.</summary>
-    internal static void CheckSize(long width, long height, long maxBytes)
+    /// <summary>Refuses a picture that does not fit into memory as a whole, before anything is allocated for it.</summary>
+    /// <param name="maxBytes">The most bytes that it may take, three for each pixel; those of the largest array if left out.</param>
+    /// <exception cref="ProblemException">It is too large, or a side is less than 1.</exception>
+    public static void ThrowIfTooLarge(long width, long height, long? maxBytes = null)
     {
         if (width < 1 || height < 1)
             throw new ProblemException($"its size is {width} × {height} pixels, but each side must be at least 1");
         var bytes = (Int128)width * height * 3;
-        if (bytes > maxBytes)
-            throw new ProblemException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {maxBytes:N0}");
+        if (bytes > (maxBytes ?? MaxBytes))
+            throw new ProblemException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {maxBytes ?? MaxBytes:N0}");
     }
 
     /// <summary>A piece of a damaged file, fit for a message.</summary>

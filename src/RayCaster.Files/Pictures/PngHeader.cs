@@ -57,9 +57,11 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     public static PngHeader Read(ReadOnlySpan<byte> data, long maxBytes)
     {
         long width = BinaryPrimitives.ReadUInt32BigEndian(data), height = BinaryPrimitives.ReadUInt32BigEndian(data[4..]);
-        PictureFile.CheckSize(width, height, maxBytes);
+        PictureFile.ThrowIfTooLarge(width, height, maxBytes);
         if (width > Camera.MaxSide) // two lines of up to 8 bytes a pixel are in memory, whatever the file's size
             throw new ProblemException($"its lines have {width:N0} pixels, the limit is {Camera.MaxSide:N0}");
+        if (height > int.MaxValue) // which PNG does not allow
+            throw new ProblemException($"it has {height:N0} lines, the limit is {int.MaxValue:N0}");
         var header = new PngHeader((int)width, (int)height, data[8], data[9], data[12] == 1);
         var allowed = header.ColorType switch
         {

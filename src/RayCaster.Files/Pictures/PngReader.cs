@@ -15,8 +15,10 @@ internal sealed class PngReader
     private const int MaxText = 4096;
 
     private readonly PngChunkReader chunks;
-    private readonly byte[] palette = [], transparency = []; // transparency: the alpha of the palette's first colours
+    private readonly byte[] palette = [], transparency = []; // transparency: the alpha of the palette's first colours, or the colour of alpha 0
     private readonly long firstData;
+    private int leastAlpha = 255;
+    private long notOpaque; // pixels
 
     /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
     public PngReader(Stream file, long maxBytes, Action<string>? warn = null, string keyword = "")
@@ -44,7 +46,7 @@ internal sealed class PngReader
                     paletteBytes = chunks.Left;
                     palette = chunks.ReadUpTo(3 * 256);
                     break;
-                case "tRNS" when header?.ColorType == PngHeader.Palette && firstData == 0 && chunks.Left <= 256:
+                case "tRNS" when header is not null && firstData == 0 && chunks.Left <= 256:
                     transparency = chunks.ReadUpTo(256);
                     break;
                 case "IDAT" when firstData != 0 && before != "IDAT":
@@ -89,14 +91,15 @@ internal sealed class PngReader
     /// <summary>The file's first text under the keyword; null if there is none.</summary>
     public string? Text { get; }
 
-    /// <param name="withAlpha">Whether alpha is kept; without it, null is returned.</param>
-    public static (Picture Picture, AlphaChannel? Alpha) Read(Stream file, long maxBytes, Action<string> warn, bool withAlpha = false)
+    public static Picture Read(Stream file, long maxBytes, Action<string> warn)
     {
         var reader = new PngReader(file, maxBytes, warn);
         var picture = new Picture(reader.Header.Width, reader.Header.Height);
-        var alpha = withAlpha && reader.HasAlpha ? new byte[picture.Width * picture.Height] : null;
-        reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { }, alpha);
-        return (picture, alpha.AsSpan().ContainsAnyExcept(byte.MaxValue) ? new(alpha!) : null);
+        reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { });
+        if (reader.notOpaque > 0)
+            warn(FormattableString.Invariant($"its alpha is {reader.leastAlpha} instead of 255 in {reader.notOpaque:N0} of ") + FormattableString.Invariant(
+                $"{(long)picture.Width * picture.Height:N0} pixels: a viewer shows what lies behind. Write 255, or no alpha"));
+        return picture;
     }
 
     /// <summary>Reads all lines, three bytes for each pixel, and checks the end of the data.</summary>
@@ -109,8 +112,7 @@ internal sealed class PngReader
 
     /// <param name="lineAt">The memory for the colours of a line.</param>
     /// <param name="isRead">Called after each line of a pass.</param>
-    /// <param name="alpha">Gets the alpha of each pixel; null if it is not wanted.</param>
-    private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead, byte[]? alpha = null)
+    private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead)
     {
         chunks.Return(firstData);
         using var data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
@@ -124,7 +126,7 @@ internal sealed class PngReader
                 {
                     var samples = lines.Next();
                     ReadLine(samples, pass, lineAt(y).Span);
-                    if (alpha is not null) ReadAlpha(samples, pass, alpha.AsSpan(y * Header.Width, Header.Width));
+                    if (Header.ColorType is 4 or 6 || transparency.Length > 0) CountAlpha(samples);
                 });
                 isRead(y);
             }
@@ -140,13 +142,26 @@ internal sealed class PngReader
                 (rgb[at], rgb[at + 1], rgb[at + 2]) = ColorOf(samples);
     }
 
-    private bool HasAlpha => Header.ColorType is 4 or 6 || transparency.Length > 0;
-
-    private void ReadAlpha(ReadOnlySpan<byte> samples, PngPass pass, Span<byte> line)
+    private void CountAlpha(ReadOnlySpan<byte> samples)
     {
-        for (var x = pass.X; x < line.Length; x += pass.StepX, samples = samples[Header.Channels..])
-            line[x] = Header.ColorType != PngHeader.Palette ? samples[Header.Channels - 1]
-                : samples[0] < transparency.Length ? transparency[samples[0]] : byte.MaxValue;
+        for (; samples.Length > 0; samples = samples[Header.Channels..])
+            if (AlphaOf(samples) is < 255 and var alpha)
+                (leastAlpha, notOpaque) = (Math.Min(leastAlpha, alpha), notOpaque + 1);
+    }
+
+    private int AlphaOf(ReadOnlySpan<byte> samples) => Header.ColorType switch
+    {
+        4 or 6 => samples[Header.Channels - 1],
+        PngHeader.Palette => samples[0] < transparency.Length ? transparency[samples[0]] : 255,
+        _ => Header.BitDepth == 8 && IsTransparent(samples) ? 0 : 255, // of colours of other depths, as few files have, nothing is told
+    };
+
+    /// <summary>Whether it is the colour of alpha 0, which a picture of grey or of red, green and blue may name: two bytes for each sample.</summary>
+    private bool IsTransparent(ReadOnlySpan<byte> samples)
+    {
+        var isSame = transparency.Length == 2 * Header.Channels;
+        for (var i = 0; isSame && i < Header.Channels; i++) isSame = transparency[2 * i + 1] == samples[i];
+        return isSame;
     }
 
     /// <summary>Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>

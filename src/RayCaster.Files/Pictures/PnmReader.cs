@@ -41,7 +41,7 @@ internal sealed class PnmReader
         width = ReadNumber("the width", int.MaxValue);
         height = ReadNumber("the height", int.MaxValue);
         maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval", 65535);
-        PictureFile.CheckSize(width, height, maxBytes);
+        PictureFile.ThrowIfTooLarge(width, height, maxBytes);
         if (kind >= 4) SkipSeparator();
         dataAt = position;
     }

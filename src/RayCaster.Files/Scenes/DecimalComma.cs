@@ -3,33 +3,12 @@ namespace RayCaster.Files;
 /// <summary>Decimal commas that JSON takes for the commas of an array: [0,866, 0, 0] is [0.866, 0, 0].</summary>
 internal static class DecimalComma
 {
-    private const double Huge = 1e6;
-
     /// <summary>How an array of four to six numbers is one of three: <c>; a decimal comma? Write [2.5, 0, 0]</c>. Empty for any other.</summary>
     public static string Hint(JsonValue[] elements)
     {
         var readings = elements.Length <= 6 ? Readings(elements, elements.Length - 3).ToArray() : [];
         return readings.Length == 0 || elements.Length <= 3 ? ""
             : $"; a decimal comma? Write {string.Join(" or ", readings.Select(reading => $"[{string.Join(", ", reading)}]"))}";
-    }
-
-    /// <summary>Warns of numbers that are a million times all others of a file, if a decimal comma explains them.</summary>
-    public static void WarnOfHugeNumbers(SceneDocument document, JsonTree tree)
-    {
-        var suspects = new List<int>();
-        for (var i = 1; i < tree.Count; i++)
-            if (tree[i].End - tree[i].Start >= 7 && IsFraction(new(tree, i - 1), new(tree, i)) && new JsonValue(tree, i).Number >= Huge)
-                suspects.Add(i);
-        if (suspects.Count == 0) return;
-        var greatest = Enumerable.Range(0, tree.Count).Except(suspects).Select(i => new JsonValue(tree, i))
-            .Where(value => value.Kind == JsonTokenType.Number).Max(value => Math.Abs(value.Number));
-        foreach (var i in suspects)
-        {
-            var (whole, fraction) = (new JsonValue(tree, i - 1), new JsonValue(tree, i));
-            if (fraction.Number >= Huge * greatest)
-                document.Add(false, fraction.Start, fraction.End, $"{fraction.AsWritten} is more than a million times every other number of "
-                    + $"the file; is the comma before it a decimal comma? Write {whole.AsWritten}.{fraction.AsWritten}");
-        }
     }
 
     /// <summary>The ways to join pairs of elements to numbers with a fraction.</summary>

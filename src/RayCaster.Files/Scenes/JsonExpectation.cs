@@ -12,7 +12,7 @@ internal readonly record struct JsonMistake(int Start, int End, string Message);
 /// <param name="takesText">Whether the value of a key, or its elements, may be texts.</param>
 internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> open, JsonTokenType last, int lastEnd, Predicate<string> takesText)
 {
-    private const int LongestCode = 240; // bytes of a call or an expression; longer ones are not code that was copied
+    private const int LongestWord = 240; // bytes of a word in which a character that looks like another is sought
 
     private readonly ReadOnlySpan<byte> utf8 = tree.Text.Utf8;
     private readonly ReadOnlySpan<int> open = open;
@@ -28,17 +28,15 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         var isObject = open.Length > 0 && tree[open[^1]].Kind == JsonTokenType.StartObject;
         if (last == JsonTokenType.StartObject || (isComma && isObject)) return Key(at);
         return isComma || last is JsonTokenType.None or JsonTokenType.PropertyName or JsonTokenType.StartArray ? Value(at)
-            : AfterValue(at, lastEnd, last == JsonTokenType.Number ? tree.Last.Start : -1);
+            : AfterValue(at, lastEnd);
     }
 
     /// <summary>What stands where a comma or a closing bracket should.</summary>
-    /// <param name="number">Where the value begins, if it is a number.</param>
-    private JsonMistake AfterValue(int at, int valueEnd, int number = -1)
+    private JsonMistake AfterValue(int at, int valueEnd)
     {
         if (at == utf8.Length) return CutOff();
         if (last is JsonTokenType.True or JsonTokenType.False or JsonTokenType.Null && at == valueEnd && char.IsLetter((char)utf8[at]))
             return Bare(tree.Last.Start); // nullptr
-        if ((number >= 0 ? Expression(number) : null) is { } expression) return expression;
         var c = (char)utf8[at];
         if ((open.Length == 0 && c is '}' or ']' or '#' ? null : Misplaced(at)) is { } mistake) return mistake;
         if (open.Length == 0) return new(at, LineEnd(at), "the scene has ended before this; a file holds one object");
@@ -106,13 +104,12 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     {
         var end = End(at);
         var word = Word(at);
-        var whole = Encoding.UTF8.GetString(utf8[at..Math.Min(end, at + LongestCode)]);
+        var whole = Encoding.UTF8.GetString(utf8[at..Math.Min(end, at + LongestWord)]);
         string[] known = ["true", "false", "null"];
         if (end == utf8.Length && (known.Any(literal => literal.StartsWith(word, StringComparison.Ordinal)) || JsonForeign.IsBegunNumber(word)))
             return CutOff();
         if (NumberSpelling.Correct(word) is { } number)
-            return number == word ? AfterValue(SkipBlanks(end), end, at) : new(at, end, $"{word} is not a number in JSON: write {number}");
-        if (Expression(at) is { } expression) return expression;
+            return number == word ? AfterValue(SkipBlanks(end), end) : new(at, end, $"{word} is not a number in JSON: write {number}");
         if (Lookalike.FindIn(whole) is var (index, message))
         {
             var from = at + Encoding.UTF8.GetByteCount(whole.AsSpan(0, index));
@@ -122,11 +119,6 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         return new(at, end, JsonForeign.Explain(word) ?? (MayBeText() ? $"{word} is not a value; a text is written in double quotes: \"{word}\""
             : $"{word} is no value that may stand here; numbers are written like 1, -0.5 or 1e-6"));
     }
-
-    /// <summary>Code of a program in place of a number; null for anything else.</summary>
-    private JsonMistake? Expression(int at) =>
-        JsonForeign.Expression(Encoding.UTF8.GetString(utf8[at..Math.Min(LineEnd(at), at + LongestCode)])) is var (length, message)
-            ? new(at, at + length, message) : null;
 
     private JsonMistake CutOff()
     {

@@ -97,9 +97,9 @@ internal static class PrimitiveList
             else if (dropped > 0) o.Warn(key, $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
             return mesh;
         }
-        catch (Exception e) when (e is ProblemException or OverflowException)
+        catch (Exception e) when (e is ProblemException or OverflowException or PathTooLongException) // the last only on Windows
         {
-            o.Refuse(key, $": {e.Message}");
+            o.Refuse(key, $": {(e is PathTooLongException ? ProblemException.Reason(e) : e.Message)}");
             return nothing;
         }
     }

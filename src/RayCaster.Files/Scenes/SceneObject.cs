@@ -13,6 +13,8 @@ namespace RayCaster.Files;
 /// <param name="path">The object's path, empty for the scene itself.</param>
 internal sealed class SceneObject(SceneDocument document, JsonValue json, string path, List<SceneKey>? described = null)
 {
+    private const double ShortestDirection = 1e-200, LongestDirection = 1e200;
+
     private readonly int errorsBefore = document.ErrorCount;
     private readonly List<string> keysRead = [];
     private int found; // how many of the keys that were read are there
@@ -68,8 +70,11 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
     public Vector3 Direction(string key, string meaning, Vector3? orElse = null)
     {
         var direction = Vector(key, KeyKind.Direction, meaning, Limits.None, orElse);
-        if (direction.Length != 0) return direction;
-        Refuse(key, $" must not be {Place(key, null)?.AsWritten}, which has no direction");
+        var length = direction.Length;
+        if (length == 0) Refuse(key, $" must not be {Place(key, null)?.AsWritten}, which has no direction");
+        else if (length is < ShortestDirection or > LongestDirection) // products with coordinates leave the range of a double
+            Refuse(key, $" must have a length from {ShortestDirection} to {LongestDirection}, but is {Place(key, null)?.AsWritten}");
+        else return direction;
         return SceneValue.NoVector;
     }
 

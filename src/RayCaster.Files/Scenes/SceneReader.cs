@@ -78,7 +78,6 @@ public static class SceneReader
     {
         document = new SceneDocument(new SourceText(displayName, utf8), folder);
         var tree = JsonTree.Parse(document.Text, out var mistake, key => TakesText(key, read));
-        if (tree is not null) DecimalComma.WarnOfHugeNumbers(document, tree);
         if (mistake is { } wrong) document.Add(true, wrong.Start, wrong.End, wrong.Message);
         var root = tree is null ? null : SceneObject.AsObject(document, tree.Root, "", name);
         var result = root is null ? null : read(root);

@@ -37,7 +37,10 @@ on("scene", message => {
     ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`
     : scene.isGone ? `${scene.path} is gone.` : `${count(found.length + scene.more, "error")} in ${scene.path}: ${found[0].message}`;
   if (!scene.good || shown === scene.version) say(news);
-  else timer = setTimeout(say, patience, "Drawing …");
+  else {
+    clearTimeout(timer);
+    timer = setTimeout(say, patience, "Drawing …");
+  }
   point();
   const picture = `The picture of ${scene.path}, ${scene.width} by ${scene.height} pixels, ${count(scene.modelCount, "model")}` +
     (scene.good ? "" : "; it is the last good one");

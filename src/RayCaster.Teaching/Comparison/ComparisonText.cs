@@ -16,12 +16,7 @@ public static class ComparisonText
     /// <summary>The comparison in whole lines.</summary>
     /// <param name="mine">The name of the picture in question.</param>
     /// <param name="reference">The name of the picture that it should be.</param>
-    /// <param name="alpha">The alpha of the file of the picture in question; null if each pixel is opaque.</param>
-    public static string Format(PictureComparison comparison, string mine, string reference, AlphaChannel? alpha = null) =>
-        OfColors(comparison, mine, reference)
-        + (AlphaText.Describe(alpha, comparison.Mine, comparison.Reference) is { } sentence ? sentence + "\n" : "");
-
-    private static string OfColors(PictureComparison comparison, string mine, string reference)
+    public static string Format(PictureComparison comparison, string mine, string reference)
     {
         if (comparison.Difference is not { } d)
         {
@@ -57,7 +52,7 @@ public static class ComparisonText
             (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Indented(Rounding(d)) : "")}" : "") +
             (Math.Abs(d.Shift ?? 0) > 1 && !d.Mine.IsNearlyOneColor ? $"  {Shifted(d.Shift!.Value)}\n" : "") +
             OneColor(comparison, mine) + Recognized(comparison) +
-            ((comparison.FewColors ?? comparison.Unreached?.Sentence) is { } cause ? $"{cause}\n" : "") +
+            (comparison.Unreached is { } unreached ? $"{unreached.Sentence}\n" : "") +
             (comparison.ByModels is { } models ? ModelsText.Format(comparison, models, mine) : "");
     }
 

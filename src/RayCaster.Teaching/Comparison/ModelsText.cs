@@ -15,8 +15,7 @@ internal static class ModelsText
                 : $"The reference is not the picture of this scene: {Digits.Part(own.Wrong, own.Pixels)} differ. " +
                     "So its models are not compared.\n";
         // A change of the whole picture explains the difference, not single models.
-        if (comparison.Recognition is not null || comparison.Mine.IsNearlyOneColor || comparison.FewColors is not null
-            || comparison.Unreached is { IsRestRight: true }) return "";
+        if (comparison.Recognition is not null || comparison.Mine.IsNearlyOneColor || comparison.Unreached is { IsRestRight: true }) return "";
         return string.Concat(Sentences(comparison.Scene!, scene).Select(sentence => sentence + "\n")) +
             (own.Wrong > 0 ? $"The reference itself differs from the picture of this scene in {Digits.Count(own.Wrong, "pixel")}.\n" : "") +
             Table(scene);

@@ -61,21 +61,16 @@ public sealed class PictureComparison
     /// <summary>The pixels that no loop reached; null if there are none.</summary>
     internal UnreachedPixels? Unreached => causes.Value.Unreached;
 
-    /// <summary>A sentence if the picture is right but for the number of its colours; otherwise null.</summary>
-    internal string? FewColors => causes.Value.FewColors;
-
     /// <summary>The difference model by model; null without a scene, or if the sizes differ.</summary>
     internal SceneDifference? ByModels { get; }
 
     private Causes FindCauses()
     {
-        if (Likeness != Likeness.Wrong) return new(null, null, null);
-        var few = Difference is null ? null : Comparison.FewColors.Find(Difference);
-        var unreached = Difference is null || few is not null ? null : UnreachedPixels.Find(Difference, Scene);
-        var isKnown = few is not null || unreached is { IsRestRight: true };
-        return new(few, unreached, isKnown ? null : new TransformFinder(Mine, Reference, Difference, judge).Find());
+        if (Likeness != Likeness.Wrong) return new(null, null);
+        var unreached = Difference is null ? null : UnreachedPixels.Find(Difference, Scene);
+        return new(unreached, unreached is { IsRestRight: true } ? null : new TransformFinder(Mine, Reference, Difference, judge).Find());
     }
 
     /// <summary>What may have made a wrong picture; no more than one is certain.</summary>
-    private sealed record Causes(string? FewColors, UnreachedPixels? Unreached, Recognition? Recognition);
+    private sealed record Causes(UnreachedPixels? Unreached, Recognition? Recognition);
 }

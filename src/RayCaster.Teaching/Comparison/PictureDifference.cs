@@ -87,7 +87,6 @@ public sealed class PictureDifference
     internal static int Levels((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
         Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Count(int pixel)
     {
         var (a, b) = (Mine.At(pixel), Reference.At(pixel));

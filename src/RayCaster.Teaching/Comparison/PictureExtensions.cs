@@ -1,19 +1,10 @@
 namespace RayCaster.Teaching.Comparison;
 
-/// <summary>More members of scenes, meshes and pictures.</summary>
+/// <summary>More members of scenes and pictures.</summary>
 public static class PictureExtensions
 {
     /// <summary>By how many levels the pixels of a picture may differ that has nearly one colour.</summary>
     private const int NearlyEqual = 2;
-
-    private static readonly ConditionalWeakTable<Mesh, TriangleTree> trees = [];
-
-    /// <param name="mesh">Any mesh.</param>
-    extension(Mesh mesh)
-    {
-        /// <summary>Its hierarchy, built at the first use.</summary>
-        internal TriangleTree Tree => trees.GetValue(mesh, static mesh => new(mesh.Vertices, mesh.Indices));
-    }
 
     /// <param name="scene">Any scene.</param>
     extension(Scene scene)

@@ -77,7 +77,6 @@ internal readonly struct PixelMapping(PictureTransform transform, Picture mine, 
     private readonly (int Right, int Down, int Width, int Height) area = (transform.Right, transform.Down, reference.Width, reference.Height);
 
     /// <summary>A pixel as it becomes; null where nothing moves to.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (byte R, byte G, byte B)? At(int x, int y)
     {
         var (fromX, fromY) = (x - area.Right, y - area.Down);

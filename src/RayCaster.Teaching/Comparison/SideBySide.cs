@@ -15,7 +15,7 @@ public static class SideBySide
         var (mine, reference) = (comparison.Mine, comparison.Reference);
         var width = mine.Width + (long)Gap + reference.Width + (comparison.Difference is null ? 0 : Gap + (long)mine.Width);
         var height = Math.Max(mine.Height, reference.Height);
-        PictureFile.CheckSize(width, height, PictureFile.MaxBytes);
+        PictureFile.ThrowIfTooLarge(width, height);
         var picture = new Picture((int)width, height);
         Array.Fill(picture.Rgb, Grey);
         Put(mine, picture, 0);

@@ -74,7 +74,6 @@ internal sealed class TransformFinder(Picture mine, Picture reference, PictureDi
         return onEdges is null ? null : onEdges + Misses(pixels, anywhere, anywhere.Length / 20);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private int? Misses(in PixelMapping pixels, (int X, int Y)[] samples, int limit)
     {
         var misses = 0;

@@ -79,7 +79,7 @@ internal sealed record FormulaProgram
     public Picture Draw(Scene scene, int? threads = null)
     {
         var (width, height) = SizeOf(scene.Camera);
-        var rgb = new byte[3 * width * height];
+        var picture = new Picture(width, height);
         var lines = Math.Max(1, PixelsAtOnce / width); // that are drawn together
         Parallel.For(0, (height + lines - 1) / lines, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, i =>
         {
@@ -87,9 +87,9 @@ internal sealed record FormulaProgram
             (int, int)[] pixels = [.. from y in Enumerable.Range(first, Math.Min(lines, height - first))
                                       from x in Enumerable.Range(0, width)
                                       select (x, y)];
-            FormulaEvaluator.Draw(scene, this, pixels).CopyTo(rgb, 3 * width * first);
+            FormulaEvaluator.Draw(scene, this, pixels).CopyTo(picture.Rgb, 3 * width * first);
         });
-        return new(width, height, rgb);
+        return picture;
     }
 
     public Step RuleOf(StepKind? kind) => kind is { } own && Rules.TryGetValue(own, out var rule) ? rule : this[StepKind.Rule];

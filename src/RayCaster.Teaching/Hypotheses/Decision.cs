@@ -70,12 +70,10 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         suspect is { Mistakes: [{ Id: not Change.NoName } mistake], NotYet.Count: 0, Unexplained: < 0.5 }
         && mistake.Steps.All(step => step.IsOfRays());
 
-    /// <summary>What is said if the picture has fewer colours than it should, or pixels that no loop reached; otherwise null. The rest of the
-    /// picture is judged by itself.</summary>
+    /// <summary>What is said if no loop reached some pixels; otherwise null. The rest of the picture is judged by itself.</summary>
     private Diagnosis? WithoutFormulas()
     {
         if (sample.Difference is not { } difference) return null;
-        if (FewColors.Find(difference) is { } few) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [few] };
         if (UnreachedPixels.Find(difference, prepared.Scene) is not { } unreached) return null;
         if (!prepared.TooManyModels && AreDrawn(unreached, OneChange()))
         {
@@ -206,7 +204,8 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         {
             // Beside missing shapes a small mistake counts for little, so the rest is judged by itself.
             var drawn = prepared.Scene with { Models = [.. prepared.Scene.Models.Where(model => !missing.Contains(model.Kind))] };
-            var rest = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible, prepared.Budget).Judge(sample.Picture, done, likely);
+            var partly = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible, prepared.Budget);
+            var rest = new Decision(partly, sample.Picture, done, likely, isLeftOut).Decide();
             if (rest.Kind != DiagnosisKind.Matches)
                 return facts with
                 {

@@ -67,15 +67,11 @@ public sealed record Diagnosis
     /// <summary>The share of pixels that are right but for a channel that is one level darker: rounding instead of truncating.</summary>
     public double DarkerShare { get; internal init; }
 
-    /// <summary>A sentence about the file's alpha; null if each pixel is opaque.</summary>
-    public string? Alpha { get; internal init; }
-
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
     /// <param name="scene">The scene that it should show, at the picture's size.</param>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
     /// <param name="budget">How much may be done; any amount if left out.</param>
-    /// <param name="alpha">The alpha of the picture's file; null if each pixel is opaque.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
-    public static Diagnosis Find(Scene scene, Picture picture, SearchBudget? budget = null, AlphaChannel? alpha = null) =>
-        new SceneDiagnosis(scene, budget: budget).Judge(picture, alpha: alpha);
+    public static Diagnosis Find(Scene scene, Picture picture, SearchBudget? budget = null) =>
+        new SceneDiagnosis(scene, budget: budget).Judge(picture);
 }

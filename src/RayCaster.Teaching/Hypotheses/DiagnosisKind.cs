@@ -18,7 +18,7 @@ public enum DiagnosisKind
     /// <summary>The picture is wrong, and no mistake of the catalogue explains it.</summary>
     NoneOfThese,
 
-    /// <summary>The formulas are right, as far as the picture shows: some pixels were never drawn, or it was saved with fewer colours.</summary>
+    /// <summary>The formulas are right, as far as the picture shows: some pixels were never drawn.</summary>
     NotTheFormulas,
 
     /// <summary>Nothing but background, one colour, or models that are all black or all white: many mistakes draw such a picture, so none is

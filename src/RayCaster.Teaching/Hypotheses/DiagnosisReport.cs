@@ -22,7 +22,6 @@ public static class DiagnosisReport
         if (diagnosis.Kind == DiagnosisKind.Matches)
         {
             AppendMatch(text, diagnosis, picture, scene);
-            AppendAlpha(text, diagnosis);
             return text.ToString();
         }
         if (diagnosis.Missing is { } missingPart)
@@ -39,17 +38,11 @@ public static class DiagnosisReport
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
         AppendLost(text, diagnosis);
         foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
-        AppendAlpha(text, diagnosis);
         if (diagnosis.Kind == DiagnosisKind.TellsNothing)
             text.Wrap("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how each pixel should get its colour.");
         else if (diagnosis.Kind == DiagnosisKind.NoneOfThese) AppendNone(text, diagnosis, picture, scene, level);
         else if (diagnosis.Kind == DiagnosisKind.Mistake) AppendSuspects(text, diagnosis, level);
         return text.ToString();
-    }
-
-    private static void AppendAlpha(StringBuilder text, Diagnosis diagnosis)
-    {
-        if (diagnosis.Alpha is { } alpha) text.Wrap("", alpha);
     }
 
     private static bool IsRestRight(Diagnosis diagnosis) =>
@@ -161,7 +154,6 @@ public static class DiagnosisReport
             ["missing"] = diagnosis.MissingModel ?? diagnosis.Missing,
             ["notYet"] = Json(diagnosis.NotYet),
             ["likely"] = Json(diagnosis.Likely),
-            ["alpha"] = diagnosis.Alpha,
             ["cannotShow"] = Json(hidden.Select(mistake => mistake.Id)),
             ["suspects"] = new JsonArray([.. suspects]),
         });

@@ -55,8 +55,9 @@ public sealed record JointDiagnosis
     /// <summary>What the teacher should know where nothing explains the pictures; null for nothing.</summary>
     public string? Note { get; private init; }
 
-    /// <summary>What the wrong pictures show that is no mistake of the formulas; null if nothing does.</summary>
-    public string? Cause { get; private init; }
+    /// <summary>What the wrong pictures show that is no mistake of the formulas, a sentence for each, by their places; none if one shows nothing of
+    /// the kind.</summary>
+    public IReadOnlyDictionary<int, string> Causes { get; private init; } = new Dictionary<int, string>();
 
     /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
     public bool TellsNothing { get; private init; }
@@ -76,7 +77,7 @@ public sealed record JointDiagnosis
         PictureSample[] wrongSamples = [.. wrong.Select(i => samples[i])];
         var none = new JointDiagnosis { Wrong = wrong, Unexplained = wrong };
         if (samples.All(sample => sample.Picture.IsNearlyOneColor)) return none with { TellsNothing = true };
-        if (NotTheFormulas(wrongSamples) is { } cause) return none with { Cause = cause };
+        if (UnreachedIn(wrongSamples) is { } causes) return none with { Causes = wrong.Zip(causes).ToDictionary() };
         var ranked = new HypothesisSearch(samples, known, [], 1, null, null, null).Run();
         var verdict = ranked[0];
         int[] unexplained = [.. wrong.Where(i => !samples[i].IsExplainedBy(verdict.Programs[i]))];
@@ -119,18 +120,12 @@ public sealed record JointDiagnosis
     private static Suspect Find(Hypothesis hypothesis) => new(
         hypothesis.Mistakes, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, [], hypothesis.Missing, false, false, hypothesis.IsUsual);
 
-    /// <summary>A sentence for the first of some pictures if each has too few colours, or is right but for pixels that no loop reached.</summary>
-    private static string? NotTheFormulas(PictureSample[] wrong)
+    /// <summary>A sentence for each of some pictures if all are right but for pixels that no loop reached; otherwise null.</summary>
+    private static string[]? UnreachedIn(PictureSample[] wrong)
     {
-        string?[] causes = [.. wrong.Select(CauseOf)];
-        return causes.Contains(null) ? null : causes[0];
-
-        static string? CauseOf(PictureSample sample)
-        {
-            if (sample.Difference is not { } difference) return null;
-            return FewColors.Find(difference)
-                ?? (UnreachedPixels.Find(difference, sample.Scene) is { IsRestRight: true } unreached ? unreached.Sentence : null);
-        }
+        string[] causes = [.. wrong.Select(sample => sample.Difference is { } difference ? UnreachedPixels.Find(difference, sample.Scene) : null)
+            .TakeWhile(found => found?.IsRestRight == true).Select(found => found!.Sentence)];
+        return causes.Length == wrong.Length ? causes : null;
     }
 
     /// <summary>Programs of as many mistakes as the verdict that are about as short.</summary>

@@ -293,9 +293,6 @@ internal sealed class PictureSample
         return rgb;
     }
 
-    /// <summary>Lets go of what is kept for faster drawing. It is made again if it is needed.</summary>
-    public void Forget() => evaluators.Clear();
-
     private (int X, int Y)[] PixelsOf(int wrong, int other) =>
         [.. wrongPixels[..wrong].Concat(otherPixels[..other]).Select(pixel => (pixel % Picture.Width, pixel / Picture.Width))];
 

@@ -77,16 +77,12 @@ public sealed class SceneDiagnosis
     /// What the program certainly does: kinds of shape by their names in scene files, "attenuation", "clipping". Everything else may be missing.
     /// </param>
     /// <param name="likely">Which mistakes are likelier than others, for example those of the code written last; none if left out.</param>
-    /// <param name="alpha">The alpha of the picture's file; null if each pixel is opaque.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
-    public Diagnosis Judge(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Change>? likely = null, AlphaChannel? alpha = null)
+    public Diagnosis Judge(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Change>? likely = null)
     {
         if (!CanJudge(Scene, picture))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for a scene of {Scene.Camera.Width} x {Scene.Camera.Height}", nameof(picture));
-        var decision = new Decision(this, picture, done ?? [], likely);
-        var diagnosis = AlphaText.IsMultiplied(alpha, picture, Right) ? decision.Facts with { Kind = DiagnosisKind.NotTheFormulas }
-            : decision.Decide();
-        return diagnosis with { Alpha = AlphaText.Describe(alpha, picture, Right) };
+        return new Decision(this, picture, done ?? [], likely).Decide();
     }
 }

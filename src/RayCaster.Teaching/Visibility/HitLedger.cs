@@ -12,7 +12,7 @@ public sealed class HitLedger
     /// <summary>So many evaluations of a formula take about a second. If more are needed, only a sample of the rays is judged.</summary>
     private const long MaxFormulas = 8_000_000;
 
-    /// <summary>DiagnosisKind the triangles of a mesh that a ray may cross takes about as long as so many formulas.</summary>
+    /// <summary>Finding the triangles of a mesh that a ray may cross takes about as long as so many formulas.</summary>
     private const long FormulasOfTree = 32;
 
     /// <summary>So many shapes are judged within a few seconds, mostly within one.</summary>

@@ -1,3 +1,5 @@
+using RayCaster.Files.Tests.Pictures;
+
 namespace RayCaster.Files.Tests.Parts;
 
 public sealed class PartFileTests : IDisposable
@@ -30,6 +32,8 @@ public sealed class PartFileTests : IDisposable
             "it says that it holds the lines 10..14, each of 7 pixels, but has 4 lines of 7: it was changed by another program");
         Refused(Write(Facts with { Digest = "a\nb" }), "its text about its part of the picture is unknown; perhaps a newer raycaster drew it");
         Refused(folder.Write("a.png", "P6 1 1 255 abc"), "it is not a PNG");
+        File.WriteAllBytes(folder["b.png"], TestPng.Png(TestPng.Header(1, -1, 8, 2)));
+        Refused(folder["b.png"], "it has 4,294,967,295 lines, the limit is 2,147,483,647");
 
         static void Refused(string path, string message) =>
             Assert.Equal($"cannot read {path}: {message}", Assert.Throws<ProblemException>(() => PartFile.FactsOf(path)).Message);

@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching.Tests.Hypotheses;
 
-/// <summary>Pictures whose fault is in no formula: pixels that no loop reached, few colours, one colour.</summary>
+/// <summary>Pictures whose fault is in no formula: pixels that no loop reached, one colour.</summary>
 public class NotTheFormulasTests
 {
     private static readonly Scene room = SceneFolder.Small("room", 5), generic = SceneFolder.Small("mistakes/generic", 4);
@@ -35,22 +35,6 @@ public class NotTheFormulasTests
     }
 
     [Theory]
-    [InlineData("room", 8)]
-    [InlineData("generic", 16)]
-    [InlineData("generic", 51)]
-    public void FewColoursAreNoMistakeOfTheFormulas(string name, int step)
-    {
-        var right = Renderer.Render(SceneOf(name));
-        var diagnosis = Diagnosis.Find(SceneOf(name), Picture.Create(right.Width, right.Height, (x, y) => Rounded(right[x, y])));
-        Assert.Equal((DiagnosisKind.NotTheFormulas, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
-        Assert.StartsWith("The picture was saved with fewer colours", Assert.Single(diagnosis.Likely));
-
-        (byte, byte, byte) Rounded((byte R, byte G, byte B) color) => (Near(color.R), Near(color.G), Near(color.B));
-
-        byte Near(byte value) => (byte)Math.Min(255, (value + step / 2) / step * step);
-    }
-
-    [Theory]
     [InlineData(0, 0, "is all black, (0, 0, 0)")]
     [InlineData(255, 0, "is all white, (255, 255, 255)")]
     [InlineData(96, 1, "but for a level or two")]
@@ -66,54 +50,6 @@ public class NotTheFormulasTests
     }
 
     [Fact]
-    public void ADitheredPictureHasFewColours()
-    {
-        var right = Renderer.Render(generic);
-        var error = new double[3 * right.Width];
-        var picture = Picture.Create(right.Width, right.Height,
-            (x, y) => (Next(x, 0, right[x, y].R), Next(x, 1, right[x, y].G), Next(x, 2, right[x, y].B)));
-        Assert.StartsWith("The picture was saved with fewer colours", Assert.Single(Diagnosis.Find(generic, picture).Likely));
-
-        // the error of a pixel goes to the one below, and to the next one
-        byte Next(int x, int channel, byte value)
-        {
-            var at = 3 * x + channel;
-            var wanted = value + error[at];
-            var shown = Math.Clamp(Math.Round(wanted / 51) * 51, 0, 255);
-            error[at] = (wanted - shown) / 2;
-            if (at + 3 < error.Length) error[at + 3] += (wanted - shown) / 2;
-            return (byte)shown;
-        }
-    }
-
-    [Theory]
-    [InlineData(0, "The file's alpha is 0 in every pixel: a viewer shows nothing.")]
-    [InlineData(128, "The file's alpha is 128 in every pixel")]
-    public void AnAlphaIsToldOfARightPicture(byte alpha, string says)
-    {
-        var right = Renderer.Render(room);
-        var diagnosis = new SceneDiagnosis(room).Judge(right, alpha: Alpha(right, _ => alpha));
-        Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);
-        Assert.Contains(says, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings(" "));
-    }
-
-    [Theory]
-    [InlineData("room", 127, 0)]
-    [InlineData("generic", 40, 2)]
-    public void ColoursMultipliedByAlphaAreToldAsThat(string name, int first, int step)
-    {
-        var right = Renderer.Render(SceneOf(name));
-        var alpha = Alpha(right, x => (byte)(first + step * x));
-        var multiplied = Picture.Create(right.Width, right.Height, (x, y) => Times(right[x, y], first + step * x));
-        var diagnosis = new SceneDiagnosis(SceneOf(name)).Judge(multiplied, alpha: alpha);
-        Assert.Equal((DiagnosisKind.NotTheFormulas, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
-        Assert.Contains("multiplied by the file's alpha", diagnosis.Alpha);
-
-        static (byte, byte, byte) Times((byte R, byte G, byte B) color, int alpha) =>
-            ((byte)(color.R * alpha / 255), (byte)(color.G * alpha / 255), (byte)(color.B * alpha / 255));
-    }
-
-    [Fact]
     public void ARightPictureOfOneColourIsNotAccused()
     {
         var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, fovY: 3, width: 20, height: 20),
@@ -122,9 +58,6 @@ public class NotTheFormulasTests
         Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);
         Assert.True(diagnosis.ProvesNothing);
     }
-
-    private static AlphaChannel Alpha(Picture picture, Func<int, byte> at) =>
-        new([.. Enumerable.Range(0, picture.Width * picture.Height).Select(i => at(i % picture.Width))]);
 
     private static Scene SceneOf(string name) => name == "room" ? room : generic;
 
