@@ -64,7 +64,7 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
         {
             var pictures = submission.Pictures(rubric);
             var tests = rubric.Tests is null ? null : TestResults.In(submission, rubric);
-            if (tests?.Steps.Count is null or 0) Interlocked.Increment(ref withoutTests);
+            if (tests?.HasFiles != true) Interlocked.Increment(ref withoutTests);
             var marks = Decided(marker.Mark(submission.Student, pictures, tests?.Steps, tests?.Notes ?? []));
             Write(Path.Combine(submission.Student, StudentFile), FeedbackPage.Create(rubric, marks, pictures));
             return marks;

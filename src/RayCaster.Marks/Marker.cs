@@ -63,7 +63,7 @@ internal sealed class Marker(Rubric rubric)
         if (tests?.IsConclusive(all) != true)
         {
             if (item.Evidence == ItemEvidence.Both) return marks;
-            if (tests is not null) lookYourself.Add($"{item.Name}: {tests}, but tests of an earlier step, which it uses, fail too");
+            if (tests is { IsOpen: false }) lookYourself.Add($"{item.Name}: {tests}, but tests of an earlier step, which it uses, fail too");
             return marks with { Points = 0, Undecided = item.Points, Because = [] };
         }
         if (isOpen) return marks with { Points = tests.IsPassed ? item.Points : 0, Undecided = 0, Because = tests.IsPassed ? [] : pictures.Because };

@@ -25,9 +25,13 @@ internal static class TeacherTable
         var wrong = new List<string>();
         foreach (var (i, row) in rows.Index())
         {
-            var student = Cell(row, name);
+            var written = Cell(row, name);
             if (row.TrueForAll(cell => cell.Trim() == "")) continue;
-            if (!students.Contains(student)) wrong.Add($"\n  row {i + 2}: {PrintableText.From(student)}{Nearest(student, students)}");
+            if (Folder(written, students) is not { } student)
+            {
+                wrong.Add($"\n  row {i + 2}: {PrintableText.From(written)}{Nearest(written, students)}");
+                student = written;
+            }
             if (Decision(path, student, Cell(row, points), Cell(row, comment)) is not { } decision) continue;
             if (!decisions.TryAdd(student, decision) && decisions[student] != decision)
                 throw new ProblemException($"{path} has two rows of {PrintableText.From(student)} that say different things: delete one of them");
@@ -37,6 +41,10 @@ internal static class TeacherTable
             string.Concat(wrong.Take(MaxRows)) + (wrong.Count > MaxRows ? $"\n  and {wrong.Count - MaxRows} more" : "") +
             "\n  Correct the names, or delete the rows.");
     }
+
+    /// <summary>The folder of a row; null if none fits, or several do. Programs write é as one character or as two.</summary>
+    private static string? Folder(string row, IReadOnlyCollection<string> students) => students.Contains(row) ? row
+        : students.Where(student => student.Normalize() == row.Normalize()).ToArray() is [var only] ? only : null;
 
     private static TeacherDecision? Decision(string path, string student, string points, string comment)
     {

@@ -12,17 +12,27 @@ internal enum TestOutcome
     Failed,
 }
 
-/// <summary>A test of a report, once, however often it was tried: the last attempt that ran counts.</summary>
+/// <summary>A test of a report. Where the report says that it was tried several times, the last attempt that ran counts.</summary>
+/// <param name="Key">What it is called in other runs, too: its step, class, name and place.</param>
+/// <param name="Begun">When its run began; null if the report does not say so.</param>
 /// <param name="Step">The step that it tests; 0 if it names none.</param>
 /// <param name="Word">What the report calls its end, such as <c>suppressed</c>; empty if it says nothing.</param>
 /// <param name="IsFlaky">Whether its attempts ended in different ways.</param>
 /// <param name="IsStopped">Whether the run was stopped in it, so that others may not have run.</param>
-internal sealed record ReportedTest(int Step, string Name, TestOutcome Outcome, string Word, bool IsFlaky = false, bool IsStopped = false);
+internal sealed record ReportedTest(string Key, DateTimeOffset? Begun, int Step, string Name, TestOutcome Outcome, string Word,
+    bool IsFlaky = false, bool IsStopped = false)
+{
+    /// <summary>Whether tests of its name end in different ways, and nothing says which of them counts.</summary>
+    public bool IsDisputed { get; init; }
+}
 
 /// <summary>Reads a file of test results: JUnit, of which each runner writes a dialect of its own, or TRX.</summary>
 internal static partial class TestReport
 {
-    private const int MaxBytes = 1 << 24, MaxText = 80, MaxDepth = 100;
+    /// <summary>The longest file, in bytes.</summary>
+    internal const int MaxBytes = 1 << 24;
+
+    private const int MaxText = 80, MaxDepth = 100;
 
     /// <summary>Begins the hand-out's message of a test that did not end.</summary>
     private const string Stopped = "The run was stopped";
@@ -53,6 +63,9 @@ internal static partial class TestReport
     /// <summary>The elements of earlier attempts of a test.</summary>
     private static readonly string[] attempts = ["flakyFailure", "flakyError", "rerunFailure", "rerunError", "rerun"];
 
+    /// <summary>What the names of properties contain that number the attempts of a test.</summary>
+    private static readonly string[] repetitions = ["repetition", "rerun", "retry", "attempt"];
+
     /// <summary>What files without a test are, by their outermost elements, and how to get JUnit instead.</summary>
     private static readonly Dictionary<string, string> others = new()
     {
@@ -66,7 +79,7 @@ internal static partial class TestReport
 
     /// <exception cref="ProblemException">What is wrong with the file, as a sentence that begins with "it".</exception>
     public static IReadOnlyList<ReportedTest> Read(string path) =>
-        Parse(new FileInfo(path).Length == 0 ? [] : [.. InputFile.Read(path, "file", MaxBytes)]); // a pipe has no length either
+        Parse(new FileInfo(path).Length == 0 ? [] : [.. InputFile.Read(path, "file", MaxBytes, ": do the tests print too much?")]); // a pipe has no length either
 
     /// <exception cref="ProblemException">The same.</exception>
     internal static IReadOnlyList<ReportedTest> Parse(byte[] report)
@@ -75,6 +88,7 @@ internal static partial class TestReport
         if (report is [0x1F, 0x8B, ..] or [(byte)'P', (byte)'K', ..]) throw new ProblemException("it is packed: unpack it");
         var all = Parsed(ForeignText.Decode(report));
         var classes = Named(all, "TestMethod").ToLookup(method => Text(method.Parent!, "id"), method => Text(method, "className"));
+        foreach (var sum in Named(all, "InnerResults").Select(rows => rows.Parent!).ToArray()) sum.Name = "SumOfRows"; // is no test
         foreach (var result in Named(all, "UnitTestResult")) result.SetAttributeValue("classname", classes[Text(result, "testId")].FirstOrDefault());
 
         ReportedTest[] tests =
@@ -92,16 +106,26 @@ internal static partial class TestReport
     {
         XElement[][] tests =
         [
-            .. listed.GroupBy(test => (string.Join('\n', dialect.Others.Prepend("classname").Append(dialect.Name).Select(part => Text(test, part))),
-                Text(test, dialect.Name).Contains("···") ? test : null)) // xunit cuts long names, which may then be the same
-                .Select(attempts => attempts.ToArray()),
+            .. listed.GroupBy(test => string.Join('\n', dialect.Others.Prepend("classname").Append(dialect.Name).Select(part => Text(test, part))))
+                .SelectMany(same => same.Count(IsRepetition) >= same.Count() - 1 ? [[.. same]] : same.Select(test => (XElement[])[test])),
         ];
         var hasTodo = Number(suite, "tests", int.MaxValue) < tests.Length; // jest lists what is to do as if it passed, but does not count it
         foreach (var test in tests) yield return Last([.. test.Select(attempt => Read(attempt, dialect, hasTodo))]);
         var idle = tests.Count(test => test.Any(attempt => Said(attempt, dialect).Any(said => said.Outcome == TestOutcome.NotRun)));
         if (Number(suite, "disabled", 0) + Number(suite, "skipped", 0) > idle) // xunit does not list explicit tests, but counts them
-            yield return new(0, "", TestOutcome.NotRun, "");
+            yield return new("", null, 0, "", TestOutcome.NotRun, "");
     }
+
+    private static bool IsRepetition(XElement test) => Named(test, "property").Any(property =>
+        repetitions.Any(word => Text(property, "name").Contains(word, StringComparison.OrdinalIgnoreCase)));
+
+    /// <summary>When the run of a test began, as its suite or the run says, or else the test.</summary>
+    private static DateTimeOffset? BegunOf(XElement test) =>
+        test.Ancestors().Select(suite => Text(suite, "timestamp"))
+            .Concat(test.Ancestors().SelectMany(run => run.Elements().Where(times => times.Name.LocalName == "Times")).Select(times => Text(times, "start")))
+            .Append(Text(test, "startTime"))
+            .Select(text => DateTimeOffset.TryParse(text, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal, out var time) ? time
+                : (DateTimeOffset?)null).FirstOrDefault(time => time is not null);
 
     private static ReportedTest Last(ReportedTest[] attempts) =>
         (attempts.LastOrDefault(attempt => attempt.Outcome != TestOutcome.NotRun) ?? attempts[^1]) with
@@ -116,7 +140,9 @@ internal static partial class TestReport
         if (hasTodo && !test.HasElements && Text(test, "time") == "0") (outcome, word) = (TestOutcome.NotRun, "todo");
         var (type, name) = (Text(test, "classname"), Text(test, dialect.Name));
         var isQualified = type != "" && name.StartsWith(type + ".", StringComparison.Ordinal);
-        return new(StepOf(test, type, name), Cut(isQualified ? name[(type.Length + 1)..] : name), outcome, Cut(word),
+        var step = StepOf(test, type, name);
+        var (suite, places) = (type == "" ? Text(test.Parent!, "name") : type, dialect.Others.Where(other => other != "executionId"));
+        return new(string.Join('\n', [$"{step}", suite, name, .. places.Select(place => Text(test, place))]), BegunOf(test), step, Cut(isQualified ? name[(type.Length + 1)..] : name), outcome, Cut(word),
             outcome == TestOutcome.Passed && test.Elements().Any(element => attempts.Contains(element.Name.LocalName)),
             test.Elements().Any(error => Text(error, "message").StartsWith(Stopped, StringComparison.Ordinal)));
     }

@@ -108,7 +108,8 @@ public static class PictureFile
             throw new ProblemException($"its size is {width} × {height} pixels, but each side must be at least 1");
         var bytes = (Int128)width * height * 3;
         if (bytes > (maxBytes ?? MaxBytes))
-            throw new ProblemException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {maxBytes ?? MaxBytes:N0}");
+            throw new ProblemException(
+                $"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {maxBytes ?? MaxBytes:N0}");
     }
 
     /// <summary>A piece of a damaged file, fit for a message.</summary>

@@ -97,8 +97,8 @@ internal sealed class PngReader
         var picture = new Picture(reader.Header.Width, reader.Header.Height);
         reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { });
         if (reader.notOpaque > 0)
-            warn(FormattableString.Invariant($"its alpha is {reader.leastAlpha} instead of 255 in {reader.notOpaque:N0} of ") + FormattableString.Invariant(
-                $"{(long)picture.Width * picture.Height:N0} pixels: a viewer shows what lies behind. Write 255, or no alpha"));
+            warn(FormattableString.Invariant($"its alpha is {reader.leastAlpha} instead of 255 in {reader.notOpaque:N0} of ") +
+                FormattableString.Invariant($"{picture.Rgb.Length / 3:N0} pixels: a viewer shows what lies behind. Write 255, or no alpha"));
         return picture;
     }
 
@@ -156,7 +156,7 @@ internal sealed class PngReader
         _ => Header.BitDepth == 8 && IsTransparent(samples) ? 0 : 255, // of colours of other depths, as few files have, nothing is told
     };
 
-    /// <summary>Whether it is the colour of alpha 0, which a picture of grey or of red, green and blue may name: two bytes for each sample.</summary>
+    /// <summary>Whether it is the colour of alpha 0, which a picture without an alpha may name: two bytes for each sample.</summary>
     private bool IsTransparent(ReadOnlySpan<byte> samples)
     {
         var isSame = transparency.Length == 2 * Header.Channels;

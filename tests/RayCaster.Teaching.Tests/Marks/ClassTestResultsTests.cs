@@ -71,13 +71,13 @@ public sealed class ClassTestResultsTests : IDisposable
     public void TheSummaryCountsTheStudentsWithoutResultsAndSaysWhatThatMeans()
     {
         Student("anna", Passes).Student("boris", null).Student("carla", "").Mark(2);
-        Assert.Equal("2 of 3 submissions have no test results results*.xml: only their pictures count, and what tests alone decide is undecided",
+        Assert.Equal("1 of 3 submissions have no test results results*.xml: only their pictures count, and what tests alone decide is undecided",
             Assert.Single(notices));
     }
 
     [Theory]
     [InlineData("<testcase classname='Step08' name='b' status='notrun'/>", "1 of 2 tests of step 8 did not run (notrun)")]
-    [InlineData("<testcase classname='Step08' name='b'><failure/></testcase><testcase classname='Step08' name='b'/>",
+    [InlineData("<testcase classname='Step08' name='b'><flakyFailure/></testcase>",
         "\"flaky tests of step 8, whose last attempt counts: b\"")]
     public void WhatIsOddBesideAResultIsTold(string more, string note)
     {

@@ -16,13 +16,15 @@ public class TestReportTests
     private static string Counts(IReadOnlyList<ReportedTest> tests) =>
         string.Join("; ", TestResults.ByStep(tests).Values.OrderBy(step => step.Step).Select(step => $"{step.Step}: {step.Passed} of {step.Count}"));
 
+    private static List<ReportedTest> Joined(IEnumerable<ReportedTest> tests) => TestResults.Joined([.. tests.Select(test => ("a.xml", test))], []);
+
     private static string Notes(IReadOnlyList<ReportedTest> tests) => string.Join("; ", TestResults.NotesOn(tests, [3, 8]));
 
     private static IReadOnlyList<ReportedTest> Tests(string cases) => TestReport.Parse(Encoding.UTF8.GetBytes($"<testsuite>{cases}</testsuite>"));
 
     [Theory]
-    [InlineData("pytest.xml", "3: 1 of 1; 8: 3 of 6", "2 of 8 tests of step 8 did not run (skipped)")]
-    [InlineData("pytest-rerunfailures.xml", "3: 1 of 1; 8: 1 of 2", "flaky tests of step 8, whose last attempt counts: test_near")]
+    [InlineData("pytest.xml", "3: 1 of 1; 8: 3 of 7", "2 of 9 tests of step 8 did not run (skipped)")]
+    [InlineData("pytest-rerunfailures.xml", "3: 1 of 1; 8: 1 of 3", "flaky tests of step 8, whose last attempt counts: test_near")]
     [InlineData("surefire.xml", "3: 1 of 1; 8: 2 of 3", "1 of 4 tests of step 8 did not run (skipped); " +
         "flaky tests of step 8, whose last attempt counts: nearSide, behind")]
     [InlineData("googletest.xml", "3: 1 of 1; 8: 1 of 2", "2 of 4 tests of step 8 did not run (suppressed, skipped)")]
@@ -82,20 +84,45 @@ public class TestReportTests
     [InlineData("pass notrun fail notrun", "8: 0 of 1")]
     public void OfAttemptsTheLastThatRanCountsAndFlakyIsTold(string attempts, string counts)
     {
-        var tests = Tests(string.Concat(attempts.Split(' ').Select(end => $"<testcase classname='step8' name='near' status='{end}'/>")));
+        var tests = Tests(string.Concat(attempts.Split(' ').Select((end, i) => $"<testcase classname='step8' name='near' status='{end}'>" +
+            $"<properties><property name='repetition' value='Repetition {i + 1}'/></properties></testcase>")));
         Assert.Equal(counts, Counts(tests));
         Assert.Contains("flaky tests of step 8, whose last attempt counts: near", Notes(tests));
     }
 
     [Theory]
-    [InlineData("<testcase classname='step8' name='near'/>")] // the same end
-    [InlineData("<testcase classname='step8' name='near' status='notrun'/>")]
-    public void AttemptsThatEndAlikeAreOneTestThatIsNotFlaky(string second)
+    [InlineData("pass fail pass", "1 of 3 tests called near fails, in step 8")]
+    [InlineData("fail pass", "1 of 2 tests called near fails, in step 8")]
+    public void WhereTestsOfOneNameEndDifferentlyTheStepIsOpen(string ends, string note)
     {
-        var tests = Tests("<testcase classname='step8' name='near'/>" + second);
-        Assert.Equal("8: 1 of 1", Counts(tests));
-        Assert.DoesNotContain("flaky", Notes(tests));
+        var tests = Joined(Tests(string.Concat(ends.Split(' ').Select(end => $"<testcase classname='step8' name='near' status='{end}'/>"))));
+        Assert.True(TestResults.ByStep(tests)[8].IsOpen);
+        Assert.Contains(note, Notes(tests));
+        tests = Joined([.. tests, .. Tests("<testcase classname='step8' name='far' status='fail'/>")]);
+        Assert.False(TestResults.ByStep(tests)[8].IsOpen, "another test fails");
     }
+
+    [Theory]
+    [InlineData("8:00", "pass", "9:00", "fail", "8: 0 of 1", "")]
+    [InlineData("9:00", "pass", "8:00", "fail", "8: 1 of 1", "")]
+    [InlineData("", "fail", "8:00", "fail", "8: 0 of 1", "")]
+    [InlineData("", "pass", "8:00", "fail", "8: 1 of 2",
+        "a.xml and b.xml disagree about a test of step 8, near, and no time says which run is the last")]
+    public void ATestOfTwoFilesCountsOnceByTheLaterRun(string begun, string end, string otherBegun, string otherEnd, string counts, string told)
+    {
+        var notes = new List<string>();
+        var tests = TestResults.Joined([("a.xml", Run(begun, end)), ("b.xml", Run(otherBegun, otherEnd))], notes);
+        Assert.Equal((counts, told), (Counts(tests), string.Concat(notes)));
+        Assert.Equal(told != "", TestResults.ByStep(tests)[8].IsOpen);
+
+        static ReportedTest Run(string time, string end) => Assert.Single(Tests(
+            $"<testsuite{(time == "" ? "" : $" timestamp='2026-11-20T0{time}:00'")}><testcase classname='step8' name='near' status='{end}'/></testsuite>"));
+    }
+
+    [Fact]
+    public void AResultThatSumsUpDataRowsIsNoTest() => Assert.Equal("8: 1 of 2", Counts(Tests(
+        "<UnitTestResult testName='Step8 At' outcome='Failed'><InnerResults><UnitTestResult testName='Step8 At (1)' outcome='Passed'/>" +
+        "<UnitTestResult testName='Step8 At (2)' outcome='Failed'/></InnerResults></UnitTestResult>")));
 
     [Theory]
     [InlineData("<testsuite name='debug'>{0}</testsuite><testsuite name='release'>{1}</testsuite>")]
