@@ -5,8 +5,9 @@ namespace RayCaster.Cli;
 /// <summary>Ends a command's work on a signal, whatever it reads, waits for or computes.</summary>
 internal static class Interruption
 {
-    /// <summary>The signal for a file that is larger than "ulimit -f" allows; the same number on Linux and macOS.</summary>
-    private const PosixSignal FileTooLarge = (PosixSignal)25;
+    /// <summary>The signals for more processor time than "ulimit -t" allows, and for a larger file than "ulimit -f" does; the same numbers on Linux
+    /// and macOS.</summary>
+    private const PosixSignal TooMuchTime = (PosixSignal)24, FileTooLarge = (PosixSignal)25;
 
     private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50);
     private static readonly TimeSpan WorkGracePeriod = TimeSpan.FromMilliseconds(200), MessageGracePeriod = TimeSpan.FromSeconds(0.5);
@@ -22,6 +23,7 @@ internal static class Interruption
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
         using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Cancel); // the terminal window was closed
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
+        using var tooMuchTime = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(TooMuchTime, Cancel);
         // By default it ends the process. Ignored, the write fails with a message.
         if (!OperatingSystem.IsWindows()) tooLarge ??= PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
 
@@ -53,6 +55,7 @@ internal static class Interruption
             {
                 PosixSignal.SIGHUP => ExitCode.HungUp,
                 PosixSignal.SIGTERM => ExitCode.Terminated,
+                TooMuchTime => ExitCode.OutOfTime,
                 _ => ExitCode.Interrupted,
             };
             cancellation.Cancel();

@@ -21,6 +21,9 @@ internal sealed class FileNames
     /// <param name="extension">An extension that may have been left out.</param>
     public string Hint(string path, string extension = "")
     {
+        if (path.AsSpan().IndexOfAnyInRange('\b', '\r') is >= 0 and var at)
+            return $"; {PrintableText.Escaped(path[at..(at + 1)])} in a text is {(path[at] == '\t' ? "a tab" : "a control character")}: " +
+                "write / or \\\\ between folders";
         var full = Path.GetFullPath(path);
         var sought = full == path.Replace('/', Path.DirectorySeparatorChar) ? "" : $"; looked for {PrintableText.From(full)}";
         if (++hints > MaxHints) return sought;
@@ -29,6 +32,9 @@ internal sealed class FileNames
             var folder = Path.GetDirectoryName(full)!;
             if (!Directory.Exists(folder)) return $"{sought}; there is no folder {PrintableText.From(folder)}{FolderHint(folder)}";
             var names = NamesIn(folder, isFolder: false);
+            var plain = Spelling.WithAccentsApart(Path.GetFileName(path));
+            if (Array.Find(names, name => Spelling.WithAccentsApart(name) == plain) is { } same)
+                return $"{sought}; the accents of \"{same}\" are encoded otherwise: copy the name from the folder";
             var completed = Path.GetFileName(path) + extension;
             if (extension.Length > 0 && Array.IndexOf(names, completed) >= 0) return $"{sought}; did you mean \"{completed}\"?";
             return sought + Spelling.DidYouMean(Path.GetFileName(path), names);

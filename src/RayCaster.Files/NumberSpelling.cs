@@ -19,13 +19,16 @@ internal static partial class NumberSpelling
         var fraction = Separators().Replace(number.Groups["fraction"].Value, "");
         if (whole.Length + fraction.Length == 0) return null;
         whole = whole.TrimStart('0');
-        return sign + (whole.Length > 0 ? whole : "0") + (fraction.Length > 0 ? "." + fraction : "") + number.Groups["exponent"].Value;
+        return sign + (whole.Length > 0 ? whole : "0") + (fraction.Length > 0 ? "." + fraction : "")
+            + number.Groups["letter"].Value.Replace('d', 'e').Replace('D', 'E') + number.Groups["power"].Value;
     }
 
     /// <summary>What to write in place of a word of a mesh file that should be a number; empty if that is not known.</summary>
     public static string Hint(string word)
     {
         if (Lookalike.FindIn(word) is { } lookalike) return "; " + lookalike.Message;
+        if (word.AsSpan().Trim('*').IsEmpty) return "; the number did not fit into the column of the program that wrote it";
+        if (WithoutLetter().Match(word) is { Success: true } fortran) return $"; write {fortran.Groups[1].Value}E{fortran.Groups[2].Value}";
         if (Thousands().IsMatch(word)) return $"; write {word.Replace(",", "")}";
         var alone = word.TrimEnd(',', ';');
         var separators = SeparatorHint(alone.Length < word.Length || alone.Count(c => c is ',' or ';') > 1 || alone.Contains(';') ? word : "");
@@ -43,9 +46,12 @@ internal static partial class NumberSpelling
     [GeneratedRegex(@"^((?<factor>-?[0-9]+(\.[0-9]+)?)[*x×.·])?10\^?(?<exponent>[+-]?[0-9]+)$")]
     private static partial Regex Power();
 
-    [GeneratedRegex(@"^(?<sign>[+]*-?)(?<whole>[0-9][0-9_']*)?((?<point>[.,])(?<fraction>([0-9][0-9_]*)?))?(?<exponent>e[+-]?[0-9]+)?"
-        + "([fdlmu]|deg|°)?$", RegexOptions.IgnoreCase)] // the suffixes of C# and Java, and degrees
+    [GeneratedRegex(@"^(?<sign>[+]*-?)(?<whole>[0-9][0-9_']*)?((?<point>[.,])(?<fraction>([0-9][0-9_]*)?))?((?<letter>[ed])(?<power>[+-]?[0-9]+))?"
+        + "([fdlmu]|deg|°)?$", RegexOptions.IgnoreCase)] // Fortran's D, the suffixes of C# and Java, and degrees
     private static partial Regex Form();
+
+    [GeneratedRegex(@"^([+-]?[0-9]*\.[0-9]*)([+-][0-9]+)$")] // as Fortran writes exponents of three digits: 2.5-101
+    private static partial Regex WithoutLetter();
 
     [GeneratedRegex("[_']")]
     private static partial Regex Separators();

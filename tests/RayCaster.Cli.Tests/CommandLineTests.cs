@@ -135,6 +135,9 @@ public sealed class CommandLineTests : CommandTests
     [InlineData("explain ROOM 0 -1", "there is no line -1: the picture has lines 0 to 499, top to bottom")]
     [InlineData("explain ROOM x 0", "'x' is not a column: it is a whole number from 0 to 499")]
     [InlineData("check week-*.json", "no file matches week-*.json\n")]
+    [InlineData("check ROOM --for plane, sphere", "'sphere' seems to belong to the list of --for: write --for plane,sphere, without blanks")]
+    [InlineData("check ROOM --require rows bgr", "'bgr' seems to belong to the list of --require: write --require rows,bgr, without blanks")]
+    [InlineData("diagnose ROOM a.png --done plane sphere", "'sphere' seems to belong to the list of --done: write --done plane,sphere, without")]
     [InlineData("check nosuch.json --for typo -q", "unknown name 'typo' in 'typo', a list of names joined by ','")]
     public void WhatCannotBeDoneIsRefused(string arguments, string message) =>
         Refuses(message, Array.ConvertAll(arguments.Split(' '), word => word == "ROOM" ? Room : word));

@@ -31,6 +31,7 @@ internal sealed class CommandLine(string command)
             if (word != "-" && word.StartsWith('-') && !IsNumber(word)) line.Add(word, options, ref words);
             else line.operands.Add(word);
         }
+        line.RefuseTornLists();
         return line.operands.Contains("") ? throw ProblemException.Usage("a name is empty: it names no file") : line;
     }
 
@@ -60,6 +61,18 @@ internal sealed class CommandLine(string command)
     {
         Warning = Warning is null ? text : $"{Warning} {text}";
         StandardStreams.WriteError(text);
+    }
+
+    /// <summary>Refuses a list with blanks in it: the words after the first one look like operands.</summary>
+    private void RefuseTornLists()
+    {
+        foreach (var (option, value) in values)
+        {
+            string[] torn = [.. operands.Where(word => !File.Exists(word) && option.Known.Contains(word.Trim(',')))];
+            if (torn.Length > 0)
+                throw ProblemException.Usage($"'{string.Join(' ', torn)}' seems to belong to the list of {option.Name}: write {option.Name} " +
+                    $"{string.Join(',', ((string[])value).Concat(torn.Select(word => word.Trim(','))))}, without blanks (in PowerShell in quotes)");
+        }
     }
 
     /// <summary>Adds an option, <c>--name value</c> or <c>--name=value</c>.</summary>

@@ -13,4 +13,5 @@ internal static class ExitCode
     public const int HungUp = 129;
     public const int Interrupted = 130;
     public const int Terminated = 143;
+    public const int OutOfTime = 152;
 }

@@ -27,6 +27,9 @@ internal abstract class Option(string names, string? value, string help)
 
     public bool TakesValue => value is not null;
 
+    /// <summary>The words that a list may have; none if its value is no list.</summary>
+    public IReadOnlyList<string> Known { get; private init; } = [];
+
     /// <summary>The option in the help page's table: names without a short one begin where others have their long one.</summary>
     public string Usage => $"{(Names.Length == 1 ? "    " : "")}{names}{(value is null ? "" : " ")}{value}";
 
@@ -47,7 +50,7 @@ internal abstract class Option(string names, string? value, string help)
 
     /// <summary>An option whose value is a list of words such as "plane,sphere".</summary>
     public static Option<string[]> List(string names, string value, string help, IReadOnlyList<string> known) =>
-        new(names, value, help, $"words such as {string.Join(',', known.Take(8))}", text => ReadList(text, ',', known));
+        new(names, value, help, $"words such as {string.Join(',', known.Take(8))}", text => ReadList(text, ',', known)) { Known = known };
 
     /// <summary>The words of a list, each once; null if it has none.</summary>
     public static string[]? ReadList(string text, char separator, IReadOnlyList<string> known)

@@ -11,7 +11,8 @@ internal sealed class MeshBuilder(MeshSource source)
     private readonly List<Vector3> vertices = [];
     private readonly List<int> indices = [];
     private readonly List<(int Index, int Count, long Place)> early = []; // polygons before their vertices
-    private int first, previous, greatest, folded;
+    private readonly List<int> blocks = []; // where vertices follow faces: each begins the vertices of another object
+    private int first, previous, greatest, folded, facesBefore;
     private long foldedAt;
 
     public int VertexCount => vertices.Count;
@@ -19,6 +20,27 @@ internal sealed class MeshBuilder(MeshSource source)
     public int CornerCount { get; private set; }
 
     public void AddVertex(Vector3 vertex) => vertices.Add(vertex);
+
+    /// <summary>Notes that a vertex follows, perhaps after faces.</summary>
+    public void BeginBlock()
+    {
+        if (indices.Count > facesBefore) blocks.Add(vertices.Count);
+        facesBefore = indices.Count;
+    }
+
+    /// <summary>A warning if no face has a vertex of some object; otherwise null.</summary>
+    public string? UnusedBlocks()
+    {
+        if (blocks.Count == 0) return null;
+        var isUsed = new bool[vertices.Count];
+        foreach (var index in indices) isUsed[index] = true;
+        blocks.Add(vertices.Count);
+        for (var i = 1; i < blocks.Count; i++)
+            if (blocks[i] - blocks[i - 1] >= 3 && !isUsed.AsSpan(blocks[i - 1], blocks[i] - blocks[i - 1]).Contains(true))
+                return $"{isUsed.Count(used => !used)} of {vertices.Count} vertices belong to no face: do the indices of each object begin at 1? " +
+                    "They count on through the file";
+        return null;
+    }
 
     public void BeginFace() => CornerCount = greatest = 0;
 

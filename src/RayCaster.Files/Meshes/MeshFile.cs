@@ -20,7 +20,7 @@ public static class MeshFile
         }
         catch (Exception e) when (e is IOException or ProblemException { NamesFile: false })
         {
-            throw new ProblemException($"{path}: {(e is IOException ? ProblemException.Reason(e) : e.Message)}", e);
+            throw new ProblemException($"{PrintableText.Escaped(path)}: {(e is IOException ? ProblemException.Reason(e) : e.Message)}", e);
         }
     }
 

@@ -24,7 +24,7 @@ internal static class ObjFile
         {
             switch (scanner.NextInLine())
             {
-                case [(byte)'v']: ReadVertex(scanner, mesh); break;
+                case [(byte)'v']: mesh.BeginBlock(); ReadVertex(scanner, mesh); break;
                 case [(byte)'f']: ReadFace(scanner, mesh, ahead); break;
                 case [(byte)'l']: lines++; break;
                 case [(byte)'p']: points++; break;
@@ -42,7 +42,7 @@ internal static class ObjFile
         foreach (var (index, line) in ahead)
             if (index > mesh.VertexCount)
                 throw source.ErrorAtLine(line, $"face index {index} is beyond the file's {mesh.VertexCount} vertices");
-        return mesh.Finish(string.Join("; ", ((string?[])[warning, skipped.Warning]).OfType<string>()) is { Length: > 0 } warnings ? warnings : null,
+        return mesh.Finish(string.Join("; ", ((string?[])[warning, skipped.Warning, mesh.UnusedBlocks()]).OfType<string>()) is { Length: > 0 } warnings ? warnings : null,
             others: [(lines, "line"), (points, "point")]);
     }
 

@@ -67,6 +67,10 @@ internal static class PrimitiveList
         return Model.Of(new Triangle(a, b, c));
     }
 
+    /// <summary>Whether an angle is a multiple of 15 degrees in radians, up to a full turn.</summary>
+    private static bool IsPartOfPi(double angle) => Math.Abs(angle) is > 0.1 and < 6.3
+        && Math.Abs(Math.IEEERemainder(angle, Math.PI / 12)) < 1e-4;
+
     /// <summary>Triangles of a file or of the scene, placed; after an error the mesh is empty.</summary>
     private static Model Mesh(SceneObject o)
     {
@@ -74,9 +78,11 @@ internal static class PrimitiveList
         var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.");
         var vertices = o.Vectors("vertices", "In place of a file: the corners of the faces.");
         var indices = o.Faces("faces", "Of each face at least three places in vertices, from 0.", vertices);
-        var placement = new MeshPlacement(
-            o.Factors("scale", "A factor for all axes, or one for each; none is 0, negative mirrors.", 1),
-            o.Vector("rotate", "Turns about the x, y and z axis, in this order, in degrees.", Vector3.Zero),
+        var scale = o.Factors("scale", "A factor for all axes, or one for each; none is 0, negative mirrors.", 1);
+        var rotate = o.Vector("rotate", "Turns about the x, y and z axis, in this order, in degrees.", Vector3.Zero);
+        if (new[] { rotate.X, rotate.Y, rotate.Z }.FirstOrDefault(IsPartOfPi) is var angle and not 0)
+            o.Warn("rotate", $" has {angle}; rotate is in degrees, and {angle} looks like {Math.Round(angle * 180 / Math.PI)} degrees in radians");
+        var placement = new MeshPlacement(scale, rotate,
             o.Vector("translate", "Where the mesh's origin goes, at last.", Vector3.Zero));
         var key = o.Has("faces") ? "faces" : o.Has("vertices") ? "vertices" : "file";
         if (file == "") o.Refuse("file", $" must not be empty");

@@ -10,7 +10,6 @@ public class PromisesTests
     [Theory]
     [InlineData("67,108,864", SceneReader.MaxBytes)]
     [InlineData("268,435,456", MeshFile.MaxBytesAtOnce)]
-    [InlineData("| file of test results | 16,777,216 bytes", TestReport.MaxBytes)]
     [InlineData("| threads | 1024,", Option.MaxThreads)]
     [InlineData("at most 4 per core are started", Option.MaxThreadsPerCore)]
     [InlineData("1000 are kept", SceneReading.MaxProblems)]

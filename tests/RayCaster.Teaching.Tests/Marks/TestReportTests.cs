@@ -22,6 +22,10 @@ public class TestReportTests
 
     private static IReadOnlyList<ReportedTest> Tests(string cases) => TestReport.Parse(Encoding.UTF8.GetBytes($"<testsuite>{cases}</testsuite>"));
 
+    [Fact]
+    public void ThePageOfLimitsHasTheMostBytesOfAFile() => Assert.Contains(
+        FormattableString.Invariant($"| file of test results | {TestReport.MaxBytes:N0} bytes |"), File.ReadAllText(ProjectFolder.PathOf("docs/limits.md")));
+
     [Theory]
     [InlineData("pytest.xml", "3: 1 of 1; 8: 3 of 7", "2 of 9 tests of step 8 did not run (skipped)")]
     [InlineData("pytest-rerunfailures.xml", "3: 1 of 1; 8: 1 of 3", "flaky tests of step 8, whose last attempt counts: test_near")]
