@@ -1,17 +1,14 @@
 namespace RayCaster.Cli;
 
-/// <summary>The live page's program, which lies beside this one if it was installed, and in a hand-out.</summary>
+/// <summary>The live page's program.</summary>
 internal static class LiveProgram
 {
     public const string Name = "raycaster-live.dll";
 
-    /// <summary>Its file beside this program; null if it is not there.</summary>
-    public static string? Beside()
-    {
-        var file = Path.Combine(AppContext.BaseDirectory, Name);
-        return File.Exists(file) ? file : null;
-    }
-
-    /// <summary>Its project in a clone; null outside of one.</summary>
-    public static string? Project() => Clone.Folder() is { } clone ? Path.Combine(clone, "src", "RayCaster.Live") : null;
+    /// <summary>The folder that has it: this program's own if it was installed, and in a hand-out; in a clone it is built. Null if there is
+    /// none.</summary>
+    /// <exception cref="ProblemException">It does not build.</exception>
+    public static string? Folder(CancellationToken cancellation) =>
+        File.Exists(Path.Combine(AppContext.BaseDirectory, Name)) ? AppContext.BaseDirectory
+        : Clone.Folder() is { } clone ? Programs.Build(Path.Combine(clone, "src", "RayCaster.Live"), cancellation) : null;
 }

@@ -7,7 +7,7 @@ internal static partial class HandOutFolder
 {
     public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)
     {
-        var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
+        var target = FilePlace.TargetOf(folder);
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
             throw new ProblemException($"{folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
         if (Misread().Match(target[Path.GetPathRoot(target)!.Length..].Replace(Path.DirectorySeparatorChar, '/')) is { Success: true } part)

@@ -15,18 +15,17 @@ if (args is not ([_, _] or [_, "--pixel", ..]))
 var reading = SceneReader.Read(args[0]);
 Console.Error.Write(reading.Report()); // what is wrong with the file, with line and column
 if (reading.Scene == null) return 2;
-if (args is [_, "--pixel", .. var pixel]) return RightNumbers.PrintBeside(reading.Scene, pixel);
-
-var notWritten = Todo.Report();
-if (notWritten != "") Console.Error.WriteLine(notWritten);
 try
 {
+    if (args is [_, "--pixel", .. var pixel]) return RightNumbers.PrintBeside(reading.Scene, pixel);
+    var notWritten = Todo.Report();
+    if (notWritten != "") Console.Error.WriteLine(notWritten);
     var picture = SceneFile.Of(reading.Scene).Draw();
     PictureFile.Write(args[1], picture);
     Console.WriteLine($"{args[1]}: {picture.Width} x {picture.Height} pixels");
     return 0;
 }
-catch (ProblemException problem) // a name that no file can have, a folder that does not exist, a full disk
+catch (ProblemException problem) // a name that no file can have, a folder that does not exist, a full disk, no dotnet
 {
     Console.Error.WriteLine(problem.Message);
     return 2;

@@ -35,6 +35,19 @@ public static class FilePlace
         }
     }
 
+    /// <summary>The same, but the full path itself if links lead in a circle.</summary>
+    public static string TargetOf(string path)
+    {
+        try
+        {
+            return Resolve(path);
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            return Path.GetFullPath(path);
+        }
+    }
+
     /// <summary>Whether a place holds a file, or nothing: false for a pipe, a device, a socket, and for what a process has open.</summary>
     /// <param name="place">A path without links.</param>
     internal static bool IsFileOrFree(string place)
@@ -49,13 +62,13 @@ public static class FilePlace
         try
         {
             var archive = new MemoryStream();
-            using (var writer = new TarWriter(archive, TarEntryFormat.Ustar, leaveOpen: true)) writer.WriteEntry(place, "place");
+            using (var writer = new TarWriter(archive, TarEntryFormat.Gnu, leaveOpen: true)) writer.WriteEntry(place, "place");
             archive.Position = 0;
             return new TarReader(archive).GetNextEntry()!.EntryType == TarEntryType.RegularFile;
         }
-        catch (IOException)
+        catch (Exception e) // whatever the library throws
         {
-            return false; // a socket
+            return e is UnauthorizedAccessException; // it opens files only; otherwise it is a socket
         }
     }
 
