@@ -12,13 +12,13 @@ internal static class CarriedTool
         "raycaster.runtimeconfig.json",
     ];
 
-    private static readonly string[] page = [LiveProgram.Name, "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"];
+    private static readonly string[] page = [LiveCommand.Program, "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"];
 
     public static void Copy(string folder, CancellationToken cancellation)
     {
         Directory.CreateDirectory(folder);
         Copy(files, AppContext.BaseDirectory, folder);
-        if (LiveProgram.Folder(cancellation) is { } live) Copy(page, live, folder);
+        if (LiveCommand.ProgramFolder(cancellation) is { } live) Copy(page, live, folder);
     }
 
     private static void Copy(string[] names, string from, string to)

@@ -9,9 +9,9 @@ public static class FilePlace
 
     private static readonly char[] separators = [Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar];
 
-    /// <summary>The full path that a path leads to, without links; of a link that leads nowhere, the file that it names.</summary>
-    /// <exception cref="IOException">Links lead in a circle.</exception>
-    public static string Resolve(string path)
+    /// <summary>The full path that a path leads to, without links; of a link that leads nowhere, the file that it names. Null if links lead in a
+    /// circle.</summary>
+    public static string? Resolve(string path)
     {
         var place = "";
         var names = new Stack<string>();
@@ -22,7 +22,7 @@ public static class FilePlace
             var next = name == ".." ? Path.GetDirectoryName(place) ?? place : Path.Join(place, name);
             if (name is "" or ".") continue;
             if (name == ".." || IsOpen(next) || new FileInfo(next).LinkTarget is not { } target) place = next;
-            else if (++links > MaxLinks) throw new IOException("Symbolic links lead in a circle.");
+            else if (++links > MaxLinks) return null;
             else Go(target);
         }
         return place;
@@ -35,17 +35,12 @@ public static class FilePlace
         }
     }
 
-    /// <summary>The same, but the full path itself if links lead in a circle.</summary>
-    public static string TargetOf(string path)
+    /// <summary>The folder, this program's or one above it, in which a path leads to a file, such as a clone of the repository; null if none is.</summary>
+    public static string? FolderWith(string file)
     {
-        try
-        {
-            return Resolve(path);
-        }
-        catch (Exception e) when (ProblemException.IsCausedByFile(e))
-        {
-            return Path.GetFullPath(path);
-        }
+        var folder = new DirectoryInfo(AppContext.BaseDirectory);
+        while (folder is not null && !File.Exists(Path.Combine(folder.FullName, file))) folder = folder.Parent;
+        return folder?.FullName;
     }
 
     /// <summary>Whether a place holds a file, or nothing: false for a pipe, a device, a socket, and for what a process has open.</summary>

@@ -7,8 +7,9 @@ public static class PrivateFile
     /// <exception cref="IOException">This user has no such folder.</exception>
     public static string PathOf(Environment.SpecialFolder folder, string file)
     {
-        var path = Environment.GetFolderPath(folder, Environment.SpecialFolderOption.Create);
-        return Path.IsPathFullyQualified(path) ? Path.Combine(path, file) : throw new IOException($"This user has no folder {folder}.");
+        var path = Environment.GetFolderPath(folder, Environment.SpecialFolderOption.DoNotVerify);
+        if (!Path.IsPathFullyQualified(path)) throw new IOException($"This user has no folder {folder}."); // no name, or below the current folder
+        return Path.Combine(Directory.CreateDirectory(path).FullName, file);
     }
 
     /// <exception cref="IOException">It cannot be written.</exception>

@@ -9,6 +9,8 @@ namespace RayCaster.Files;
 /// </summary>
 public static class WrittenFiles
 {
+    private const string Circle = "symbolic links lead in a circle";
+
     private static readonly Lock access = new();
     private static readonly HashSet<string> unfinished = []; // the temporary files and folders
     private static bool isAborted;
@@ -70,7 +72,7 @@ public static class WrittenFiles
         string? temporary = null;
         try
         {
-            var target = FilePlace.Resolve(path);
+            var target = FilePlace.Resolve(path) ?? throw new IOException(Circle);
             var isThere = Directory.Exists(target);
             temporary = NameBeside(isThere ? Path.Join(target, Path.GetFileName(target)) : target);
             Begin(temporary, () => Directory.CreateDirectory(temporary));
@@ -100,7 +102,7 @@ public static class WrittenFiles
         FileNames.ThrowIfImpossible(path);
         if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
             throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
-        var target = FilePlace.Resolve(path);
+        var target = FilePlace.Resolve(path) ?? throw Failure(path, Circle);
         // Windows says of such a name only that its syntax is wrong.
         if (OperatingSystem.IsWindows() && Path.GetFileName(target).Length > 255) throw Failure(path, "the name is too long");
         var folder = Path.GetDirectoryName(target);

@@ -4,7 +4,8 @@ using RayCaster.Files;
 
 // Reads the command line. You need not read this.
 
-if (args.Length == 0) args = [Repository.PathOf("scenes/room.json"), Repository.PathOf("room.png")]; // as F5 in an editor does
+if (args.Length == 0 && FilePlace.FolderWith("scenes/room.json") is { } folder)
+    args = [Path.Combine(folder, "scenes/room.json"), Path.Combine(folder, "room.png")]; // as F5 in an editor does
 if (args is [var scene]) args = [scene, Path.ChangeExtension(Path.GetFileName(scene), "png")]; // room.png, in this folder
 if (args is not ([_, _] or [_, "--pixel", ..]))
 {
