@@ -94,7 +94,7 @@ public sealed class SystemCallTests : CommandTests
         raycaster.Run("handout", "lab1", "--solution", "-q");
         raycaster.RunInShell("dotnet build lab1/src/Lab -v quiet");
         PrepareTraps();
-        Trace("lab1/src/Lab/bin/*/net10.0/Lab", "scene.json --pixel 3 3");
+        Trace("\"$PWD\"/lab1/src/Lab/bin/*/net10.0/Lab", "scene.json --pixel 3 3");
         var lab = $"'{Built("RayCaster.Lab")}/RayCaster.Lab'";
         Trace(lab, "scene.json --pixel 3 3");
         raycaster.RunInShell($"PATH=.:/nowhere {lab} scene.json --pixel 3 3");
