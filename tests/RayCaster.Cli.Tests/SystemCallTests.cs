@@ -129,9 +129,11 @@ public sealed class SystemCallTests : CommandTests
         raycaster.RunInShell("command -v strace >/dev/null || exit 77; export DOTNET_EnableDiagnostics=0; " +
             $"strace -f -qq --seccomp-bpf -o trace -e trace=execve -E DISPLAY=:0 -E \"PATH=.::$PWD/bin:$PATH\" {program} {arguments}");
         Assert.SkipWhen(raycaster.ExitCode == 77, "strace is missing");
-        Assert.Equal((exitCode, ""), (raycaster.ExitCode == ExitCode.No ? exitCode : raycaster.ExitCode, Regex.Match(raycaster.Error, "^raycaster: .*").Value));
         Assert.False(File.Exists(raycaster.PathOf("executed")), $"{program} {arguments} executes {raycaster.PathOf("executed")}");
-        Assert.DoesNotMatch($@"execve\(""(?!/)|execve\(""{Regex.Escape(raycaster.Folder)}/[^/""]*""", File.ReadAllText(raycaster.PathOf("trace")));
+        Assert.Contains(raycaster.ExitCode, (int[])[exitCode, ExitCode.No]);
+        Assert.Equal("", Regex.Match(raycaster.Error, "^raycaster: .*").Value);
+        Assert.DoesNotMatch($@"execve\(""(?!/)|execve\(""{Regex.Escape(raycaster.Folder)}/[^/""]*""",
+            File.ReadAllText(raycaster.PathOf("trace")));
     }
 
     private void PrepareInputs()

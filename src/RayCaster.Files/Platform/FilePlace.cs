@@ -35,7 +35,7 @@ public static class FilePlace
         }
     }
 
-    /// <summary>The folder, this program's or one above it, in which a path leads to a file, such as a clone of the repository; null if none is.</summary>
+    /// <summary>This program's folder, or the nearest above it, that holds a file, as a clone of the repository does; null if none does.</summary>
     public static string? FolderWith(string file)
     {
         var folder = new DirectoryInfo(AppContext.BaseDirectory);
