@@ -27,7 +27,7 @@ internal static class Failure
     private static string? Message(Exception e) => e switch
     {
         ProblemException => e.Message,
-        IOException or UnauthorizedAccessException => IsCurrentFolderThere() ? e.Message : "the current folder was deleted",
+        _ when ProblemException.IsCausedByFile(e) => IsCurrentFolderThere() ? e.Message : "the current folder was deleted",
         TypeInitializationException { InnerException: IOException } => // of the runtime's handling of signals
             "the system allows too few processes or open files: see ulimit -u and ulimit -n",
         _ => IsOutOfMemory(e) ? "there is not enough memory" : null,

@@ -39,7 +39,7 @@ internal sealed class FileNames
             if (extension.Length > 0 && Array.IndexOf(names, completed) >= 0) return $"{sought}; did you mean \"{completed}\"?";
             return sought + Spelling.DidYouMean(Path.GetFileName(path), names);
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
             return sought; // the folder cannot be listed
         }

@@ -22,10 +22,11 @@ public sealed class ProblemException(string message, Exception? cause = null) : 
     /// <summary>A problem in the command line.</summary>
     public static ProblemException Usage(string message) => new(message) { IsUsage = true };
 
-    /// <summary>Whether the system throws such an exception for a file that cannot be used; the last kind is for a file that grows too
+    /// <summary>Whether the system throws such an exception for a file or folder that cannot be used; the last kind is for a file that grows too
     /// large.</summary>
-    internal static bool IsCausedByFile(Exception e) =>
-        e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException { ParamName: "value" };
+    public static bool IsCausedByFile(Exception e) =>
+        e is IOException or UnauthorizedAccessException
+        || e is ArgumentOutOfRangeException { ParamName: "value" } && e.Message.StartsWith("Specified file length", StringComparison.Ordinal);
 
     /// <summary>The problem that the system has with a file, without the file's name.</summary>
     internal static ProblemException From(Exception cause) => new(Reason(cause), cause);

@@ -1,6 +1,3 @@
-using System.ComponentModel;
-using System.Diagnostics;
-
 namespace RayCaster.Live;
 
 /// <summary>Opens the page in the user's browser.</summary>
@@ -21,16 +18,22 @@ internal static class Browser
         {
             if (OperatingSystem.IsWindows())
             {
-                Process.Start(new ProcessStartInfo(address) { UseShellExecute = true })?.Dispose();
+                Programs.Open(address);
                 return;
             }
-            var file = Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), $"raycaster-live-{port}.html");
+            var file = PrivateFile.PathOf(Environment.SpecialFolder.UserProfile, $"raycaster-live-{port}.html");
             PrivateFile.Write(file, $"""<!doctype html><meta http-equiv="refresh" content="0; url={address}">""");
-            Process.Start(new ProcessStartInfo(OperatingSystem.IsMacOS() ? "open" : "xdg-open", file) { RedirectStandardError = true })?.Dispose();
-            await end;
-            File.Delete(file);
+            try
+            {
+                Programs.Open(file);
+                await end;
+            }
+            finally
+            {
+                File.Delete(file);
+            }
         }
-        catch (Exception e) when (e is Win32Exception or InvalidOperationException or IOException or UnauthorizedAccessException)
+        catch (Exception e) when (e is ProblemException || ProblemException.IsCausedByFile(e))
         {
             // No program that opens files, or no home folder: the address is on the terminal.
         }

@@ -9,12 +9,11 @@ namespace RayCaster.Live;
 /// <param name="Port">0 for any that is free.</param>
 internal sealed record PageAddress(int Port, string Token)
 {
-    private static readonly string file =
-        Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData), "raycaster-live");
-
     /// <summary>How often "dotnet watch" has started the program; 0 without "dotnet watch".</summary>
     private static readonly int iteration =
         int.TryParse(Environment.GetEnvironmentVariable("DOTNET_WATCH_ITERATION"), CultureInfo.InvariantCulture, out var count) ? count : 0;
+
+    private static string KeptIn => PrivateFile.PathOf(Environment.SpecialFolder.LocalApplicationData, "raycaster-live");
 
     /// <summary>Whether a page is probably open already.</summary>
     public static bool IsRestart => iteration > 1;
@@ -26,10 +25,10 @@ internal sealed record PageAddress(int Port, string Token)
     {
         try
         {
-            return IsRestart && File.ReadAllText(file).Split(' ') is [var port, var token]
+            return IsRestart && File.ReadAllText(KeptIn).Split(' ') is [var port, var token]
                 ? new(int.Parse(port, CultureInfo.InvariantCulture), token) : null;
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or FormatException)
+        catch (Exception e) when (e is FormatException || ProblemException.IsCausedByFile(e))
         {
             return null;
         }
@@ -41,9 +40,9 @@ internal sealed record PageAddress(int Port, string Token)
         if (iteration == 0) return;
         try
         {
-            PrivateFile.Write(file, FormattableString.Invariant($"{Port} {Token}"));
+            PrivateFile.Write(KeptIn, FormattableString.Invariant($"{Port} {Token}"));
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
             // After the next start the page must be opened by its new address, which the terminal shows.
         }

@@ -86,7 +86,7 @@ internal sealed class LiveScene
         if (state.Version != version) return WasChanged;
         try
         {
-            WrittenFiles.Write(FileWatch.TargetOf(FullPath), file => file.Write(CameraEdit.Write(state.Text, camera)), default, () =>
+            WrittenFiles.Write(FullPath, file => file.Write(CameraEdit.Write(state.Text, camera)), default, () =>
             {
                 // Writing to the disk takes some milliseconds, in which somebody may save the scene.
                 if (!File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text.Span)) throw new OperationCanceledException();
@@ -111,7 +111,7 @@ internal sealed class LiveScene
         }
     }
 
-    private SceneReading Read() => FileWatch.IsEmpty(Path) ? SceneReader.Parse(default, Path, "") : SceneReader.Read(Path);
+    private SceneReading Read() => FileWatch.IsEmpty(FullPath) ? SceneReader.Parse(default, Path, "") : SceneReader.Read(Path);
 
     private SceneState Next(SceneReading reading)
     {

@@ -17,12 +17,13 @@ internal sealed class MinePicture(string? path, TimeProvider clock, Cancellation
         if (path is null) return;
         var watch = new FileWatch(clock, end);
         ((DateTime, long) Stamp, Picture? Picture, string? Problem) known = default;
-        watch.Watch([Path.GetFullPath(path)]);
+        var full = Path.GetFullPath(path);
+        watch.Watch([full]);
         do
         {
             var (picture, problem) = Read(path);
             while (picture is null && await watch.WaitAsync(GracePeriod)) (picture, problem) = Read(path);
-            var stamp = FileWatch.StampOf(path);
+            var stamp = FileWatch.StampOf(full);
             if ((known.Stamp, known.Problem) == (stamp, problem) && IsSame(known.Picture, picture)) continue; // a second notice of the same picture
             known = (stamp, picture, problem);
             Put(path, picture, problem);

@@ -141,7 +141,7 @@ internal sealed partial class Tab
             {
                 return camera is null ? "" : live.WriteCamera(camera, version) ?? "";
             }
-            catch (Exception e) when (e is ProblemException or IOException or UnauthorizedAccessException)
+            catch (Exception e) when (e is ProblemException || ProblemException.IsCausedByFile(e))
             {
                 return e.Message;
             }

@@ -144,6 +144,19 @@ paths_of_windows() {
     echo "windows: blanks, umlauts, backslashes, names in another case, a read-only picture"
 }
 
+programs_of_the_current_folder() { # they lie where Windows looks first, and there is no other dotnet
+    local said command program
+    program=$(built windows Cli.Tests raycaster)
+    mkdir "$work/traps"
+    cp scenes/first.json "$work/traps"
+    for command in dotnet cmd; do cp "$program.exe" "$work/traps/$command.exe"; done
+    for command in "live first.json" "handout lab"; do
+        said=$(cd "$work/traps" && "$work/on_windows" "$program" $command 2>&1 </dev/null) && fail "windows: $command, with dotnet.exe beside"
+        [[ $said == *"dotnet is not in PATH"* ]] || fail "windows: $command, with dotnet.exe beside: $said"
+    done
+    echo "windows: no dotnet.exe of the current folder"
+}
+
 line_ends() { # the copy with CR LF, on Linux
     local program=$work/crlf/src/RayCaster.Cli/bin/Release/net10.0/raycaster
     dotnet build "$work/crlf/src/RayCaster.Cli" -v quiet >"$work/crlf.txt" 2>&1 || { cat "$work/crlf.txt"; fail "the build with CR LF"; return; }
@@ -167,6 +180,7 @@ windows() {
     scenes windows
     paths_of_windows
     line_ends
+    programs_of_the_current_folder
     exit "$failed"
 }
 arm() {

@@ -89,6 +89,49 @@ public class FollowingTests
     }
 
     [Fact]
+    public async Task AFolderThatMayNotBeEnteredForAWhileIsToldAndFollowedAgain()
+    {
+        Assert.SkipWhen(Here.ReadsEverything, "this user may read everything");
+        await using var page = await LivePage.OpenAsync(mine: "closed/mine.png", prepare: Prepare, clock: new(DateTimeOffset.UtcNow));
+        try
+        {
+            await page.ConnectAsync();
+            const string Denied = "access is denied";
+            await page.MessageAsync("comparison", message => $"{message.GetProperty("problem")}".Contains(Denied));
+            File.WriteAllText(page.Scene, LivePage.Ball.Replace("\"models\": [", """
+                "models": [ { "type": "mesh", "file": "closed/m.obj" },
+                """));
+            Assert.Contains(Denied, (await ProblemAsync()).GetProperty("message").GetString());
+            Allow(page.Folder["closed"], true);
+            await page.MessageAsync("scene", message => message.GetProperty("good").GetBoolean());
+            Allow(page.Folder.Path, false);
+            Assert.Contains(Denied, (await ProblemAsync()).GetProperty("message").GetString());
+            Allow(page.Folder.Path, true);
+            (await page.FrameAsync()).IsThatOf(page.Scene);
+        }
+        finally
+        {
+            Allow(page.Folder.Path, true);
+            Allow(page.Folder["closed"], true);
+        }
+
+        async Task<JsonElement> ProblemAsync() => (await page.MessageAsync("scene", message => !message.GetProperty("good").GetBoolean()))
+            .GetProperty("problems")[0];
+
+        static void Prepare(TemporaryFolder folder)
+        {
+            Directory.CreateDirectory(folder["closed"]);
+            folder.Write("closed/m.obj", "v 0 -1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+            Allow(folder["closed"], false);
+        }
+
+        static void Allow(string folder, bool isOpen)
+        {
+            if (!OperatingSystem.IsWindows()) File.SetUnixFileMode(folder, isOpen ? (UnixFileMode)0b111_000_000 : UnixFileMode.None);
+        }
+    }
+
+    [Fact]
     public async Task ASavedMeshIsANewPicture()
     {
         const string Scene =

@@ -20,6 +20,15 @@ public class ProgramTests
         Assert.StartsWith($"http://127.0.0.1:{port}/", live.Address);
     }
 
+    /// <summary>Where the folder for such files is missing, as for a new account, the secret is not written into the current one.</summary>
+    [Fact]
+    public void TheSecretIsKeptInTheUsersFolderWhichIsMade()
+    {
+        using var folder = new TemporaryFolder();
+        using var live = LiveProcess.Start(folder.Write("scene.json", LivePage.Ball), iteration: 1, home: folder["home/data"]);
+        Assert.Contains(live.Address[(live.Address.IndexOf('=') + 1)..], File.ReadAllText(folder["home/data/raycaster-live"]));
+    }
+
     /// <summary>The program that opens files writes its arguments and what it got: the secret must stand in a file of this user only.</summary>
     [Fact(Skip = "reads /proc", SkipUnless = nameof(Here.IsLinux), SkipType = typeof(Here)), SupportedOSPlatform("linux")]
     public async Task TheSecretIsInNoProgramsArgumentsAndInFilesOfThisUserOnly()

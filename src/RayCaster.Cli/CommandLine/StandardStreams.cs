@@ -29,7 +29,7 @@ internal static class StandardStreams
             using var stream = Console.OpenStandardOutput();
             write(stream);
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
             throw new ProblemException($"cannot write to standard output: {(e is IOException ? e.Message : "it is closed")}");
         }
@@ -44,7 +44,7 @@ internal static class StandardStreams
             using var stream = Console.OpenStandardError();
             stream.Write(Bytes(text));
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
         }
     }

@@ -17,7 +17,7 @@ internal static class FilePatterns
             Array.Sort(files, string.CompareOrdinal);
             return files;
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
             throw new ProblemException($"cannot list the folder {folder}: {(e is IOException ? e.Message : "you may not read it")}");
         }

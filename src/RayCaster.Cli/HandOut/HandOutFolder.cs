@@ -7,7 +7,7 @@ internal static partial class HandOutFolder
 {
     public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)
     {
-        var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
+        var target = FilePlace.Resolve(folder) ?? Path.GetFullPath(folder);
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
             throw new ProblemException($"{folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
         if (Misread().Match(target[Path.GetPathRoot(target)!.Length..].Replace(Path.DirectorySeparatorChar, '/')) is { Success: true } part)
@@ -36,7 +36,7 @@ internal static partial class HandOutFolder
     /// <summary>A hand-out judges students by the pictures of this build: in a clone they must be the stored references.</summary>
     private static void ThrowIfPicturesDiffer(CancellationToken cancellation)
     {
-        if (Clone.Folder() is not { } clone) return;
+        if (FilePlace.FolderWith("RayCaster.sln") is not { } clone) return;
         foreach (var file in Directory.GetFiles(Path.Combine(clone, "scenes"), "*.json", SearchOption.AllDirectories))
         {
             cancellation.ThrowIfCancellationRequested();

@@ -1,5 +1,5 @@
-using System.Diagnostics;
 using System.Reflection;
+using RayCaster.Files;
 
 namespace Lab;
 
@@ -13,28 +13,18 @@ public static class RightNumbers
     /// <param name="pixel">What follows --pixel.</param>
     public static int PrintBeside(RayCaster.Scene from, string[] pixel)
     {
-        if (Load() is not { } teaching) return 2;
         Todo.Listen();
-        return teaching.GetType("RayCaster.Teaching.Course.PixelNumbers").GetMethod("Print")
+        return Load().GetType("RayCaster.Teaching.Course.PixelNumbers").GetMethod("Print")
             .CreateDelegate<Func<RayCaster.Scene, string[], Func<int, int, IEnumerable<(string, Func<object>)>>, Func<IEnumerable<string>>, int>>()(
                 from, pixel, (c, r) => Pixel.Calls(from, c, r), () => Todo.NotWritten);
     }
 
-    /// <summary>A hand-out has it beside this program. In a clone it is built; null if that fails.</summary>
+    // A hand-out has it beside this program. In a clone it is built.
     private static Assembly Load()
     {
-        var beside = Path.Combine(AppContext.BaseDirectory, $"{Teaching}.dll");
-        if (File.Exists(beside)) return Assembly.LoadFrom(beside);
-
-        var project = Repository.PathOf($"src/{Teaching}");
-        using var build = Process.Start(new ProcessStartInfo("dotnet", ["build", project, "-v", "quiet", "-tl:off", "-c", "Release"])
-        {
-            RedirectStandardOutput = true, // even quietly it says that it has succeeded
-        });
-        var said = build.StandardOutput.ReadToEnd();
-        build.WaitForExit();
-        if (build.ExitCode == 0) return Assembly.LoadFrom(Path.Combine(project, "bin", "Release", "net10.0", $"{Teaching}.dll"));
-        Console.Error.WriteLine($"The right numbers are not there, because {project} does not build:\n{said.Trim()}");
-        return null;
+        var folder = AppContext.BaseDirectory;
+        if (!File.Exists(Path.Combine(folder, $"{Teaching}.dll")) && FilePlace.FolderWith("RayCaster.sln") is { } clone)
+            folder = Programs.Build(Path.Combine(clone, "src", Teaching));
+        return Assembly.LoadFrom(Path.Combine(folder, $"{Teaching}.dll"));
     }
 }

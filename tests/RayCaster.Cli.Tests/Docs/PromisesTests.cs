@@ -33,19 +33,26 @@ public class PromisesTests
     [Fact]
     public void FilesAreWrittenInOnePlace() =>
         NowhereBut(
-            ["RayCaster.Files/WrittenFiles.cs", "RayCaster.Cli/HandOut/HandOutFolder.cs", "RayCaster.Cli/HandOut/CarriedTool.cs",
-                "RayCaster.Marks/ClassMarks.cs", "RayCaster.Live/PrivateFile.cs", "RayCaster.Live/Browser.cs",
+            ["RayCaster.Files/Platform/", "RayCaster.Cli/HandOut/HandOutFolder.cs", "RayCaster.Cli/HandOut/CarriedTool.cs",
+                "RayCaster.Marks/ClassMarks.cs", "RayCaster.Live/Browser.cs",
                 "RayCaster.Web/Program.cs"], // in a browser, where files are in memory
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)"
             + @"|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 
     /// <summary>The live page's promises have tests of their own.</summary>
     [Fact]
-    public void NoNetworkAndNoOtherProgram() =>
+    public void NoNetworkAndNoForeignCode() =>
         NowhereBut(
-            ["RayCaster.Live/", "RayCaster.Cli/Commands/LiveCommand.cs", "RayCaster.Cli/HandOut/CarriedTool.cs",
-                "RayCaster.Lab/Template/RightNumbers.cs"], // a student's own program, not raycaster
-            @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
+            ["RayCaster.Live/", "RayCaster.Lab/Template/RightNumbers.cs"], // a student's own program, not raycaster
+            @"System\.Net|HttpClient|Socket|DllImport|LibraryImport|Assembly\.Load");
+
+    [Fact]
+    public void ProgramsLinksAndFoldersAreFoundInOnePlace() =>
+        NowhereBut(["RayCaster.Files/Platform/"], @"\bProcess\b|ProcessStartInfo|ResolveLinkTarget|GetFolderPath");
+
+    [Fact]
+    public void OneListSaysWhatMayFailOfAFile() =>
+        NowhereBut(["RayCaster.Files/Platform/", "RayCaster.Files/ProblemException.cs"], "UnauthorizedAccessException");
 
     [Fact]
     public void ThePageOfLimitsNamesEveryFileWithUncheckedAccess()

@@ -55,6 +55,19 @@ public sealed class HandOutCommandTests : CommandTests
         Assert.Contains("lab1", raycaster.Files);
     }
 
+    [Theory(Skip = "no such shell there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
+    [InlineData("handout lab1")]
+    [InlineData("live scene.json")]
+    public void WithoutDotnetNothingIsBuiltAndThatIsTold(string command)
+    {
+        Directory.CreateDirectory(raycaster.PathOf("tmp"));
+        raycaster.Write("dotnet", "").Write("scene.json", "{}").RunInShell($"chmod +x dotnet; PATH=.::/nowhere TMPDIR=$PWD/tmp raycaster {command}");
+        Assert.Equal((ExitCode.Failed, "raycaster: dotnet is not in PATH: install it, or add its folder to PATH\n"),
+            (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal(["dotnet", "scene.json", "tmp"], raycaster.Files);
+        Assert.Empty(Directory.GetFileSystemEntries(raycaster.PathOf("tmp")));
+    }
+
     [Theory]
     [InlineData("0..3")]
     [InlineData("4..2")]

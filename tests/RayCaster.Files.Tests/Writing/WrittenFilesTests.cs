@@ -195,6 +195,20 @@ public sealed class WrittenFilesTests : IDisposable
         Assert.Equal("new", File.ReadAllText(folder["room.png"]));
     }
 
+    /// <summary>As of an account of a directory service.</summary>
+    [Theory(Skip = "has no such owners", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
+    [InlineData("chown 3000000:3000000 room.png; chmod 666 room.png", "only root may give a file away")]
+    [InlineData("chmod 200 room.png", "")]
+    public void AnEmptyFileIsAFileWhoeverMayReadIt(string change, string needs)
+    {
+        folder.Write("room.png", ""u8);
+        Assert.SkipUnless(needs == "" || Environment.IsPrivilegedProcess, needs);
+        Shell(change);
+        Write("room.png");
+        Assert.Equal(["room.png"], folder.Names);
+        Assert.Equal(3, new FileInfo(folder["room.png"]).Length);
+    }
+
     [Fact(Skip = "has other rights", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     [UnsupportedOSPlatform("windows")]
     public void TheOldFilesRightsStay()

@@ -9,9 +9,9 @@ public static class FilePlace
 
     private static readonly char[] separators = [Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar];
 
-    /// <summary>The full path that a path leads to, without links; of a link that leads nowhere, the file that it names.</summary>
-    /// <exception cref="IOException">Links lead in a circle.</exception>
-    public static string Resolve(string path)
+    /// <summary>The full path that a path leads to, without links; of a link that leads nowhere, the file that it names. Null if links lead in a
+    /// circle.</summary>
+    public static string? Resolve(string path)
     {
         var place = "";
         var names = new Stack<string>();
@@ -22,7 +22,7 @@ public static class FilePlace
             var next = name == ".." ? Path.GetDirectoryName(place) ?? place : Path.Join(place, name);
             if (name is "" or ".") continue;
             if (name == ".." || IsOpen(next) || new FileInfo(next).LinkTarget is not { } target) place = next;
-            else if (++links > MaxLinks) throw new IOException("Symbolic links lead in a circle.");
+            else if (++links > MaxLinks) return null;
             else Go(target);
         }
         return place;
@@ -33,6 +33,14 @@ public static class FilePlace
             if (root.Length > 0) place = root;
             foreach (var name in to[root.Length..].Split(separators).Reverse()) names.Push(name);
         }
+    }
+
+    /// <summary>This program's folder, or the nearest above it, that holds a file, as a clone of the repository does; null if none does.</summary>
+    public static string? FolderWith(string file)
+    {
+        var folder = new DirectoryInfo(AppContext.BaseDirectory);
+        while (folder is not null && !File.Exists(Path.Combine(folder.FullName, file))) folder = folder.Parent;
+        return folder?.FullName;
     }
 
     /// <summary>Whether a place holds a file, or nothing: false for a pipe, a device, a socket, and for what a process has open.</summary>
@@ -49,13 +57,13 @@ public static class FilePlace
         try
         {
             var archive = new MemoryStream();
-            using (var writer = new TarWriter(archive, TarEntryFormat.Ustar, leaveOpen: true)) writer.WriteEntry(place, "place");
+            using (var writer = new TarWriter(archive, TarEntryFormat.Gnu, leaveOpen: true)) writer.WriteEntry(place, "place");
             archive.Position = 0;
             return new TarReader(archive).GetNextEntry()!.EntryType == TarEntryType.RegularFile;
         }
-        catch (IOException)
+        catch (Exception e) // whatever the library throws
         {
-            return false; // a socket
+            return e is UnauthorizedAccessException; // it opens files only; otherwise it is a socket
         }
     }
 

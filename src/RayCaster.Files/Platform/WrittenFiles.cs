@@ -9,6 +9,8 @@ namespace RayCaster.Files;
 /// </summary>
 public static class WrittenFiles
 {
+    private const string Circle = "symbolic links lead in a circle";
+
     private static readonly Lock access = new();
     private static readonly HashSet<string> unfinished = []; // the temporary files and folders
     private static bool isAborted;
@@ -61,19 +63,21 @@ public static class WrittenFiles
     }
 
     /// <summary>Makes a folder: files go to a temporary folder beside it, which is renamed at the end.</summary>
-    /// <param name="path">The folder; if it is there, it must be empty. The folders above it are made, too.</param>
+    /// <param name="path">The folder; the folders above it are made, too. If it is there, it must be empty, and stays: a shell may be in it, a link
+    /// may lead to it, it may be a disk. Then the temporary folder is in it, and at the end what that holds is moved.</param>
     /// <param name="fill">Fills the temporary folder, whose path it gets.</param>
     /// <exception cref="ProblemException">It cannot be written, or a folder or file of this name came in between.</exception>
     public static void WriteFolder(string path, Action<string> fill)
     {
-        var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
-        var temporary = NameBeside(target);
+        string? temporary = null;
         try
         {
+            var target = FilePlace.Resolve(path) ?? throw new IOException(Circle);
+            var isThere = Directory.Exists(target);
+            temporary = NameBeside(isThere ? Path.Join(target, Path.GetFileName(target)) : target);
             Begin(temporary, () => Directory.CreateDirectory(temporary));
             fill(temporary);
-            if (Directory.Exists(target)) Directory.Delete(target); // fails unless it is empty
-            Finish(temporary, target, () => Directory.Move(temporary, target));
+            Finish(temporary, target, isThere ? () => MoveUp(temporary, target) : () => Directory.Move(temporary, target));
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
@@ -81,8 +85,15 @@ public static class WrittenFiles
         }
         finally
         {
-            Delete(temporary);
+            if (temporary is not null) Delete(temporary);
         }
+    }
+
+    private static void MoveUp(string temporary, string target)
+    {
+        if (Directory.EnumerateFileSystemEntries(target).Skip(1).Any()) throw new IOException("It is not empty.");
+        foreach (var entry in Directory.GetFileSystemEntries(temporary)) Directory.Move(entry, Path.Join(target, Path.GetFileName(entry)));
+        Directory.Delete(temporary);
     }
 
     /// <summary>The full path of a file that may be written, without links.</summary>
@@ -91,7 +102,7 @@ public static class WrittenFiles
         FileNames.ThrowIfImpossible(path);
         if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
             throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
-        var target = FilePlace.Resolve(path);
+        var target = FilePlace.Resolve(path) ?? throw Failure(path, Circle);
         // Windows says of such a name only that its syntax is wrong.
         if (OperatingSystem.IsWindows() && Path.GetFileName(target).Length > 255) throw Failure(path, "the name is too long");
         var folder = Path.GetDirectoryName(target);

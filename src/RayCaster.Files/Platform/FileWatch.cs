@@ -1,9 +1,9 @@
-namespace RayCaster.Page;
+namespace RayCaster.Files;
 
 /// <summary>Notices that one of some files has changed: compares their times and lengths, which works on every file system.</summary>
 /// <remarks>Two saves of the same length may have the same time: that of FAT counts in steps of two seconds. So a file also counts as changed once,
 /// when its time is <see cref="TimeStep"/> old.</remarks>
-internal sealed class FileWatch(TimeProvider clock, CancellationToken end)
+public sealed class FileWatch(TimeProvider clock, CancellationToken end)
 {
     private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(30), TimeStep = TimeSpan.FromSeconds(2);
 
@@ -25,23 +25,10 @@ internal sealed class FileWatch(TimeProvider clock, CancellationToken end)
         return true;
     }
 
-    /// <summary>The file that a link leads to; the path itself if it is no link, or leads nowhere.</summary>
-    public static string TargetOf(string file)
-    {
-        try
-        {
-            return File.ResolveLinkTarget(file, returnFinalTarget: true)?.FullName ?? file;
-        }
-        catch (IOException)
-        {
-            return file;
-        }
-    }
-
-    /// <summary>When a file was written, and its length: −1 for a file that is not there, −2 for a folder.</summary>
+    /// <summary>When a file was written, and its length: −1 for a file that is not there or cannot be looked at, −2 for a folder.</summary>
     public static (DateTime Time, long Length) StampOf(string file) =>
-        new FileInfo(TargetOf(file)) is { Exists: true } info ? (info.LastWriteTimeUtc, info.Length)
-            : (default, Directory.Exists(file) ? -2 : -1);
+        new FileInfo((new FileInfo(file).LinkTarget is null ? null : FilePlace.Resolve(file)) ?? file) is { Exists: true } info
+            ? (info.LastWriteTimeUtc, info.Length) : (default, Directory.Exists(file) ? -2 : -1);
 
     /// <summary>Whether a file holds nothing. A pipe has no length either: to read it might take for ever.</summary>
     public static bool IsEmpty(string file) => StampOf(file).Length == 0;
