@@ -20,7 +20,7 @@ trap 'wineserver -k 2>/dev/null || true; rm -rf "$work"' EXIT
 # both stop the whole program. So a test that needs another system says so in its attribute, and a program that stops names the test.
 left_out='
 windows Lab.Tests *RayAssertTests* it throws and catches by the dozen, where wine stops; nothing in it depends on the system
-windows Cli.Tests *HandOutFolderTests* dotnet builds the hand-out's tool, and is not in wine
+windows Cli.Tests *HandOutFolderTests* dotnet builds the tool of a hand-out, and is not in wine
 arm Cli.Tests *FaultTests.ALimitOfFileSizes* qemu does not let a program ignore SIGXFSZ: the signal ends it (153) before the write fails
 arm Cli.Tests *AttackTests.ADeletedCurrentFolderIsReported the shell that starts qemu reports it first, on the same stream
 arm Cli.Tests *HandOutFolderTests* it starts the tool by the dotnet of the machine, which is for x64
