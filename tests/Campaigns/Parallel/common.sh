@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # What the scripts beside this one share: a folder of their own, the program, a picture drawn in one go, and a part that is killed.
 # Environment: RAYCASTER names a program that is built already; SIZE and PARTS set how much is drawn.
 
@@ -61,7 +62,7 @@ kill_part() { # kill_part K: has the Kth part killed, -9, as soon as it writes
     local pid
     wait_until 60 compgen -G "parts/$1.png.*.tmp" >/dev/null || failed "part $1 was not begun in a minute"
     pid=$(pgrep -f "raycaster .*-o $work/parts/$1.png") || failed "part $1 was done before it could be killed; draw more: SIZE=9000x6000"
-    kill -9 $pid # and the shell that waits for it, where there is one; nobody else has this folder
+    xargs kill -9 <<<"$pid" # and the shell that waits for it, where there is one; nobody else has this folder
 }
 
 there() { # how many parts are there

@@ -65,7 +65,7 @@ raycaster part $scene \$SLURM_ARRAY_TASK_ID/$parts -t \$SLURM_CPUS_PER_TASK -s $
 END
 submit() {
     drawing=$(sbatch --parsable draw.sbatch)
-    joining=$(sbatch --parsable --dependency=afterok:$drawing --kill-on-invalid-dep=yes --output=stitch.log \
+    joining=$(sbatch --parsable --dependency="afterok:$drawing" --kill-on-invalid-dep=yes --output=stitch.log \
         --wrap "raycaster stitch parts -o stitched.ppm")
 }
 is_over() { [ -z "$(squeue -h -j "$1" 2>/dev/null)" ]; }
