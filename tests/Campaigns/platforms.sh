@@ -27,7 +27,7 @@ arm Cli.Tests *HandOutFolderTests* it starts the tool by the dotnet of the machi
 
 skip() { echo "$*"; exit 77; }
 tools() { command -v wine wineserver qemu-aarch64-static && [ -e /usr/aarch64-linux-gnu/lib/libstdc++.so.6 ]; } >/dev/null
-if [ "$(uname -m)" != x86_64 ] || ! command -v apt-get >/dev/null; then skip "this is no Debian for x64"; fi
+if [ "$(uname -m)" != x86_64 ] || ! grep -qx ID=debian /etc/os-release; then skip "this is no Debian for x64"; fi
 if ! tools; then
     { apt-get update -qq && apt-get install -y -qq wine wine64 qemu-user-static libc6-arm64-cross libstdc++6-arm64-cross; } >/dev/null 2>&1 || true
     tools || skip "wine and qemu cannot be installed here"
@@ -35,7 +35,7 @@ fi
 # The runtime computes SHA-256 by OpenSSL. Its package for ARM64 is only unpacked, by lists of its own, which leaves the system as it is.
 mkdir -p "$work/lists/partial" "$work/ssl"
 of_arm() { apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State::lists="$work/lists" -o APT::Sandbox::User=root "$@"; }
-(cd "$work/ssl" && of_arm update && of_arm download libssl3) >/dev/null 2>&1 || skip "libssl3 for ARM64 cannot be fetched"
+(cd "$work/ssl" && of_arm update && of_arm download libssl3) >/dev/null 2>&1 || skip "libssl3 for ARM64 cannot be fetched here"
 dpkg -x "$work"/ssl/libssl3_*.deb "$work/ssl"
 
 for folder in windows arm crlf; do
