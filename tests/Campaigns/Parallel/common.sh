@@ -31,6 +31,8 @@ need() { # the programs that a script cannot do without
     done
 }
 
+free_port() { python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'; }
+
 passed() { checks=$((checks + 1)); echo "  ok: $*"; }
 failed() { echo "  FAILED: $*" >&2; tail -n 5 ./*.log >&2; exit 1; }
 check() { # check "what should hold" command...

@@ -2,18 +2,17 @@
 # The same by Slurm, on a cluster of one node that this script starts and stops: an array job of parts, and a stitch that waits for it.
 # One part is cancelled and one killed while they are drawn; the same two jobs, submitted again, finish only what is missing.
 . "$(dirname "$0")/common.sh"
-need munged slurmctld slurmd sbatch scancel pgrep
+need python3 munged slurmctld slurmd sbatch scancel pgrep
 make_program
 mkdir parts munge state spool
 
 dd if=/dev/urandom of=munge/key bs=1 count=128 status=none
 chmod 600 munge/key
-port=$((20000 + RANDOM % 20000))
 cat >slurm.conf <<END
 ClusterName=raycaster
 SlurmctldHost=$(hostname -s)(127.0.0.1)
-SlurmctldPort=$port
-SlurmdPort=$((port + 1))
+SlurmctldPort=$(free_port)
+SlurmdPort=$(free_port)
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
 AuthType=auth/munge
