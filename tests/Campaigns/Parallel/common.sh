@@ -61,10 +61,9 @@ make_program() {
 }
 
 kill_part() { # kill_part K: has the Kth part killed, -9, as soon as it writes
-    local pid
     wait_until 60 compgen -G "parts/$1.png.*.tmp" >/dev/null || failed "part $1 was not begun in a minute"
-    pid=$(pgrep -f "raycaster .*-o $work/parts/$1.png") || failed "part $1 was done before it could be killed; draw more: SIZE=9000x6000"
-    xargs kill -9 <<<"$pid" # and the shell that waits for it, where there is one; nobody else has this folder
+    pkill -9 -f "raycaster .*-o $work/parts/$1.png" || # and the shell that waits for it, where there is one; nobody else has this folder
+        failed "part $1 was done before it could be killed; draw more: SIZE=9000x6000"
 }
 
 there() { # how many parts are there

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Parts of a picture drawn by GNU parallel, two at a time on this machine; one is killed, and running the same again finishes only what is missing.
 . "$(dirname "$0")/common.sh"
-need parallel pgrep
+need parallel pkill
 make_program
 mkdir parts
 

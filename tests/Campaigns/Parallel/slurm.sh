@@ -2,7 +2,7 @@
 # The same by Slurm, on a cluster of one node that this script starts and stops: an array job of parts, and a stitch that waits for it.
 # One part is cancelled and one killed while they are drawn; the same two jobs, submitted again, finish only what is missing.
 . "$(dirname "$0")/common.sh"
-need python3 munged slurmctld slurmd sbatch scancel pgrep
+need python3 munged slurmctld slurmd sbatch scancel pkill
 make_program
 mkdir parts munge state spool
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The same over ssh: two names for this machine, each with a server of its own. No folder is shared: the scene is sent, the parts come back.
 . "$(dirname "$0")/common.sh"
-need python3 parallel ssh sshd ssh-keygen rsync pgrep
+need python3 parallel ssh sshd ssh-keygen rsync pkill
 scene=$root/scenes/room.json # one file is all that must be sent
 make_program
 mkdir parts
@@ -51,8 +51,7 @@ draw() { # the parts that have not come back yet
 }
 
 kill_remote() { # the working folders are the nodes' own: look for the process
-    wait_until 60 pgrep -f "^[^ ]*raycaster part $file 2/$parts " >/dev/null || failed "part 2 was not begun in a minute"
-    kill -9 $(pgrep -f "^[^ ]*raycaster part $file 2/$parts ")
+    wait_until 60 pkill -9 -f "^[^ ]*raycaster part $file 2/$parts " || failed "part 2 was not begun in a minute"
 }
 kill_remote &
 killer=$!
