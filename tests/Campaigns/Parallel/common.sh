@@ -60,10 +60,10 @@ make_program() {
     [ -n "${skip_whole:-}" ] || raycaster -q "$scene" -s "$size" -o whole.ppm
 }
 
-kill_part() { # kill_part K: has the Kth part killed, -9, as soon as it writes
+kill_part() { # kill_part K SIGNAL: sends the Kth part a signal as soon as it writes
     wait_until 60 compgen -G "parts/$1.png.*.tmp" >/dev/null || failed "part $1 was not begun in a minute"
-    pkill -9 -f "raycaster .*-o $work/parts/$1.png" || # and the shell that waits for it, where there is one; nobody else has this folder
-        failed "part $1 was done before it could be killed; draw more: SIZE=9000x6000"
+    pkill "-$2" -f "raycaster .*-o $work/parts/$1.png" || # and the shell that waits for it, where there is one; nobody else has this folder
+        failed "part $1 was done before it got SIG$2; draw more: SIZE=9000x6000"
 }
 
 there() { # how many parts are there

@@ -9,7 +9,7 @@ draw() {
     parallel --will-cite --jobs 2 raycaster part "$scene" "{}/$parts" -t 1 -s "$size" -o "$work/parts/{}.png" --resume ::: $(seq "$parts") 2>"$1"
 }
 
-kill_part 2 &
+kill_part 2 KILL &
 killer=$!
 code=0
 draw first.log || code=$?

@@ -70,9 +70,9 @@ submit() {
 is_over() { [ -z "$(squeue -h -j "$1" 2>/dev/null)" ]; }
 
 submit
-wait_until 60 compgen -G "parts/1.png.*.tmp" >/dev/null || failed "part 1 was not begun in a minute"
+kill_part 1 STOP # or it may be done before it is cancelled
 scancel "${drawing}_1"
-kill_part 3
+kill_part 3 KILL
 wait_until 300 is_over "$drawing" || failed "the array job does not end"
 wait_until 60 is_over "$joining" || failed "the stitch waits for ever"
 check "all parts are there but the cancelled and the killed one" [ "$(there)" -eq $((parts - 2)) ]
