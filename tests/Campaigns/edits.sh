@@ -3,7 +3,7 @@
 # the definition, and large, by the engine. Of each the picture must change, or a message must say why not. An edit of the engine must be noticed,
 # and not change the picture. The JSON of diagnose warns of an edit of the course, too.
 #
-#     tests/Campaigns/edits.sh [k/n]     only the edits k, k + n, k + 2 n, …
+#     tests/Campaigns/edits.sh [k/n]     only the edits k, k + n, k + 2 n, …; all with WHOLE=yes
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1
@@ -14,6 +14,7 @@ git ls-files -z | tar --null -T - -cf - | tar -xf - -C "$copy"
 cd "$copy"
 passed=0 failed=0 number=0
 IFS=/ read -r part parts <<<"${1:-1/1}"
+[ -z "${WHOLE:-}" ] || parts=1
 
 raycaster() { dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll "$@"; }
 
@@ -49,7 +50,7 @@ edit() { # name, file, sed expression
 dotnet restore src/RayCaster.Cli -v quiet
 draw
 cat small.txt large.txt
-[ ! -s small.txt ] && [ ! -s large.txt ] || { echo "unchanged, and yet there are messages"; exit 1; }
+if [ -s small.txt ] || [ -s large.txt ]; then echo "unchanged, and yet there are messages"; exit 1; fi
 mv small.png right-small.png
 mv large.png right-large.png
 
@@ -84,28 +85,28 @@ cp -r src/RayCaster.Engine/Numbers kept
 sed -i 's/a.Lanes + b.Lanes/a.Lanes - b.Lanes/' src/RayCaster.Engine/Numbers/*Packet.cs
 draw
 cmp -s small.png right-small.png && [ ! -s small.txt ] && result=0 || result=1
-verdict "an edit of the engine does not change a small picture" $result "$(cat small.txt)"
+verdict "an edit of the engine does not change a small picture" "$result" "$(cat small.txt)"
 grep -q "the engine's picture is not the definition's at column .* The definition draws the picture" large.txt && result=0 || result=1
-verdict "a large picture says that the engine is wrong" $result "$(cat large.txt)"
+verdict "a large picture says that the engine is wrong" "$result" "$(cat large.txt)"
 cmp -s large.png right-large.png && result=0 || result=1
-verdict "and is right" $result "it differs"
+verdict "and is right" "$result" "it differs"
 cp kept/* src/RayCaster.Engine/Numbers
 
 sed -i 's/Radius \* Radius - D \* D/Radius - D * D/' $course/Shapes/Sphere.cs
 draw
 raycaster diagnose scenes/room.json right-small.png --json >said.json 2>/dev/null || true
 grep -q '"warning": "src/RayCaster has been changed' said.json && result=0 || result=1
-verdict "diagnose --json says that src/RayCaster was changed" $result "$(head -3 said.json)"
+verdict "diagnose --json says that src/RayCaster was changed" "$result" "$(head -3 said.json)"
 
 sed -i 's/return new(t_ca - t_hc/if (Radius < 9) throw new Exception("boom"); &/' $course/Shapes/Sphere.cs
 draw
 # "in Model" where the runtime has inlined the formula
 grep -qE 'Exception in (Sphere|Model): boom' small.txt && grep -qE 'Exception in (Sphere|Model): boom' large.txt && result=0 || result=1
-verdict "a formula's exception is shown" $result "$(cat small.txt large.txt)"
+verdict "a formula's exception is shown" "$result" "$(cat small.txt large.txt)"
 sed -i 's/if (Radius < 9) throw[^;]*;/return new(N.Sqrt(-1));/' $course/Shapes/Sphere.cs
 draw
 raycaster models scenes/room.json >said.txt
 grep -q "ball does not show: it is missed by every ray" said.txt && result=0 || result=1
-verdict "models says that every ray misses" $result "$(cat said.txt)"
+verdict "models says that every ray misses" "$result" "$(cat said.txt)"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

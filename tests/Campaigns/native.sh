@@ -16,18 +16,17 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 publish() { dotnet publish "$OLDPWD/src/RayCaster.Cli" -v quiet -o "$@" >publish.txt || { cat publish.txt; exit 1; }; }
-built=${RAYCASTER:-$work/built/raycaster}
 [ -n "${RAYCASTER:-}" ] || publish built
-native=$work/native/raycaster
+declare -A program=([built]=${RAYCASTER:-$work/built/raycaster} [native]=$work/native/raycaster)
 publish native -p:PublishAot=true
 dotnet publish "$OLDPWD/src/RayCaster.Live" -v quiet -o native -p:UseAppHost=false >publish.txt # a hand-out has the live page, too
 
 drawn=0
 for scene in "$OLDPWD"/scenes/*.json "$OLDPWD"/scenes/*/*.json; do
     case $scene in *.schema.json) continue ;; esac
-    for program in built native; do
-        "${!program}" "$scene" -q -o "$program.png"
-        "${!program}" map "$scene" t -q -o "$program.t.pfm"
+    for name in built native; do
+        "${program[$name]}" "$scene" -q -o "$name.png"
+        "${program[$name]}" map "$scene" t -q -o "$name.t.pfm"
     done
     for what in png t.pfm; do
         cmp "built.$what" "native.$what" || { echo "the native program draws $scene otherwise"; exit 1; }
@@ -38,4 +37,4 @@ echo "$drawn scenes, the same to the bit"
 [ "$drawn" -gt 0 ]
 
 cd "$OLDPWD"
-RAYCASTER_APP=$native dotnet test --project tests/RayCaster.Cli.Tests --filter-trait program=yes "$@"
+RAYCASTER_APP=${program[native]} dotnet test --project tests/RayCaster.Cli.Tests --filter-trait program=yes "$@"

@@ -4,8 +4,7 @@
 #
 #     tests/Campaigns/platforms.sh [windows|arm]
 #
-# Environment: LIMIT, in seconds, for each program of tests. SHORT=yes leaves out the tests of the console app, the engine and the live page, which
-# take ten minutes.
+# Environment: LIMIT, in seconds, for each program of tests.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1
@@ -20,7 +19,7 @@ trap 'wineserver -k 2>/dev/null || true; rm -rf "$work"' EXIT
 # both stop the whole program. So a test that needs another system says so in its attribute, and a program that stops names the test.
 left_out='
 windows Lab.Tests *RayAssertTests* it throws and catches by the dozen, where wine stops; nothing in it depends on the system
-windows Cli.Tests *HandOutFolderTests* dotnet builds the hand-out's tool, and is not in wine
+windows Cli.Tests *HandOutFolderTests* dotnet builds the tool of a hand-out, and is not in wine
 arm Cli.Tests *FaultTests.ALimitOfFileSizes* qemu does not let a program ignore SIGXFSZ: the signal ends it (153) before the write fails
 arm Cli.Tests *AttackTests.ADeletedCurrentFolderIsReported the shell that starts qemu reports it first, on the same stream
 arm Cli.Tests *HandOutFolderTests* it starts the tool by the dotnet of the machine, which is for x64
@@ -28,7 +27,7 @@ arm Cli.Tests *HandOutFolderTests* it starts the tool by the dotnet of the machi
 
 skip() { echo "$*"; exit 77; }
 tools() { command -v wine wineserver qemu-aarch64-static && [ -e /usr/aarch64-linux-gnu/lib/libstdc++.so.6 ]; } >/dev/null
-[ "$(uname -m)" = x86_64 ] && command -v apt-get >/dev/null || skip "this is no Debian for x64"
+if [ "$(uname -m)" != x86_64 ] || ! grep -qx ID=debian /etc/os-release; then skip "this is no Debian for x64"; fi
 if ! tools; then
     { apt-get update -qq && apt-get install -y -qq wine wine64 qemu-user-static libc6-arm64-cross libstdc++6-arm64-cross; } >/dev/null 2>&1 || true
     tools || skip "wine and qemu cannot be installed here"
@@ -36,7 +35,7 @@ fi
 # The runtime computes SHA-256 by OpenSSL. Its package for ARM64 is only unpacked, by lists of its own, which leaves the system as it is.
 mkdir -p "$work/lists/partial" "$work/ssl"
 of_arm() { apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State::lists="$work/lists" -o APT::Sandbox::User=root "$@"; }
-(cd "$work/ssl" && of_arm update && of_arm download libssl3) >/dev/null 2>&1 || skip "libssl3 for ARM64 cannot be fetched"
+(cd "$work/ssl" && of_arm update && of_arm download libssl3) >/dev/null 2>&1 || skip "libssl3 for ARM64 cannot be fetched here"
 dpkg -x "$work"/ssl/libssl3_*.deb "$work/ssl"
 
 for folder in windows arm crlf; do
@@ -104,7 +103,7 @@ tests() { # system, project: each test that the program for x64 lists must have 
     elif ((errors + failures)); then
         grep -A 12 -F '[FAIL]' "$log" | head -90
         fail "$1: $2"
-    elif [ -n "$missing" ]; then fail "$1: $2 did not run" $missing; fi
+    elif [ -n "$missing" ]; then fail "$1: $2 did not run ${missing//$'\n'/ }"; fi
     echo "$1: $2: $((total - errors - failures - skipped)) passed, $skipped skipped, $(wc -l <"$log.left") left out ($((SECONDS - start)) s)"
 }
 
@@ -170,13 +169,10 @@ line_ends() { # the copy with CR LF, on Linux
 }
 
 windows() {
-    build windows Tests Files.Tests Lab.Tests Cli.Tests $([ -n "${SHORT:-}" ] || echo Engine.Tests Live.Tests)
+    build windows Tests Files.Tests Lab.Tests Cli.Tests Live.Tests Engine.Tests
     wineboot -i >/dev/null 2>&1 || true
-    for project in Tests Files.Tests Lab.Tests; do tests windows "$project"; done
-    if [ -z "${SHORT:-}" ]; then
-        for project in Cli.Tests Live.Tests; do tests windows "$project"; done
-        RAYCASTER_SCENES=20 RAYCASTER_ROUNDS=5 tests windows Engine.Tests
-    fi
+    for project in Tests Files.Tests Lab.Tests Cli.Tests Live.Tests; do tests windows "$project"; done
+    RAYCASTER_SCENES=20 RAYCASTER_ROUNDS=5 tests windows Engine.Tests
     scenes windows
     paths_of_windows
     line_ends
@@ -184,14 +180,12 @@ windows() {
     exit "$failed"
 }
 arm() {
-    build arm Tests Files.Tests Lab.Tests Cli.Tests $([ -n "${SHORT:-}" ] || echo Engine.Tests)
+    build arm Tests Files.Tests Lab.Tests Cli.Tests Engine.Tests
     printf '#!/bin/sh\nexec "$work/on_arm" "%s" "$@"\n' "$(built arm Cli.Tests raycaster)" >"$work/raycaster"
     chmod +x "$work/raycaster"
     for project in Tests Files.Tests Lab.Tests; do tests arm "$project"; done
-    if [ -z "${SHORT:-}" ]; then
-        RAYCASTER_APP=$work/raycaster tests arm Cli.Tests
-        RAYCASTER_SCENES=20 RAYCASTER_ROUNDS=1 tests arm Engine.Tests
-    fi
+    RAYCASTER_APP=$work/raycaster tests arm Cli.Tests
+    RAYCASTER_SCENES=20 RAYCASTER_ROUNDS=1 tests arm Engine.Tests
     scenes arm
     exit "$failed"
 }

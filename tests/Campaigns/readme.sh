@@ -2,7 +2,7 @@
 # Follows README.md in a fresh clone, command by command in its order, with the two edits that it asks for. Each line that README shows below a
 # command must be printed by that command.
 set -u
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../.." || exit 1
 clone=$(mktemp -d)
 trap 'rm -rf "$clone"' EXIT
 git clone -q . "$clone" && cd "$clone" || exit 1

@@ -3,7 +3,7 @@ using static RayCaster.Browser.Tests.HostedPage;
 namespace RayCaster.Browser.Tests;
 
 /// <summary>The scene's text on the page: changed, opened, saved, and shared as a link that holds it.</summary>
-[Collection("folder"), Trait("waits", "yes")]
+[Collection("folder")]
 public class EditorTests(Chromium chromium, Site site)
 {
     [BrowserFact]

@@ -3,7 +3,7 @@ using static RayCaster.Browser.Tests.HostedPage;
 namespace RayCaster.Browser.Tests;
 
 /// <summary>A link shows its scene, or the page says that it shows another one.</summary>
-[Collection("folder"), Trait("waits", "yes")]
+[Collection("folder")]
 public class LinkTests(Chromium chromium, Site site)
 {
     private static readonly string code = FolderPage.Link(Ball)["#scene=".Length..];

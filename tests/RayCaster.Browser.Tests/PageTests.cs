@@ -3,7 +3,6 @@ using static RayCaster.Browser.Tests.HostedPage;
 namespace RayCaster.Browser.Tests;
 
 /// <summary>What the page does whichever host it comes from, used by mouse, by keyboard and by fingers.</summary>
-[Trait("waits", "yes")]
 public abstract partial class PageTests : IAsyncLifetime
 {
     private const string Distance = """

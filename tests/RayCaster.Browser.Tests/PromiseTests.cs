@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Browser.Tests;
 
 /// <summary>What the page promises: it is for every screen, nothing leaves the browser, it works without a network, and no scene ends it.</summary>
-[Collection("folder"), Trait("waits", "yes")]
+[Collection("folder")]
 public partial class PromiseTests(Chromium chromium, Site site)
 {
     /// <summary>The file server is also the browser's proxy: no request of a page or of a worker escapes it.</summary>

@@ -3,7 +3,7 @@ using static RayCaster.Browser.Tests.HostedPage;
 namespace RayCaster.Browser.Tests;
 
 /// <summary>Browsers and hosts that lack something: the page says what, once, and it is true.</summary>
-[Collection("folder"), Trait("waits", "yes")]
+[Collection("folder")]
 public class RefusalTests(Chromium chromium, Site site)
 {
     private const string NoPacking = "delete window.CompressionStream; delete window.DecompressionStream";

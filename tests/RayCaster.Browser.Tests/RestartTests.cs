@@ -3,7 +3,7 @@ using static RayCaster.Browser.Tests.HostedPage;
 namespace RayCaster.Browser.Tests;
 
 /// <summary>A page whose program ends, starts again, or is suspended for a while.</summary>
-[Collection("server"), Trait("waits", "yes")]
+[Collection("server")]
 public class RestartTests(Chromium chromium)
 {
     [BrowserFact]

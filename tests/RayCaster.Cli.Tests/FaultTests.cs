@@ -62,7 +62,6 @@ public sealed class FaultTests : CommandTests
         Assert.Equal("2\n", File.ReadAllText(raycaster.PathOf("code")));
     }
 
-    [Trait("waits", "yes")]
     [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void AReaderThatHasStoppedDoesNotKeepOneFromCancelling()
     {
@@ -95,7 +94,6 @@ public sealed class FaultTests : CommandTests
         Assert.Equal((2, "raycaster: there is not enough memory\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    [Trait("waits", "yes")]
     [Fact]
     public void AKilledRunLeavesTheOldPictureAndATemporaryFile()
     {
@@ -113,7 +111,6 @@ public sealed class FaultTests : CommandTests
         Assert.Equal(9, PictureFile.Read(raycaster.PathOf("room.png")).Width);
     }
 
-    [Trait("waits", "yes")]
     [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void ARunDoesNotDisturbAnotherThatWritesTheSamePicture()
     {
@@ -158,7 +155,6 @@ public sealed class FaultTests : CommandTests
         Assert.Empty(raycaster.Files);
     }
 
-    [Trait("waits", "yes")]
     [Fact(Explicit = true, Skip = "no process can shorten a file that another reads", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void AMeshThatShrinksOrVanishesWhileItIsReadIsNamed()
     {

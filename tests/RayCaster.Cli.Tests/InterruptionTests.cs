@@ -5,7 +5,6 @@ namespace RayCaster.Cli.Tests;
 
 /// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says which files are written. The
 /// runtime's own answer to a signal has the same exit code, but no such line.</summary>
-[Trait("waits", "yes")]
 public sealed class InterruptionTests : CommandTests
 {
     [Theory(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]

@@ -137,7 +137,6 @@ public sealed class PartCommandTests : CommandTests
         Assert.Equal(41, PictureFile.Read(raycaster.PathOf("a.png")).Width);
     }
 
-    [Trait("waits", "yes")]
     [Fact(Explicit = true, Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void WhatAKilledPartLeavesIsFinishedByRunningAgain()
     {

@@ -7,7 +7,6 @@ using System.Text;
 namespace RayCaster.Live.Tests;
 
 /// <summary>Other users of this machine and other pages in the same browser have no access.</summary>
-[Trait("waits", "yes")]
 public class AttackTests(LiveServerFixture fixture) : IClassFixture<LiveServerFixture>
 {
     private readonly LivePage page = fixture.Page;

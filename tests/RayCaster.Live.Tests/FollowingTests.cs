@@ -5,7 +5,6 @@ using RayCaster.Engine;
 namespace RayCaster.Live.Tests;
 
 /// <summary>The picture follows the scene file, in whatever way it is saved and whatever it contains.</summary>
-[Trait("waits", "yes")]
 public class FollowingTests
 {
     private static string Moved(double x) => LivePage.Ball.Replace("[6, 0, 2.5]", FormattableString.Invariant($"[{x}, 0, 2.5]"));

@@ -5,7 +5,7 @@ namespace RayCaster.Live.Tests;
 public class AloneCollection;
 
 /// <summary>Memory does not grow with time.</summary>
-[Collection("alone"), Trait("waits", "yes")]
+[Collection("alone")]
 public class MemoryTests
 {
     /// <summary>A save that left behind its picture, or what waits for its end, would leave some 5,000 bytes.</summary>

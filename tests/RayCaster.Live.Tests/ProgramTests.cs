@@ -5,7 +5,6 @@ using System.Runtime.Versioning;
 namespace RayCaster.Live.Tests;
 
 /// <summary>The program's start: its port, and the secret in the page's address.</summary>
-[Trait("waits", "yes")]
 public class ProgramTests
 {
     [Fact]

@@ -3,7 +3,6 @@ using System.Text;
 namespace RayCaster.Live.Tests;
 
 /// <summary>What pages ask for is answered.</summary>
-[Trait("waits", "yes")]
 public class RequestTests
 {
     [Fact]

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace RayCaster.Testing;
 
 /// <summary>
@@ -42,6 +44,8 @@ internal sealed class ReferenceComparison
 
     private int Pixels => expected.Width * expected.Height;
 
+    private string Percent(int pixels) => (100.0 * pixels / Pixels).ToString("0.##", CultureInfo.InvariantCulture);
+
     private bool SameSize => (expected.Width, expected.Height) == (actual.Width, actual.Height);
 
     /// <summary>What is wrong, and the command that explains the first wrong pixel.</summary>
@@ -50,8 +54,8 @@ internal sealed class ReferenceComparison
     {
         if (!SameSize) return $"{name}.png: expected {expected.Width} × {expected.Height} pixels, got {actual.Width} × {actual.Height}";
         if (first is not var (x, y))
-            return $"{name}.png: {OffByOne} of {Pixels} pixels ({100.0 * OffByOne / Pixels:0.##} %) are off by 1; at most 1 % may be";
-        return $"{name}.png: {Wrong} of {Pixels} pixels ({100.0 * Wrong / Pixels:0.##} %) differ, by at most {largest}; "
+            return $"{name}.png: {OffByOne} of {Pixels} pixels ({Percent(OffByOne)} %) are off by 1; at most 1 % may be";
+        return $"{name}.png: {Wrong} of {Pixels} pixels ({Percent(Wrong)} %) differ, by at most {largest}; "
             + $"the first at column {x}, line {y} from the top: expected {expected[x, y]}, got {actual[x, y]}\n"
             + $"  dotnet run --project src/RayCaster.Cli -- explain scenes/{name}.json {x} {y} --size {expected.Width}x{expected.Height}";
     }

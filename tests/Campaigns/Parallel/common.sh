@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # What the scripts beside this one share: a folder of their own, the program, a picture drawn in one go, and a part that is killed.
 # Environment: RAYCASTER names a program that is built already; SIZE and PARTS set how much is drawn.
 
@@ -30,6 +31,8 @@ need() { # the programs that a script cannot do without
     done
 }
 
+free_port() { python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'; }
+
 passed() { checks=$((checks + 1)); echo "  ok: $*"; }
 failed() { echo "  FAILED: $*" >&2; tail -n 5 ./*.log >&2; exit 1; }
 check() { # check "what should hold" command...
@@ -57,11 +60,10 @@ make_program() {
     [ -n "${skip_whole:-}" ] || raycaster -q "$scene" -s "$size" -o whole.ppm
 }
 
-kill_part() { # kill_part K: has the Kth part killed, -9, as soon as it writes
-    local pid
+kill_part() { # kill_part K SIGNAL: sends the Kth part a signal as soon as it writes
     wait_until 60 compgen -G "parts/$1.png.*.tmp" >/dev/null || failed "part $1 was not begun in a minute"
-    pid=$(pgrep -f "raycaster .*-o $work/parts/$1.png") || failed "part $1 was done before it could be killed; draw more: SIZE=9000x6000"
-    kill -9 $pid # and the shell that waits for it, where there is one; nobody else has this folder
+    pkill "-$2" -f "raycaster .*-o $work/parts/$1.png" || # and the shell that waits for it, where there is one; nobody else has this folder
+        failed "part $1 was done before it got SIG$2; draw more: SIZE=9000x6000"
 }
 
 there() { # how many parts are there

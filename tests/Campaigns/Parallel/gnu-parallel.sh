@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Parts of a picture drawn by GNU parallel, two at a time on this machine; one is killed, and running the same again finishes only what is missing.
 . "$(dirname "$0")/common.sh"
-need parallel pgrep
+need parallel pkill
 make_program
 mkdir parts
 
@@ -9,7 +9,7 @@ draw() {
     parallel --will-cite --jobs 2 raycaster part "$scene" "{}/$parts" -t 1 -s "$size" -o "$work/parts/{}.png" --resume ::: $(seq "$parts") 2>"$1"
 }
 
-kill_part 2 &
+kill_part 2 KILL &
 killer=$!
 code=0
 draw first.log || code=$?

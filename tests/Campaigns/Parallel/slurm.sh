@@ -2,18 +2,17 @@
 # The same by Slurm, on a cluster of one node that this script starts and stops: an array job of parts, and a stitch that waits for it.
 # One part is cancelled and one killed while they are drawn; the same two jobs, submitted again, finish only what is missing.
 . "$(dirname "$0")/common.sh"
-need munged slurmctld slurmd sbatch scancel pgrep
+need python3 munged slurmctld slurmd sbatch scancel pkill
 make_program
 mkdir parts munge state spool
 
 dd if=/dev/urandom of=munge/key bs=1 count=128 status=none
 chmod 600 munge/key
-port=$((20000 + RANDOM % 20000))
 cat >slurm.conf <<END
 ClusterName=raycaster
 SlurmctldHost=$(hostname -s)(127.0.0.1)
-SlurmctldPort=$port
-SlurmdPort=$((port + 1))
+SlurmctldPort=$(free_port)
+SlurmdPort=$(free_port)
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
 AuthType=auth/munge
@@ -65,15 +64,15 @@ raycaster part $scene \$SLURM_ARRAY_TASK_ID/$parts -t \$SLURM_CPUS_PER_TASK -s $
 END
 submit() {
     drawing=$(sbatch --parsable draw.sbatch)
-    joining=$(sbatch --parsable --dependency=afterok:$drawing --kill-on-invalid-dep=yes --output=stitch.log \
+    joining=$(sbatch --parsable --dependency="afterok:$drawing" --kill-on-invalid-dep=yes --output=stitch.log \
         --wrap "raycaster stitch parts -o stitched.ppm")
 }
 is_over() { [ -z "$(squeue -h -j "$1" 2>/dev/null)" ]; }
 
 submit
-wait_until 60 compgen -G "parts/1.png.*.tmp" >/dev/null || failed "part 1 was not begun in a minute"
+kill_part 1 STOP # or it may be done before it is cancelled
 scancel "${drawing}_1"
-kill_part 3
+kill_part 3 KILL
 wait_until 300 is_over "$drawing" || failed "the array job does not end"
 wait_until 60 is_over "$joining" || failed "the stitch waits for ever"
 check "all parts are there but the cancelled and the killed one" [ "$(there)" -eq $((parts - 2)) ]

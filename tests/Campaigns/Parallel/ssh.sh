@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The same over ssh: two names for this machine, each with a server of its own. No folder is shared: the scene is sent, the parts come back.
 . "$(dirname "$0")/common.sh"
-need parallel ssh sshd ssh-keygen rsync pgrep
+need python3 parallel ssh sshd ssh-keygen rsync pkill
 scene=$root/scenes/room.json # one file is all that must be sent
 make_program
 mkdir parts
@@ -11,7 +11,7 @@ ssh-keygen -q -t ed25519 -N '' -f user_key
 cp user_key.pub authorized_keys
 [ "$(id -u)" -ne 0 ] || mkdir -p /run/sshd
 for node in 1 2; do
-    port=$((20000 + RANDOM % 20000))
+    port=$(free_port)
     cat >"sshd_config$node" <<END
 Port $port
 ListenAddress 127.0.0.1
@@ -51,8 +51,7 @@ draw() { # the parts that have not come back yet
 }
 
 kill_remote() { # the working folders are the nodes' own: look for the process
-    wait_until 60 pgrep -f "^[^ ]*raycaster part $file 2/$parts " >/dev/null || failed "part 2 was not begun in a minute"
-    kill -9 $(pgrep -f "^[^ ]*raycaster part $file 2/$parts ")
+    wait_until 60 pkill -9 -f "^[^ ]*raycaster part $file 2/$parts " || failed "part 2 was not begun in a minute"
 }
 kill_remote &
 killer=$!

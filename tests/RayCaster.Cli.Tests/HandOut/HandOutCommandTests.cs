@@ -28,7 +28,6 @@ public sealed class HandOutCommandTests : CommandTests
     public void ACharacterThatMSBuildMisreadsIsRefused(string character) =>
         Refuses($"lab{character} could not be built: MSBuild misreads '{character}' in a path, as in ", "handout", $"lab{character}");
 
-    [Trait("waits", "yes")]
     [Fact(Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     public void AnInterruptedRunLeavesNothing()
     {
@@ -39,7 +38,6 @@ public sealed class HandOutCommandTests : CommandTests
         Assert.Empty(raycaster.Files);
     }
 
-    [Trait("waits", "yes")]
     [Fact(Explicit = true)]
     public void AKilledRunLeavesNoHandOut()
     {
