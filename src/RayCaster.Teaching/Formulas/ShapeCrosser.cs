@@ -6,8 +6,9 @@ namespace RayCaster.Teaching.Formulas;
 /// <param name="right">The program that others differ from; null if nothing of it is kept.</param>
 internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts, PixelArithmetic arithmetic, int count, FormulaProgram? right)
 {
-    /// <summary>What a ray through a mesh's tree, or to a shape of one's own, takes, as so many computed numbers do.</summary>
-    private const int WorkOfRay = 200;
+    /// <summary>What a ray through a mesh's tree, or to a shape of one's own, takes, and each triangle that it meets there, as so many computed
+    /// numbers do.</summary>
+    private const int WorkOfRay = 200, WorkOfTriangle = 40;
 
     private static readonly Symbol pointP = Symbol.From("P"), direction = Symbol.From("d"), parameter = Symbol.From("t"), axisW = Symbol.From("W");
 
@@ -123,6 +124,7 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
             };
             hits[i] = (model is not Mesh mesh ? model.Intersect(ray) : mesh.Tree.Nearest(origin, d, triangle =>
             {
+                arithmetic.Work += WorkOfTriangle;
                 var t = (double)mesh[triangle].Intersect(new Ray<Scalar>(origin, d)).Near;
                 return !isUsual ? Counts(t, i) : ray.Counts(t) ? t : null;
             })) ?? double.NaN;
