@@ -46,16 +46,6 @@ public sealed class CompareCommandTests : CommandTests
         Assert.EndsWith("difference.png: mine, the reference, the difference as a heat map\n", raycaster.OutputText);
     }
 
-    [Fact]
-    public void PicturesOfSwappedSidesAreDifferent()
-    {
-        PictureFile.Write(raycaster.PathOf("a.png"), new Picture(30, 20));
-        PictureFile.Write(raycaster.PathOf("b.png"), new Picture(20, 30));
-        raycaster.Run("compare", "a.png", "b.png");
-        Assert.Equal(1, raycaster.ExitCode);
-        Assert.StartsWith("a.png is wrong: it has 30 x 20 pixels, b.png has 20 x 30: width and height are swapped.\n", raycaster.OutputText);
-    }
-
     [Theory]
     [InlineData("picture file not found: missing.png", "mine.png", "missing.png")]
     [InlineData("compare takes <mine> <reference>", "mine.png")]

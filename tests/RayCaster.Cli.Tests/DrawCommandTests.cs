@@ -74,20 +74,4 @@ public sealed class DrawCommandTests : CommandTests
         raycaster.Run(File.ReadAllText(Room), ["-", "-s", "4x2"]);
         Assert.Equal(["scene.png"], raycaster.Files);
     }
-
-    [Fact]
-    public void ABrokenSceneLeavesTheOldPictureAndNothingElse()
-    {
-        raycaster.Write("ball.png", "the old picture").Write("ball.json", """
-            {
-              "camera": { "position": [5, 0, 0], "target": [0, 0, 0], "fovy": 60 },
-              "models": [ { "type": "sphere", "center": [0, 0, 0], "radius": -2 } ]
-            }
-            """).Run("ball.json");
-        Assert.Equal(2, raycaster.ExitCode);
-        Assert.Contains("ball.json(2,59): error: camera.fovy", raycaster.Error);
-        Assert.Contains("ball.json(3,66): error: models[0].radius must be greater than 0, but is -2", raycaster.Error);
-        Assert.Equal(["ball.json", "ball.png"], raycaster.Files);
-        Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("ball.png")));
-    }
 }

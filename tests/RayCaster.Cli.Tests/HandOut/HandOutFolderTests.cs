@@ -67,17 +67,6 @@ public sealed class HandOutFolderTests(HandOutFolderTests.Lab lab) : IClassFixtu
         "a hand-out's own: that one does not mark\n  Mark with a clone of the project, or with the installed tool.\n"),
         RunCarried("mark", "rubric.json"));
 
-    [Theory]
-    [InlineData("room")]
-    [InlineData("circle")]
-    [InlineData("clip-depth")]
-    public void ThePictureOfAStepIsWhatTheLabDrawsThen(string name)
-    {
-        var scene = SceneReader.Read(Path.Combine(RayCasterProcess.Scenes, name + ".json")).Scene!;
-        for (var step = 1; step <= LabSteps.Count; step++)
-            Assert.Equal(LabSteps.Draw(scene, step).Rgb, PictureFile.Read(lab[$"scenes/step{step:00}/{name}.png"]).Rgb);
-    }
-
     [Fact]
     public void AFolderThatIsThereStaysAsItIs()
     {

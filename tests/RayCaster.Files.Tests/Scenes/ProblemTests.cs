@@ -60,17 +60,5 @@ public class ProblemTests
         Assert.EndsWith("\nand 3 more\n", report);
     }
 
-    [Fact]
-    public void ErrorsArePrintedBeforeWarnings()
-    {
-        var report = Read("{ \"camera\": { \"position\": [1, 0, 0], \"target\": [0, 0, 0], \"fovY\": 1 }, \"models\": 1 }").Report();
-
-        Assert.True(report.IndexOf("error: models", StringComparison.Ordinal) < report.IndexOf("warning: camera.fovY", StringComparison.Ordinal));
-    }
-
-    [Fact]
-    public void AGoodSceneHasNothingToReport() =>
-        Assert.Equal("", Read("{ \"camera\": { \"position\": [1, 0, 0], \"target\": [0, 0, 0] }, \"models\": [] }").Report());
-
     private static SceneReading Read(string text) => SceneReader.Parse(Encoding.UTF8.GetBytes(text), "room.json", ".");
 }

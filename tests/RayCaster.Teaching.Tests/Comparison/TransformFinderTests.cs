@@ -74,7 +74,7 @@ public class TransformFinderTests
     [Fact]
     public void FlippedAndOneLineOff() => // V points down: row r shows −ur, so line 0 has no counterpart
         Recognises(
-            new(Turn.TopBottom, Down: 1), Picture.Create(96, 64, (x, y) => y == 0 ? default : still[x, 64 - y]).With(_ => { }), still.With(p =>
+            new(Turn.TopBottom, Down: 1), Picture.Create(96, 64, (x, y) => y == 0 ? default : still[x, 64 - y]), still.With(p =>
         {
             for (var x = 0; x < 96; x++) p[x, 0] = (50, 60, 70);
         }));
