@@ -90,4 +90,33 @@ public class EditorTests(Chromium chromium, Site site)
         Assert.Equal(Ball, await web.SceneTextAsync());
         Assert.Empty(web.Complaints);
     }
+
+    [BrowserFact]
+    public async Task AModelsRaysAreShownAlsoIfTheyAreCountedBeforeTheModelsAreTold()
+    {
+        const string Rays = "() => document.getElementById('model-0-rays')?.textContent.includes('%')";
+        await using var host = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball), """
+            const late = []; // what the first worker sends before the second one has counted the rays
+            let made = 0;
+            window.isHeld = false;
+            window.Worker = class extends Worker {
+                isFirst = made++ === 0;
+
+                addEventListener(type, listener) {
+                    super.addEventListener(type, event => {
+                        if (type === 'message' && this.isFirst && isHeld) return void late.push(() => listener(event));
+                        listener(event);
+                        if (!isHeld || !String(event.data).includes('"ledger"')) return;
+                        isHeld = false;
+                        late.splice(0).forEach(tell => tell());
+                    });
+                }
+            };
+            """);
+        await host.Page.WaitForFunctionAsync(Rays);
+        await host.Page.EvaluateExpressionAsync("isHeld = true");
+        await host.WriteSceneAsync(Ball.Replace("<img src=x onerror=alert(1)>", "other"));
+        await host.Page.SaysAsync("other sphere");
+        await host.Page.WaitForFunctionAsync(Rays);
+    }
 }
