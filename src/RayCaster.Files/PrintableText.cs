@@ -17,7 +17,7 @@ public static class PrintableText
     /// <summary>The text with invisible characters as JSON can write them: <c>\t</c>, <c>\u2060</c>.</summary>
     internal static string Escaped(string text) => string.Concat(text.Select(c =>
         c is >= '\b' and <= '\r' ? $"\\{"btnvfr"[c - '\b']}"
-        : char.GetUnicodeCategory(c) == UnicodeCategory.Format || !IsPrintable(c) ? $"\\u{(int)c:X4}" : $"{c}"));
+        : char.GetUnicodeCategory(c) == UnicodeCategory.Format ? $"\\u{(int)c:X4}" : From($"{c}")));
 
     /// <summary>False for characters that could move a terminal's cursor, end a line, or turn the direction of a text (Unicode's
     /// Bidi_Control).</summary>

@@ -26,9 +26,9 @@ for scene in "$OLDPWD"/scenes/*.json "$OLDPWD"/scenes/*/*.json; do
     case $scene in *.schema.json) continue ;; esac
     for name in built native; do
         "${program[$name]}" "$scene" -q -o "$name.png"
-        "${program[$name]}" map "$scene" t -q -o "$name.t.pfm"
+        "${program[$name]}" map "$scene" t -q -o "$name.t.png"
     done
-    for what in png t.pfm; do
+    for what in png t.png; do
         cmp "built.$what" "native.$what" || { echo "the native program draws $scene otherwise"; exit 1; }
     done
     drawn=$((drawn + 1))

@@ -105,7 +105,6 @@ public sealed class CommandLineTests : CommandTests
     [InlineData("ROOM -o no/a.png", "cannot write no/a.png: its folder does not exist")]
     [InlineData("ROOM -o ./ --format png", "cannot write ./: it is a folder; name a file in it")]
     [InlineData("map ROOM z", "'z' is not a map: choose t, depth or model")]
-    [InlineData("map ROOM t -o a.png", "a map's numbers go to a file that ends in .pfm, but 'a.png' is given")]
     [InlineData("wrong ROOM row", "unknown name 'row' in 'row', a list of names joined by '+'; did you mean 'rows'?\n")]
     [InlineData("wrong ROOM rows,bgr", "unknown name 'rows,bgr' in 'rows,bgr', a list of names joined by '+'\n")]
     [InlineData("part a.json 5", "'5' names no lines: write the first and the last as in 0..249, counted from 0 at the top, " +

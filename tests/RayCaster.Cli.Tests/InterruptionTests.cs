@@ -82,7 +82,7 @@ public sealed class InterruptionTests : CommandTests
 
     [Theory(Explicit = true, Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     [InlineData("compare large.pbm other.pbm")]
-    [InlineData("map ROOM t -s 10000x10000 -o room.pfm")]
+    [InlineData("map ROOM t -s 10000x10000 -o room.ppm")]
     [InlineData("ROOM -s 30000x30000 -o room.ppm")]
     [InlineData("part ROOM 0..9999 -s 30000x30000 -o a.png")]
     public void ASignalEndsLongWork(string arguments)
@@ -124,31 +124,6 @@ public sealed class InterruptionTests : CommandTests
                 Assert.Equal(1000, PictureFile.Read(raycaster.PathOf("room.png")).Height);
             Assert.DoesNotContain("   at ", process.StandardError.ReadToEnd());
         }
-    }
-
-    [Theory(Explicit = true)]
-    [InlineData("stitch parts -o film.png -q")]
-    [InlineData("compare frames/room-0000.png frames/room-0001.png -o film.png")]
-    public void AKillLeavesAWholePicture(string arguments)
-    {
-        Directory.CreateDirectory(raycaster.PathOf("frames"));
-        Directory.CreateDirectory(raycaster.PathOf("parts"));
-        raycaster.Run("orbit", Room, "--frames", "2", "-s", "400x400", "-o", "frames", "-q");
-        foreach (var part in (ReadOnlySpan<string>)["1/2", "2/2"])
-            raycaster.Run("part", Room, part, "-s", "1500x1500", "-o", $"parts/{part[0]}.png", "-q");
-        var time = TimeOf(Words(arguments));
-        var random = new Random(Campaign.Seed);
-        for (var i = 0; i < 3; i++)
-        {
-            File.Delete(raycaster.PathOf("film.png"));
-            using var process = raycaster.Start(Words(arguments));
-            Thread.Sleep(time * random.NextDouble());
-            process.Kill();
-            process.WaitForExit();
-            if (File.Exists(raycaster.PathOf("film.png"))) Assert.NotEqual(0, PictureFile.Read(raycaster.PathOf("film.png")).Width);
-        }
-        Assert.NotEqual(2, raycaster.Run(Words(arguments)).ExitCode);
-        Assert.Equal(["film.png", "frames", "parts"], raycaster.Files.Where(file => !file.EndsWith(".tmp")));
     }
 
     /// <summary>A progress line that cannot be drawn does not end a run: the exit code is that of the signal of the closed terminal.</summary>

@@ -49,70 +49,6 @@ public sealed class MarkCommandTests : CommandTests
         Assert.Contains("2.33 of 5 points on average; 1.67 undecided. To look at yourself: 1.", forTheTeacher);
     }
 
-    [Fact]
-    public void FilesBesideTheSubmissionsAreTold()
-    {
-        WriteRubric("");
-        Folder("clara");
-        raycaster.Write("class/.DS_Store", "").Write("class/boris.zip", "").Write("class/dora.zip", "");
-        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
-        Assert.Equal((0, $"a submission is a folder, so {Path.Combine("class", "boris.zip")} and 1 more are not marked\n"),
-            (raycaster.ExitCode, raycaster.Error.ReplaceLineEndings("\n")));
-    }
-
-    [Fact]
-    public void AFolderWithoutSubmissionsIsAnError()
-    {
-        WriteRubric("");
-        Folder(".git");
-        raycaster.Write("class/notes.txt", "");
-        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
-        Assert.Equal((2, "raycaster: no submissions in class: it contains no folders and 1 file, but must contain a folder for each student, " +
-            "named after the student\n"), (raycaster.ExitCode, raycaster.Error));
-    }
-
-    [Fact]
-    public void WithoutHintsAMistakeHasNoWords()
-    {
-        WriteRubric("\"hint\": \"none\",");
-        raycaster.Run("wrong", "ball.json", "far-root", "-q", "-o", Folder("anna") + "ball.png");
-        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
-        Assert.Contains("<td>ball</td><td class=\"n\">0 of 3</td><td></td>", File.ReadAllText(raycaster.PathOf("marks/anna/feedback.html")));
-    }
-
-    [Fact(Skip = "has no such names", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
-    public void ASubmissionsNameForgesNoRow()
-    {
-        WriteRubric("");
-        Folder("anna\nboris,5");
-        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
-        Assert.Equal((2, "raycaster: the submission 'anna\uFFFDboris,5' has an invisible character in its name: rename it\n"),
-            (raycaster.ExitCode, raycaster.Error));
-        Assert.False(Directory.Exists(raycaster.PathOf("marks")));
-    }
-
-    [Fact]
-    public void MarksInTheFolderOfSubmissionsAreRefused()
-    {
-        WriteRubric("");
-        Folder("anna");
-        raycaster.Run("mark", "rubric.json", "class", "-o", "class/marks", "-q");
-        Assert.Equal((2, "raycaster: the marks cannot go to class/marks, which is in the folder of submissions: name a folder outside it\n"),
-            (raycaster.ExitCode, raycaster.Error));
-    }
-
-    [Fact]
-    public void APictureOfAnotherSizeIsCalledThatAndStandsBesideTheRightOne()
-    {
-        WriteRubric("");
-        raycaster.Run("ball.json", "-q", "-s", "20x20", "-o", Folder("anna") + "ball.png");
-        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
-        var page = File.ReadAllText(raycaster.PathOf("marks/anna/feedback.html"));
-        Assert.Contains("<h2>ball: another size</h2>\n<p>The picture is 20 x 20, not 60 x 40 pixels.</p>\n<p><img alt=\"your picture of ball\"",
-            page);
-        Assert.Contains("<img alt=\"the right picture of ball\"", page);
-    }
-
     [Fact] // eighty mistakes that cost nothing were one line
     public void WhatIsSaidOfARubricFitsIntoATerminal()
     {
@@ -141,13 +77,6 @@ public sealed class MarkCommandTests : CommandTests
         Assert.NotEqual(scene, varied);
         raycaster.Run("vary", "planes.json", "--seed", "12345", "-q", "-o", "-");
         Assert.Equal((0, varied), (raycaster.ExitCode, raycaster.OutputText));
-    }
-
-    [Fact]
-    public void ASceneWithMeshesStaysWhereTheyAre()
-    {
-        raycaster.Run("vary", ProjectFolder.PathOf("scenes/mesh.json"), "--seed", "12345", "-o", "mine.json");
-        Assert.Contains("names mesh files, whose paths start at its folder", raycaster.Error);
     }
 
     [Fact]

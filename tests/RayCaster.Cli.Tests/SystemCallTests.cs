@@ -11,7 +11,7 @@ public sealed class SystemCallTests : CommandTests
         { "SCENES/mesh.json -s 60x40 -o new.png", ["new.png"] },
         { "help models", [] },
         { "models SCENES/mesh.json", [] },
-        { "map SCENES/room.json t -s 60x40", ["room.t.pfm", "room.t.png"] },
+        { "map SCENES/room.json t -s 60x40", ["room.t.png"] },
         { "wrong SCENES/room.json rows -s 60x40", ["room.rows.png"] },
         { "part SCENES/room.json 0..9 -s 60x40 -o new.png", ["new.png"] },
         { "orbit SCENES/room.json --frames 2 -s 60x40", ["room-0000.png", "room-0001.png"] },

@@ -4,7 +4,7 @@ namespace Lab.Tests;
 public class FormulaTestsTests
 {
     [Fact]
-    public void OfTheSolvedLabNoneFails() => Assert.Null(FormulaTests.FirstFailure(10));
+    public void OfTheSolvedLabNoneFails() => Assert.Null(FormulaTests.FirstFailure(3)); // the tests themselves run here, too
 
     [Fact]
     public void TheFirstThatFailsIsToldWithItsMessage() => Assert.Equal(

@@ -1,7 +1,7 @@
 namespace RayCaster.Testing;
 
 /// <summary>A folder of a test's own, gone when the test ends.</summary>
-internal sealed class TemporaryFolder : IDisposable
+public sealed class TemporaryFolder : IDisposable
 {
     public string Path { get; } = Directory.CreateTempSubdirectory("raycaster-").FullName;
 
@@ -18,4 +18,12 @@ internal sealed class TemporaryFolder : IDisposable
     public string Write(string name, string text) => Write(name, System.Text.Encoding.UTF8.GetBytes(text));
 
     public void Dispose() => Directory.Delete(Path, recursive: true);
+}
+
+/// <summary>Tests that have a folder of their own.</summary>
+public abstract class InTemporaryFolder : IDisposable
+{
+    protected readonly TemporaryFolder folder = new();
+
+    public void Dispose() => folder.Dispose();
 }

@@ -5,6 +5,8 @@ namespace RayCaster.Engine;
 /// a few units of 2⁻⁵³ of the distance. What places in the picture round is a few units of its width, less than 1e-9 of a pixel.</remarks>
 internal sealed class ScreenBounds
 {
+    private const double Margin = 0.01; // on each side, in pixels
+
     /// <summary>How many are processed together.</summary>
     public const int Count = 8;
 
@@ -13,15 +15,14 @@ internal sealed class ScreenBounds
     private readonly double[] visibility = new double[Count], nearest = new double[Count];
     private readonly double[] left = new double[Count], right = new double[Count], bottom = new double[Count], top = new double[Count];
     private readonly Camera camera;
-    private readonly double sample, margin;
+    private readonly double sample;
     private readonly bool byDistance;
     private readonly double leftmost, rightmost, lowest, topmost; // slopes beyond which there is no pixel,
     private readonly double lengthLeft, lengthRight, lengthLow, lengthTop; // and how long (1, slope) is
 
-    /// <param name="margin">What is added on each side, in pixels.</param>
-    public ScreenBounds(Camera camera, double margin = 0.01)
+    public ScreenBounds(Camera camera)
     {
-        (this.camera, this.margin, sample, byDistance) = (camera, margin, camera.SampleOffset, camera.Clip == ClipMode.Distance);
+        (this.camera, sample, byDistance) = (camera, camera.SampleOffset, camera.Clip == ClipMode.Distance);
         (leftmost, lengthLeft) = Slope(-1, camera.PlaneWidth, camera.Width);
         (rightmost, lengthRight) = Slope(camera.Width + 1, camera.PlaneWidth, camera.Width);
         (lowest, lengthLow) = Slope(-1, camera.PlaneHeight, camera.Height);
@@ -152,7 +153,7 @@ internal sealed class ScreenBounds
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Projection<N> Judged<N>(N isOutside, N isInFront, N isClear, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
     {
-        (left, right, bottom, top) = (Column(left, -margin), Column(right, margin), Row(bottom, -margin), Row(top, margin));
+        (left, right, bottom, top) = (Column(left, -Margin), Column(right, Margin), Row(bottom, -Margin), Row(top, Margin));
         var isKnown = isInFront & (left + right + bottom + top + nearest < double.PositiveInfinity); // false for NaN
         return new()
         {

@@ -47,12 +47,12 @@ internal abstract class StepChange
         }
     }
 
-    /// <summary>A step with a slip. Of a large mesh it decides only about that triangle which the ray hits.</summary>
+    /// <summary>A step with a slip.</summary>
     public sealed class Mutated(Step section) : StepChange
     {
         public override IEnumerable<StepKind> Steps => [section.Kind];
 
-        public override FormulaProgram? In(FormulaProgram program) => (program with { ProposesTriangles = true }).With(section, []);
+        public override FormulaProgram? In(FormulaProgram program) => program.With(section, []);
     }
 
     /// <summary>Another right style of a step, where a program has the usual one.</summary>

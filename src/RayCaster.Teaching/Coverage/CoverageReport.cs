@@ -82,13 +82,8 @@ public static class CoverageReport
         else if (fitness.IsCut) text.AppendLine("Not all were compared with each other (--all does): some may not be told apart.");
         if (fitness.NotTried.Count > 0)
             text.AppendLine(
-                $"Not tried, since {(fitness.IsCut ? "the usual amount of work is done (--all tries them)" : "there are too many triangles")}: " +
+                $"Not tried, since {(fitness.IsCut ? "the usual amount of work is done (--all tries them)" : $"a mesh of more than {ShapePart.MaxTriangles} triangles is always drawn rightly")}: " +
                 $"{string.Join(", ", fitness.NotTried.Select(mistake => mistake.Id))}.");
-        text.AppendLine(fitness.FragilePixels == 0
-            ? "No pixel depends on the last bits of the camera's numbers."
-            : string.Create(CultureInfo.InvariantCulture,
-                $"{fitness.FragilePixels:N0} of {fitness.PixelCount:N0} pixels are fragile: " +
-                $"they show another model when a number of the camera moves by its last bit. Another right program may differ there."));
         return text.ToString();
     }
 

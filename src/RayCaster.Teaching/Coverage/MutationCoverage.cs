@@ -3,8 +3,8 @@ using System.Collections.Concurrent;
 namespace RayCaster.Teaching.Coverage;
 
 /// <summary>
-/// How good a scene is as a test: which mistakes of the catalogue its picture cannot show, which it cannot distinguish, and how many of its pixels
-/// depend on the last bits. Several scenes are judged as a set: one may show what another hides.
+/// How good a scene is as a test: which mistakes of the catalogue its picture cannot show, and which it cannot distinguish.
+/// Several scenes are judged as a set: one may show what another hides.
 /// </summary>
 public sealed class MutationCoverage
 {
@@ -22,9 +22,6 @@ public sealed class MutationCoverage
 
     /// <summary>How many pixels are compared for the other mistakes, and for each of their other variants.</summary>
     private const int MoreSamples = 60_000, VariantSamples = 15_000;
-
-    /// <summary>How many triangles are tried in all if each ray must try every triangle of a mesh.</summary>
-    private const int MaxTests = 10_000_000;
 
     /// <summary>How many pixels are drawn between two looks whether they show a mistake.</summary>
     private const int PixelsAtOnce = 4096;
@@ -54,7 +51,7 @@ public sealed class MutationCoverage
     /// <summary>The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</summary>
     public required IReadOnlyList<Mistake> WithinRounding { get; init; }
 
-    /// <summary>The mistakes that take too long to try, because a scene has too many triangles or the work is done.</summary>
+    /// <summary>The mistakes that were not tried: those of triangles if a scene has a mesh of many, and all others if the work is done.</summary>
     public required IReadOnlyList<Mistake> NotTried { get; init; }
 
     /// <summary>Whether the work was done before all mistakes were tried.</summary>
@@ -65,12 +62,6 @@ public sealed class MutationCoverage
 
     /// <summary>Whether every picture is of one colour.</summary>
     public required bool ShowsNothing { get; init; }
-
-    /// <summary>How many pixels show another model when a number of the camera is moved by its last bit.</summary>
-    public required int FragilePixels { get; init; }
-
-    /// <summary>How many pixels the pictures have together.</summary>
-    public required long PixelCount { get; init; }
 
     /// <summary>Judges a set of scenes.</summary>
     /// <param name="scenes">At least one; each passes <see cref="CanJudge"/>.</param>
@@ -96,8 +87,6 @@ public sealed class MutationCoverage
             NotTried = [.. tested.Except(known)],
             Twins = Groups(views, [.. seen], budget),
             ShowsNothing = views.All(view => view.IsOfOneColor),
-            FragilePixels = views.Sum(view => FragilePixelsOf(view.Scene, threads)),
-            PixelCount = judged.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height),
             IsCut = budget?.UsedUp is not null, // at last: the groups may be cut, too
         };
     }
@@ -129,13 +118,12 @@ public sealed class MutationCoverage
     /// <summary>Whether a scene has so few models that mistakes can be tried on it.</summary>
     public static bool CanJudge(Scene scene) => scene.Models.Count <= MaxModels;
 
-    /// <summary>Whether a mistake does not take too long to try.</summary>
-    internal static bool CanTry(Scene scene, Mistake mistake) =>
-        CanTry(scene, mistake.Usual);
+    /// <summary>Whether a scene can show a mistake: a mesh of many triangles is drawn by the definition.</summary>
+    internal static bool CanTry(Scene scene, Mistake mistake) => CanTry(scene, mistake.Usual);
 
     /// <summary>The same for what people write.</summary>
-    internal static bool CanTry(Scene scene, Change change) =>
-        change.In(FormulaProgram.For(scene.Camera)) is not { } program || program.TrianglesTried(scene) <= FormulaProgram.MaxTriangles;
+    internal static bool CanTry(Scene scene, Change change) => change.In(FormulaProgram.For(scene.Camera)) is not { MutatesTriangles: true }
+        || !scene.Models.Any(model => model is Mesh { TriangleCount: > ShapePart.MaxTriangles });
 
     private static Scene Judged(Scene scene)
     {
@@ -199,7 +187,7 @@ public sealed class MutationCoverage
         {
             var program = mistake.Usual.In(slides)!;
             var drawn = samples[mistake] = FormulaEvaluator.Draw(
-                Scene, program, places[..Math.Min(program.RaysWithin(Scene, MaxTests, Samples), right.Count)], budget);
+                Scene, program, places[..Math.Min(Samples, right.Count)], budget);
             shownFirst[mistake] = HasOtherSize(program) || Differ(drawn, 0, LeastPixels)
                 || (mistake.Touches(Scene) && Changes(program, MoreSamples));
             shown[mistake] = shownFirst[mistake] || (mistake.Touches(Scene)
@@ -211,12 +199,10 @@ public sealed class MutationCoverage
         {
             var (one, other) = (a.Usual.In(slides)!, b.Usual.In(slides)!);
             if (one.IsTurned != other.IsTurned) return false;
-            var isSlow = one.TrianglesTried(Scene) + other.TrianglesTried(Scene) > 0;
-            var left = isSlow ? 1 : LeastPixels;
+            var left = LeastPixels;
             var (first, second) = (samples[a], samples[b]);
             for (var i = 0; i < Math.Min(first.Length, second.Length); i += 3)
                 if (!AreNear(first, second, i) && --left == 0) return false;
-            if (isSlow) return true;
             for (var k = Samples; k < right.Count; k += PixelsAtOnce)
             {
                 var some = places[k..Math.Min(right.Count, k + PixelsAtOnce)];
@@ -230,8 +216,7 @@ public sealed class MutationCoverage
         /// <summary>Whether a variant changes enough pixels of a part of the picture.</summary>
         private bool Changes(FormulaProgram program, int most)
         {
-            // Triangles that cover more than their area change large parts of a picture, which the samples would have shown.
-            if (HasOtherSize(program) || program.TrianglesTried(Scene) > 0) return HasOtherSize(program);
+            if (HasOtherSize(program)) return true;
             most = Math.Min(most, right.Count);
             var left = (int)Math.Ceiling((double)LeastPixels * most / right.Count);
             for (var k = 0; k < most; k += PixelsAtOnce)
@@ -262,31 +247,4 @@ public sealed class MutationCoverage
         private static bool AreNear(byte[] one, byte[] other, int i) =>
             PictureJudge.IsNear((one[i], one[i + 1], one[i + 2]), (other[i], other[i + 1], other[i + 2]));
     }
-
-    /// <summary>Moves each number of the camera by its last bit, up and down, and counts the pixels that ever show another model.</summary>
-    private static int FragilePixelsOf(Scene scene, int? threads)
-    {
-        var right = new Renderer(scene, threads).CastHits();
-        var fragile = new bool[right.Model.Length];
-        foreach (var camera in Nudged(scene.Camera))
-        {
-            var hits = new Renderer(scene with { Camera = camera }, threads).CastHits();
-            for (var i = 0; i < fragile.Length; i++) fragile[i] |= hits.Model[i] != right.Model[i];
-        }
-        return fragile.Count(pixel => pixel);
-    }
-
-    private static IEnumerable<Camera> Nudged(Camera camera)
-    {
-        foreach (var nudge in (Func<double, double>[])[Math.BitIncrement, Math.BitDecrement])
-        {
-            foreach (var P in Nudged(camera.Position, nudge)) yield return camera.With(position: P);
-            foreach (var T in Nudged(camera.Target, nudge)) yield return camera.With(target: T);
-            foreach (var up in Nudged(camera.Up, nudge)) yield return camera.With(up: up);
-            yield return camera.With(fovY: nudge(camera.FovY));
-        }
-    }
-
-    private static Vector3[] Nudged(Vector3 v, Func<double, double> nudge) =>
-        [v with { X = nudge(v.X) }, v with { Y = nudge(v.Y) }, v with { Z = nudge(v.Z) }];
 }

@@ -104,13 +104,8 @@ public sealed class ExplanationText
     {
         Line(2, $"{model.Name} ({model.Result.Model.Kind}): {model.Reason}");
         if (model.Beside is { } beside) Line(6, $"It shows in the pixel {(beside is "left" or "right" ? $"to the {beside}" : beside)}.");
-        if (model.Result is { Triangles: { } triangles, Triangle: var triangle })
-        {
-            var which = triangles[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest";
-            Line(6, $"{Digits.Count(triangles.Total, "triangle")} tried: " +
-                Counted([(triangles[Outcome.Misses], "missed"), .. Refused(triangles), (triangles[Outcome.Shows], "hit")]) +
-                (triangle is null ? "" : $"; number {triangle}, from 0, is {which}:"));
-        }
+        if (model.Result is { Model: Mesh mesh, Triangle: { } triangle })
+            Line(6, $"Of its {Digits.Count(mesh.TriangleCount, "triangle")}, counted from 0, number {triangle} comes nearest:");
         Slabs(model.Slabs);
         Steps(6, [.. model.Steps.Where(step => model.Slabs.Count == 0 || step.Name is not ("t0" or "t1"))]);
         if (model.Weights is [var w, var u, var v])

@@ -2,9 +2,8 @@ namespace RayCaster.Teaching.Explanations;
 
 /// <summary>The result of a pixel's ray, for one model.</summary>
 /// <param name="T">The t of the hit, else of the crossing that comes closest to counting; not finite if there is none.</param>
-/// <param name="Triangles">The results of a mesh's triangles; null for other shapes.</param>
-/// <param name="Triangle">The index of the nearest triangle that counts, else of the nearest one that does not; null for none.</param>
-internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double T, Tally? Triangles = null, int? Triangle = null)
+/// <param name="Triangle">The index of a mesh's triangle with this t; null for none.</param>
+internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double T, int? Triangle = null)
 {
     /// <summary>What is explained: the model, or one triangle of a mesh; null where the ray crosses none.</summary>
     public Model? Shape => Model is not Mesh mesh ? Model : Triangle is { } triangle ? Model.Of(mesh[triangle]) : null;
@@ -12,7 +11,9 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
     /// <param name="nearest">The ray's nearest hit.</param>
     public static RayResult Create(Model model, int index, Ray ray, Hit nearest)
     {
-        var result = model is Mesh mesh ? OfMesh(mesh, index, ray) : new(model, index, Judge(model, ray, out var t), t);
+        int? triangle = null;
+        var outcome = model is Mesh mesh ? JudgeMesh(mesh, ray, out var t, out triangle) : Judge(model, ray, out t);
+        var result = new RayResult(model, index, outcome, t, triangle);
         return result.Outcome == Outcome.Shows && index != nearest.Model ? result with { Outcome = Outcome.Hidden } : result;
     }
 
@@ -20,27 +21,9 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
     /// rays of a picture, also where a mesh has many triangles.</summary>
     /// <param name="t">As <see cref="T"/>.</param>
     public static Outcome Judge(Model model, Ray ray, out double t) =>
-        model is Mesh mesh ? JudgeMesh(mesh, ray, out t)
+        model is Mesh mesh ? JudgeMesh(mesh, ray, out t, out _)
         : model.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)) is { } crossings ? JudgeShape(ray, crossings, out t)
         : JudgeByHits(model, ray, out t);
-
-    private static RayResult OfMesh(Mesh mesh, int index, Ray ray)
-    {
-        var tally = new Tally();
-        var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
-        var best = (IsRefused: true, Distance: double.PositiveInfinity);
-        var chosen = new RayResult(mesh, index, Outcome.Misses, double.NaN, tally);
-        for (var i = 0; i < mesh.TriangleCount; i++)
-        {
-            double t = mesh[i].Intersect(along).Near;
-            var outcome = Outcomes.Judge(t, ray);
-            tally[outcome]++;
-            var rank = (outcome != Outcome.Shows, Math.Abs(t));
-            if (outcome != Outcome.Misses && rank.CompareTo(best) < 0)
-                (best, chosen) = (rank, chosen with { Outcome = outcome, T = t, Triangle = i });
-        }
-        return chosen;
-    }
 
     private static Outcome JudgeShape(Ray ray, Crossings<Scalar> crossings, out double t)
     {
@@ -53,21 +36,26 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
     }
 
     /// <summary>A mesh is hit if one of its triangles is. If not, a crossing in front of the camera decides before one behind it.</summary>
-    private static Outcome JudgeMesh(Mesh mesh, Ray ray, out double t)
+    private static Outcome JudgeMesh(Mesh mesh, Ray ray, out double t, out int? triangle)
     {
         var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
         var refusal = Outcome.Misses;
-        var closest = double.NegativeInfinity;
-        var hit = mesh.Tree.Nearest(ray.Origin, ray.Direction, triangle =>
+        var (closest, nearest) = (double.NegativeInfinity, double.PositiveInfinity);
+        int? refused = null, shown = null;
+        var hit = mesh.Tree.Nearest(ray.Origin, ray.Direction, i =>
         {
-            double crossing = mesh[triangle].Intersect(along).Near;
+            double crossing = mesh[i].Intersect(along).Near;
             var outcome = Outcomes.Judge(crossing, ray);
-            if (outcome == Outcome.Shows) return crossing;
+            if (outcome == Outcome.Shows)
+            {
+                if (crossing < nearest || (crossing == nearest && i < shown)) (nearest, shown) = (crossing, i);
+                return crossing;
+            }
             var isCloser = refusal == Outcome.BeyondFar ? outcome == Outcome.BeyondFar && crossing < closest : crossing > closest;
-            if (outcome != Outcome.Misses && isCloser) (refusal, closest) = (outcome, crossing);
+            if (outcome != Outcome.Misses && isCloser) (refusal, closest, refused) = (outcome, crossing, i);
             return null;
         });
-        t = hit ?? closest;
+        (t, triangle) = hit is null ? (refused is null ? double.NaN : closest, refused) : (hit.Value, shown);
         return hit is null ? refusal : Outcome.Shows;
     }
 

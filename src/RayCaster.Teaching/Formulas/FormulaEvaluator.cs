@@ -125,8 +125,7 @@ internal sealed class FormulaEvaluator
             var part = parts[i];
             var rule = program.RuleOf(part.Kind);
             var isSame = sameLoop && ReferenceEquals(rule, basis!.Program.RuleOf(part.Kind)) && (rule.Reads & changed) == 0
-                && (part.Kind is { } kind ? IsSame(kind) : (changed & ofRay) == 0)
-                && (!part.IsLarge || basis.Program[StepKind.Vectors] == program[StepKind.Vectors]);
+                && (part.Kind is { } kind ? IsSame(kind) : (changed & ofRay) == 0);
             areNew |= !isSame;
             crossed[i] = isSame ? basis!.Hits[i] : crosser.Cross(i, program, rule, frame, changed, basis?.Frame, !isUsual);
         }

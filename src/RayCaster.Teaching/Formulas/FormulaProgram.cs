@@ -4,10 +4,6 @@ namespace RayCaster.Teaching.Formulas;
 /// <remarks>It never changes; two programs that differ in a step share the others.</remarks>
 internal sealed record FormulaProgram
 {
-    /// <summary>As many triangles as a ray may try one by one; with more a mistake is not tried at all. Beside another mistake it is less: there are
-    /// thousands of pairs.</summary>
-    public const int MaxTriangles = 20_000, MaxTrianglesBeside = 1000;
-
     private FormulaProgram(ImmutableArray<Step> sections) => Sections = sections;
 
     private ImmutableArray<Step> Sections { get; init; }
@@ -29,10 +25,6 @@ internal sealed record FormulaProgram
     /// <summary>Whether last bits decide for each pixel if a triangle shows there.</summary>
     public bool Scatters { get; init; }
 
-    /// <summary>Whether formulas decide only about that triangle of a large mesh which the definition hits. Otherwise an edited formula decides
-    /// about each triangle, one by one.</summary>
-    public bool ProposesTriangles { get; init; }
-
     /// <summary>Whether the file is as wide as the scene's picture is high, and the other way round.</summary>
     public bool IsTurned => this[StepKind.File].Has(Formula.Turned);
 
@@ -52,25 +44,8 @@ internal sealed record FormulaProgram
     public IEnumerable<ShapeKind> ChangedShapes => ShapeKind.Basic.Where(shape =>
         !FormulaBook.Slides.StylesOf(shape.Step).Contains(this[shape.Step]) || Rules.ContainsKey(shape.Step));
 
-    /// <summary>Whether it computes the hits of triangles by other formulas than the slides'.</summary>
-    public bool MutatesTriangles
-    {
-        get
-        {
-            var slides = FormulaBook.Slides;
-            var triangle = this[StepKind.Triangle];
-            return !slides.StylesOf(StepKind.Triangle).Contains(triangle)
-                || (triangle.Reads & this[StepKind.Vectors].ChangedFrom(slides.StylesOf(StepKind.Vectors)[0])) != 0;
-        }
-    }
-
-    /// <summary>How many triangles of meshes each ray must try, one by one, because their formulas are not the slides'.</summary>
-    public long TrianglesTried(Scene scene) => !ProposesTriangles && MutatesTriangles
-        ? scene.Models.OfType<Mesh>().Where(mesh => mesh.TriangleCount > ShapePart.MaxTriangles).Sum(mesh => (long)mesh.TriangleCount) : 0;
-
-    /// <summary>How many of some rays are cast within so many tries.</summary>
-    public int RaysWithin(Scene scene, double tries, int rays) =>
-        TrianglesTried(scene) is > 0 and var triangles ? (int)Math.Min(rays, tries / triangles) : rays;
+    /// <summary>Whether the triangle's own formulas are not the slides'.</summary>
+    public bool MutatesTriangles => !FormulaBook.Slides.StylesOf(StepKind.Triangle).Contains(this[StepKind.Triangle]);
 
     /// <summary>How many pixels of a picture a thread draws at a time, at most, unless a line has more.</summary>
     private const int PixelsAtOnce = 4096;

@@ -23,12 +23,9 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
         int part, FormulaProgram program, Step rule, PixelValues[] camera, UInt128 changed, PixelValues[]? rightCamera, bool withAll)
     {
         var (model, kind, numbers) = parts[part];
-        if (kind is null || (parts[part].IsLarge && !program.MutatesTriangles)) return HitsOf(model, rule, camera);
+        if (kind is null) return HitsOf(model, rule, camera);
         var used = arithmetic.Used;
         var section = program[kind.Value];
-        if (parts[part].IsLarge)
-            return program.ProposesTriangles ? Decided(ProposedBy((Mesh)model, camera)) : OfAll((Mesh)model);
-
         var before = right is null || rightCamera is null ? null : StyleOf(section, right);
         var old = before is null ? null : RightFrame(part, before, rightCamera!);
         var frame = PixelArithmetic.FrameOf(camera, ofShape, numbers);
@@ -37,31 +34,6 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
         var crossed = Counted(section, rule, frame, camera, withAll);
         arithmetic.GiveBack(used, crossed.T, crossed.IsHit, crossed.Far, crossed.Ends?.X);
         return crossed;
-
-        PartHits Decided((Symbol, PixelValues)[] triangles)
-        {
-            var own = PixelArithmetic.FrameOf(camera, ofShape, triangles);
-            arithmetic.Define(section, own);
-            return Counted(section, rule, own, camera, withAll);
-        }
-
-        // Each triangle is offered to the nearest one of the mesh so far.
-        PartHits OfAll(Mesh mesh)
-        {
-            var nearest = arithmetic.New(count);
-            Array.Fill(nearest, double.NaN);
-            var ends = arithmetic.New(count);
-            Array.Clear(ends);
-            var before = arithmetic.Used;
-            for (var k = 0; k < mesh.TriangleCount; k++)
-            {
-                var of = Decided(ShapePart.NumbersOf(mesh[k]));
-                PartHits.Offer(nearest, of.T);
-                for (var i = 0; of.Ends is { } own && i < count; i++) ends[i] = Math.Max(ends[i], own[i]);
-                arithmetic.GiveBack(before);
-            }
-            return new(nearest) { Ends = rule.Has(Formula.Ends) ? new(ends) : null };
-        }
     }
 
     /// <summary>The first crossing of a shape that counts, in each pixel.</summary>
@@ -127,33 +99,6 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
         arithmetic.GiveBack(used);
         arithmetic.Work = work; // which thread needs the frame first must not matter
         return rightFrames[(part, section)] = frame;
-    }
-
-    /// <summary>For each pixel the triangle of a mesh that the definition hits first; corners of NaN where it hits none.</summary>
-    private (Symbol Name, PixelValues Value)[] ProposedBy(Mesh mesh, PixelValues[] camera)
-    {
-        var corners = (A: arithmetic.NewVector(count), B: arithmetic.NewVector(count), C: arithmetic.NewVector(count));
-        var none = new Vector3(double.NaN, double.NaN, double.NaN);
-        arithmetic.Work += WorkOfRay * count;
-        for (var i = 0; i < count; i++)
-        {
-            var origin = camera[pointP.Place].At(i);
-            var d = camera[direction.Place].At(i);
-            var (nearest, least) = (-1, double.PositiveInfinity);
-            if (!double.IsNaN(d.X + d.Y + d.Z))
-                mesh.Tree.Nearest(origin, d, triangle =>
-                {
-                    var t = (double)mesh[triangle].Intersect(new Ray<Scalar>(origin, d)).Near;
-                    if (!(t > scene.Camera.Bias)) return null;
-                    if (t < least) (nearest, least) = (triangle, t);
-                    return t;
-                });
-            var (a, b, c) = nearest < 0 ? (none, none, none) : (mesh[nearest].A, mesh[nearest].B, mesh[nearest].C);
-            corners.A.Set(i, a);
-            corners.B.Set(i, b);
-            corners.C.Set(i, c);
-        }
-        return ShapePart.Named(StepKind.Triangle, [corners.A, corners.B, corners.C]);
     }
 
     /// <summary>The hits of a model whose own formulas are the definition's: a large mesh, a shape of one's own.</summary>

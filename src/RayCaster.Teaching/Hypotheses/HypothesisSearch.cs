@@ -216,13 +216,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
 
     private static Hypothesis Measure(Hypothesis candidate, double share, IReadOnlyList<PictureSample> sample)
     {
-        var isOne = candidate.Changes.Count(change => change.IsMistake) < 2;
-        ImmutableArray<Residual> residuals =
-        [
-            .. sample.Select((picture, i) => picture.Residual(
-                isOne || candidate.Programs[i].TrianglesTried(picture.Scene) <= FormulaProgram.MaxTrianglesBeside ? candidate.Programs[i] : null,
-                share)),
-        ];
+        ImmutableArray<Residual> residuals = [.. sample.Select((picture, i) => picture.Residual(candidate.Programs[i], share))];
         return candidate with
         {
             Residuals = residuals,

@@ -8,9 +8,6 @@ namespace RayCaster.Teaching.Hypotheses;
 /// </summary>
 internal sealed class PictureSample
 {
-    /// <summary>About how many triangles are tried in the screening and in the last round, if each ray must try every triangle of a mesh.</summary>
-    private const int LeastTests = 50_000, MaxTests = 1_000_000;
-
     /// <summary>How many wrong pixels, and how many others, tell most programs apart.</summary>
     private const int FewPixelsAlike = 32;
 
@@ -137,8 +134,7 @@ internal sealed class PictureSample
 
     private Drawn Draw(FormulaProgram program, int pixels)
     {
-        var wrong = Affordable(Math.Min(pixels, wrongPixels.Length), program);
-        var other = Affordable(Math.Min(pixels, otherPixels.Length), program);
+        var (wrong, other) = (Math.Min(pixels, wrongPixels.Length), Math.Min(pixels, otherPixels.Length));
         return new(program.SizeOf(Scene.Camera), wrong, other, Draw(program, wrong, other));
     }
 
@@ -223,20 +219,23 @@ internal sealed class PictureSample
     public Residual Residual(FormulaProgram? program, double share = 1)
     {
         if (program is null || !CanDraw(program)) return new(PixelCount, PixelCount); // nothing is explained
-        var (wrong, other) = (CountOf(wrongPixels), CountOf(otherPixels));
+        var (wrong, other) = Compared(share);
         return ResidualOf(wrong, other, Draw(program, wrong, other),
             program.Scatters ? Draw(program with { Scatters = false }, wrong, other) : null);
-
-        int CountOf(int[] pixels) => Affordable(Math.Min(pixels.Length, (int)Math.Ceiling(most * share)), program, share);
     }
 
     /// <summary>The same of a program that draws another scene than the one that is meant.</summary>
     public Residual Residual(Scene scene, FormulaProgram program, double share = 1)
     {
-        var (wrong, other) = (CountOf(wrongPixels), CountOf(otherPixels));
+        var (wrong, other) = Compared(share);
         return ResidualOf(wrong, other, FormulaEvaluator.Draw(scene, program, PixelsOf(wrong, other), budget), null);
+    }
 
-        int CountOf(int[] pixels) => Math.Min(pixels.Length, (int)Math.Ceiling(most * share));
+    /// <summary>How many of the wrong pixels, and of the others, are a share of those that are compared.</summary>
+    private (int Wrong, int Other) Compared(double share)
+    {
+        var count = (int)Math.Ceiling(most * share);
+        return (Math.Min(wrongPixels.Length, count), Math.Min(otherPixels.Length, count));
     }
 
     /// <param name="rgb">What is drawn in the first wrong pixels and the first others.</param>
@@ -296,12 +295,7 @@ internal sealed class PictureSample
     private (int X, int Y)[] PixelsOf(int wrong, int other) =>
         [.. wrongPixels[..wrong].Concat(otherPixels[..other]).Select(pixel => (pixel % Picture.Width, pixel / Picture.Width))];
 
-    /// <summary>How many of some pixels are drawn: fewer if each ray must try every triangle of a mesh.</summary>
-    private int Affordable(int pixels, FormulaProgram program, double share = 1) =>
-        program.RaysWithin(Scene, LeastTests + share * MaxTests, pixels);
-
-    private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height)
-        && program.TrianglesTried(Scene) <= FormulaProgram.MaxTriangles;
+    private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height);
 
     /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
     private static int[] Spread(List<int> all, int most)

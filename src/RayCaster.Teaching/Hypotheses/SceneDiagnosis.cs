@@ -56,7 +56,7 @@ public sealed class SceneDiagnosis
     /// <summary>The mistakes that can show in this scene at all.</summary>
     public IReadOnlyList<Mistake> Known { get; }
 
-    /// <summary>The mistakes that take too long to try.</summary>
+    /// <summary>The mistakes of triangles, if the scene has a mesh of many.</summary>
     public IReadOnlyList<Mistake> NotTried { get; }
 
     /// <summary>The scene's picture in the size that it should have, if another picture may be a part of it.</summary>

@@ -3,13 +3,13 @@ namespace RayCaster.Teaching.Visibility;
 /// <summary>The kinds of numbers that a map can have.</summary>
 public enum MapKind
 {
-    /// <summary>The ray parameter of the nearest hit: its distance from the camera; +∞ where nothing is hit.</summary>
+    /// <summary>The ray parameter of the nearest hit: its distance from the camera.</summary>
     T,
 
-    /// <summary>z = t · (−d·W), the distance along the view direction, for either clip mode; +∞ where nothing is hit.</summary>
+    /// <summary>z = t · (−d·W), the distance along the view direction, for either clip mode.</summary>
     Depth,
 
-    /// <summary>The model's index in the scene file, from 0; −1 where nothing is hit.</summary>
+    /// <summary>The model's index in the scene file, from 0.</summary>
     Model,
 }
 

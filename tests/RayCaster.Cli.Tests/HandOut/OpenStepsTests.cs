@@ -48,33 +48,6 @@ public class OpenStepsTests
     }
 
     [Fact]
-    public void TheWorkflowsKeepThePicturesForMarks()
-    {
-        var files = With(_ => true);
-        Assert.Contains("""
-                  - run: sh .ci/pictures.sh "${GITHUB_REPOSITORY##*/}"
-                    if: always()
-                  - uses: actions/upload-artifact@v4
-                    if: always()
-                    with:
-                      name: pictures
-                      path: pictures/${{ github.event.repository.name }}
-
-            """, files[".github/workflows/classroom.yml"]);
-        Assert.EndsWith("""
-
-            pictures:
-              script:
-                - sh .ci/restore.sh
-                - sh .ci/pictures.sh "$CI_PROJECT_PATH_SLUG"
-              artifacts:
-                when: always
-                paths: ["pictures/$CI_PROJECT_PATH_SLUG/"]
-
-            """, files[".gitlab-ci.yml"]);
-    }
-
-    [Fact]
     public void WithAllStepsOpenOrNoneTheTextsAreTheSame()
     {
         var (all, none) = (With(_ => true), With(_ => false));

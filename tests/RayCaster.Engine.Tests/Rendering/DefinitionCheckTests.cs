@@ -22,8 +22,8 @@ public sealed class DefinitionCheckTests
     /// <summary>Pictures that lack one triangle in a hundred: through the holes the mesh's other side shows.</summary>
     [Theory]
     [InlineData(4, 640, 480)]
-    [InlineData(5, 1280, 720)]
-    [InlineData(6, 1280, 720)]
+    [InlineData(5, 1280, 720, Explicit = true)]
+    [InlineData(6, 1280, 720, Explicit = true)]
     public void AFaultInOneTriangleOfAHundredIsNoticedInNineteenPicturesOfTwenty(int subdivisions, int width, int height)
     {
         var noticed = 0;

@@ -3,8 +3,11 @@ namespace RayCaster.Engine.Tests.Rendering;
 /// <summary>Scenes and colours of any size: floats reach from 1e-45 to 3e38. Beyond 1e±150 the definition's own squares overflow.</summary>
 public class FloatRangeTests
 {
-    public static TheoryData<int> PowersOfTen =>
-        [-140, -100, -60, -46, -45, -44, -42, -40, -39, -38, -37, -34, -31, -30, -29, -20, -19, 19, 20, 29, 30, 31, 34, 37, 38, 39, 40, 46, 60, 100];
+    private static readonly int[] some = [-140, -46, -45, -38, -37, -19, 19, 38, 39, 100]; // where floats begin and end, and beyond
+
+    public static IEnumerable<TheoryDataRow<int>> PowersOfTen =>
+        ((int[])[.. some, -100, -60, -44, -42, -40, -39, -34, -31, -30, -29, -20, 20, 29, 30, 31, 34, 37, 40, 46, 60])
+            .Select(power => new TheoryDataRow<int>(power) { Explicit = !some.Contains(power) });
 
     public static TheoryData<int> PowersOfColours => [-300, -200, -46, -45, -39, -38, -37, -30, 7, 30, 37, 38, 39, 46, 200, 300];
 

@@ -8,15 +8,11 @@ namespace RayCaster.Files.Tests.Fuzzing;
 /// <summary>Files that promise or hold far too much are refused by the header or by a limit that is named, before memory is taken for
 /// them.</summary>
 [Collection(Alone.Name)]
-public sealed class HostileSizeTests : IDisposable
+public sealed class HostileSizeTests : InTemporaryFolder
 {
     private static readonly string digits = new('9', 1_000_000);
 
-    private readonly TemporaryFolder folder = new();
-
     public HostileSizeTests() => GC.Collect(); // what the tests before have left: some of these take much by themselves
-
-    public void Dispose() => folder.Dispose();
 
     [Theory]
     [InlineData("ascii", "9")]

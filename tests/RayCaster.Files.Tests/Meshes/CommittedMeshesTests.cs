@@ -3,19 +3,6 @@ namespace RayCaster.Files.Tests.Meshes;
 /// <summary>The files in scenes/meshes. <c>dotnet run --project tests/Tools/Generator</c> writes them again.</summary>
 public class CommittedMeshesTests
 {
-    public static TheoryData<string> Names => ["cube.stl", "icosphere.obj", "knot.ply"];
-
-    [Theory]
-    [MemberData(nameof(Names))]
-    public void CommittedFileIsWhatTheGeneratorMakes(string name)
-    {
-        var path = PathOf(name);
-        var made = Make(name);
-        Assert.True(
-            made.AsSpan().SequenceEqual(File.ReadAllBytes(path)),
-            $"{path} is out of date; dotnet run --project tests/Tools/Generator writes it anew");
-    }
-
     [Theory]
     [InlineData("cube.stl", 12)]
     [InlineData("icosphere.obj", 320)]

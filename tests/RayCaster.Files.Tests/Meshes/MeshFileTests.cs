@@ -2,10 +2,8 @@ using System.Runtime.Versioning;
 
 namespace RayCaster.Files.Tests.Meshes;
 
-public sealed class MeshFileTests : IDisposable
+public sealed class MeshFileTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
-
     [Theory]
     [InlineData("teapot.fbx", "a mesh file must be .obj, .ply or .stl, but this one is .fbx")]
     [InlineData("teapot", "a mesh file's name must end with .obj, .ply or .stl, but this one has no extension")]
@@ -62,5 +60,4 @@ public sealed class MeshFileTests : IDisposable
             Assert.Throws<ProblemException>(() => MeshFile.Read(folder[file])).Message);
     }
 
-    public void Dispose() => folder.Dispose();
 }

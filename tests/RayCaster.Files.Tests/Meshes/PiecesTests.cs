@@ -4,10 +4,8 @@ namespace RayCaster.Files.Tests.Meshes;
 
 /// <summary>The result and the error do not depend on the pieces in which a file is loaded. The tests of each format read their files in pieces,
 /// too.</summary>
-public sealed class PiecesTests : IDisposable
+public sealed class PiecesTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
-
     [Fact]
     public void BinaryFileIsReadAlikeWhereverItIsCut()
     {
@@ -78,8 +76,6 @@ public sealed class PiecesTests : IDisposable
         stream.SetLength(20);
         Assert.Equal("a.obj: the file became shorter while it was read", Assert.Throws<ProblemException>(() => ObjFile.Read(source)).Message);
     }
-
-    public void Dispose() => folder.Dispose();
 
     /// <summary>Reads a file in pieces of some sizes, which must give what the whole gives at once: the mesh, or the refusal.</summary>
     internal static MeshData ReadInPieces(string path, byte[] bytes)

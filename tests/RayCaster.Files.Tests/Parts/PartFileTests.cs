@@ -2,13 +2,9 @@ using RayCaster.Files.Tests.Pictures;
 
 namespace RayCaster.Files.Tests.Parts;
 
-public sealed class PartFileTests : IDisposable
+public sealed class PartFileTests : InTemporaryFolder
 {
     private static readonly PartFacts Facts = new(7, 90, new(10, 14), "0123456789abcdef", "1.0.0");
-
-    private readonly TemporaryFolder folder = new();
-
-    public void Dispose() => folder.Dispose();
 
     [Fact]
     public void APartIsAnOrdinaryPngThatSaysWhatItIsPartOf()

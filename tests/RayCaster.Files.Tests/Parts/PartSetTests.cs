@@ -1,11 +1,7 @@
 namespace RayCaster.Files.Tests.Parts;
 
-public sealed class PartSetTests : IDisposable
+public sealed class PartSetTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
-
-    public void Dispose() => folder.Dispose();
-
     [Fact]
     public void PartsInAnyOrderMakeThePicture()
     {

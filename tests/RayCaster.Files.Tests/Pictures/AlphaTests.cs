@@ -3,12 +3,8 @@ using static RayCaster.Files.Tests.Pictures.TestPng;
 namespace RayCaster.Files.Tests.Pictures;
 
 /// <summary>Alpha is not compared: a file in which it hides pixels is warned of.</summary>
-public sealed class AlphaTests : IDisposable
+public sealed class AlphaTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
-
-    public void Dispose() => folder.Dispose();
-
     public static TheoryData<byte[], string> Files => new()
     {
         { Png(Header(2, 1, 8, 6), Data(0, 1, 2, 3, 0, 4, 5, 6, 200), Chunk("IEND")), "0 instead of 255 in 2 of 2" },

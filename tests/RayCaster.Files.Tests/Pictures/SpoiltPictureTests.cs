@@ -3,15 +3,11 @@ using System.Text;
 namespace RayCaster.Files.Tests.Pictures;
 
 /// <summary>Pictures as other programs spoil them: the message names what the program did, and the cure.</summary>
-public sealed class SpoiltPictureTests : IDisposable
+public sealed class SpoiltPictureTests : InTemporaryFolder
 {
     private static readonly byte[] colors = [10, 20, 30, 40, 50, 60, 70, 80, 90, 10, 200, 130];
 
     private const string TextMode = "each byte 0A has become two, 0D 0A; open the file in binary mode (\"wb\", ios::binary)";
-
-    private readonly TemporaryFolder folder = new();
-
-    public void Dispose() => folder.Dispose();
 
     public static TheoryData<string, byte[], string> BytesThatAreTooMany => new()
     {

@@ -4,12 +4,8 @@ namespace RayCaster.Files.Tests.Scenes;
 
 /// <summary>The work to refuse a scene grows in proportion to its bytes: the keys that are compared are counted, and a file of twice the length
 /// needs at most about twice as many.</summary>
-public sealed class WorkTests : IDisposable
+public sealed class WorkTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
-
-    public void Dispose() => folder.Dispose();
-
     [Theory]
     [InlineData("{{\"camera\":{{{0}}}}}", "\"{0}\":1,")]                                  // one object of nothing but unknown keys
     [InlineData("{{\"models\":[{{\"type\":\"sphere\",{0}}}]}}", "\"{0}\":1,")]

@@ -1,11 +1,7 @@
 namespace RayCaster.Files.Tests.Writing;
 
-public sealed class WriteFolderTests : IDisposable
+public sealed class WriteFolderTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
-
-    public void Dispose() => folder.Dispose();
-
     [Fact]
     public void ItIsThereAtTheEndAndNotBefore()
     {

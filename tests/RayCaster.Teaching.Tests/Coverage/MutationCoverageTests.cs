@@ -29,14 +29,6 @@ public class MutationCoverageTests
         Assert.Contains("the world is empty", CoverageReport.Text(fitness));
     }
 
-    [Fact]
-    public void ACameraOnTheFacesOfABoxHasFragilePixels()
-    {
-        var box = Model.Of(new Aabb(new(-1, -1, 0), new(1, 1, 2))); // its lower face is at the camera's height: seen edge-on
-        var fitness = MutationCoverage.Measure([new(new Camera(new(5, 0, 0), Vector3.Zero, width: 20, height: 20), [box])]);
-        Assert.InRange(fitness.FragilePixels, 1, 20);
-    }
-
     [Fact(Explicit = true)]
     public void TheProjectsSetOfTestScenesHidesNothing()
     {

@@ -81,15 +81,13 @@ public class PixelExplanationTests
     }
 
     [Fact]
-    public void AMeshTellsWhichTriangleIsHitAndHowTheOthersFare()
+    public void AMeshTellsWhichTriangleIsHit()
     {
         var mesh = new Mesh([new(-5, -9, -9), new(-5, 9, -9), new(-5, 0, 9), new(-4, 20, 20), new(-4, 21, 20), new(-4, 20, 21), new(3, -9, -9),
             new(3, 9, -9), new(3, 0, 9)],
             [3, 4, 5, 6, 7, 8, 0, 1, 2]);
         var model = Explain(mesh);
-        var tally = model.Result.Triangles!;
-        Assert.Equal((2, 3, 1, 1, 1),
-            (model.Result.Triangle, tally.Total, tally[Outcome.Misses], tally[Outcome.Behind], tally[Outcome.Shows]));
+        Assert.Equal(2, model.Result.Triangle);
         Assert.Equal(5, model.Crossings[0].T, 12);
     }
 

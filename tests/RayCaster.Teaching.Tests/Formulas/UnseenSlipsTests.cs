@@ -13,7 +13,7 @@ public class UnseenSlipsTests
     public void ASlipIsNamedInItsStepOrNotAtAll(string section, string formulas, string whether, string program)
     {
         var (scene, picture) = Shown(program, Array.FindIndex(Rows, row => row.GetData()[3] is string other && other == program));
-        var diagnosis = Diagnosis.Find(scene, picture);
+        var diagnosis = Diagnosis.Find(scene, picture, new());
         Change[] named = diagnosis.Kind == DiagnosisKind.Mistake ? [.. diagnosis.Suspects[0].Mistakes] : [];
         Assert.Equal((whether, named.Length), (named.Length > 0 ? "named" : "-", Math.Min(1, named.Length)));
         var step = Enum.Parse<StepKind>(section, ignoreCase: true);
@@ -37,7 +37,7 @@ public class UnseenSlipsTests
     public void OnlyTheAnswerTellsTheFormulaOfASlip(string name, string program, string section, string step, string formula)
     {
         var scene = SceneFolder.Small(name, 16);
-        var diagnosis = Diagnosis.Find(scene, ProgramInWords.Draw(scene, program));
+        var diagnosis = Diagnosis.Find(scene, ProgramInWords.Draw(scene, program), new());
         var mistake = Assert.Single(Assert.Single(diagnosis.Suspects).Mistakes);
         Assert.Equal(("edit", section, step, formula), (mistake.Id, mistake.Place?.Section, mistake.Place?.Step, mistake.Place?.Formula));
         Assert.DoesNotContain(formula, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"), StringComparison.Ordinal);

@@ -8,14 +8,14 @@ public class LikelyCauseTests
 
     [Fact(Explicit = true)]
     public void AFartherTargetIsNoMistakeOfThePrograms() => Assert.DoesNotContain(
-        Diagnosis.Find(room, ProgramInWords.Draw(room, "target -30 0 0")).Suspects, suspect => suspect.Mistakes.Count > 1);
+        Diagnosis.Find(room, ProgramInWords.Draw(room, "target -30 0 0"), new()).Suspects, suspect => suspect.Mistakes.Count > 1);
 
     [Fact(Explicit = true)]
     public void AModelsOtherColorIsNamed()
     {
         var ball = Model.Of(((Model<Sphere>)room.Models[5]).Primitive);
         (ball.Name, ball.Color) = ("ball", new(0.2, 0.9, 1));
-        var diagnosis = Diagnosis.Find(room, EditedLab.Render(room with { Models = [.. room.Models.Select((model, i) => i == 5 ? ball : model)] }));
+        var diagnosis = Diagnosis.Find(room, EditedLab.Render(room with { Models = [.. room.Models.Select((model, i) => i == 5 ? ball : model)] }), new());
         Assert.Equal((DiagnosisKind.NoneOfThese, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith("`ball` has another colour", Assert.Single(diagnosis.Likely));
     }
@@ -26,7 +26,7 @@ public class LikelyCauseTests
         var picture = ScalarRenderer.Render(generic);
         var half = picture.Height / 2;
         picture.Rgb.AsSpan(3 * picture.Width * half).Clear();
-        var diagnosis = Diagnosis.Find(generic, picture);
+        var diagnosis = Diagnosis.Find(generic, picture, new());
         Assert.Equal(DiagnosisKind.NotTheFormulas, diagnosis.Kind);
         Assert.StartsWith($"The last {picture.Height - half} lines are (0, 0, 0)", Assert.Single(diagnosis.Likely));
     }
@@ -37,7 +37,7 @@ public class LikelyCauseTests
         var (right, smooth) = (ScalarRenderer.Render(generic), ScalarRenderer.Render(generic));
         for (var y = 1; y < right.Height - 1; y++)
             for (var x = 1; x < right.Width - 1; x++) smooth[x, y] = Mean(right[x - 1, y], right[x + 1, y], right[x, y - 1], right[x, y + 1]);
-        var diagnosis = Diagnosis.Find(generic, smooth);
+        var diagnosis = Diagnosis.Find(generic, smooth, new());
         Assert.Equal(DiagnosisKind.NoneOfThese, diagnosis.Kind);
         Assert.StartsWith("Only outlines are wrong", Assert.Single(diagnosis.Likely));
 
@@ -54,7 +54,7 @@ public class LikelyCauseTests
     {
         foreach (var id in new[] { "tri-uv", "u-unnorm" })
         {
-            var rest = Diagnosis.Find(generic, EditedLab.Render(generic, PlantedMistake.Named(id))).Suspects.Skip(1)
+            var rest = Diagnosis.Find(generic, EditedLab.Render(generic, PlantedMistake.Named(id)), new()).Suspects.Skip(1)
                 .Select(suspect => suspect.Unexplained).ToArray();
             Assert.Equal(rest.Order(), rest);
         }

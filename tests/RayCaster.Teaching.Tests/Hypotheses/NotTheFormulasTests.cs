@@ -13,7 +13,7 @@ public class NotTheFormulasTests
     [InlineData("room", "blocks", "blocks of 8 x 8 pixels are (205, 205, 205)")]
     public void PixelsThatNoLoopReachedAreTold(string name, string which, string says)
     {
-        var diagnosis = Diagnosis.Find(SceneOf(name), Spoilt(Renderer.Render(SceneOf(name)), which));
+        var diagnosis = Diagnosis.Find(SceneOf(name), Spoilt(Renderer.Render(SceneOf(name)), which), new());
         Assert.Equal((DiagnosisKind.NotTheFormulas, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.Contains(says, Assert.Single(diagnosis.Likely));
     }
@@ -21,7 +21,7 @@ public class NotTheFormulasTests
     [Fact]
     public void OneUnreachedLineIsToldAndIsAKnownMistake()
     {
-        var diagnosis = Diagnosis.Find(room, Spoilt(Renderer.Render(room), "last line"));
+        var diagnosis = Diagnosis.Find(room, Spoilt(Renderer.Render(room), "last line"), new());
         Assert.Equal("row-off", diagnosis.Suspects[0].Mistakes.Single().Id);
         Assert.Equal("The last line is (0, 0, 0): does your loop reach it?", Assert.Single(diagnosis.Likely));
     }
@@ -29,7 +29,7 @@ public class NotTheFormulasTests
     [Fact]
     public void AMistakeBesideUnreachedLinesIsStillNamed()
     {
-        var diagnosis = Diagnosis.Find(generic, Spoilt(EditedLab.Render(generic, PlantedMistake.Named("tri-uv")), "border of 3"));
+        var diagnosis = Diagnosis.Find(generic, Spoilt(EditedLab.Render(generic, PlantedMistake.Named("tri-uv")), "border of 3"), new());
         Assert.Equal("tri-uv", string.Join(" + ", diagnosis.Suspects[0].Mistakes.Select(mistake => mistake.Id)));
         Assert.StartsWith("The first 3 and the last 3 lines", diagnosis.Likely[0]);
     }
@@ -42,7 +42,7 @@ public class NotTheFormulasTests
     {
         var right = Renderer.Render(room);
         var picture = Picture.Create(right.Width, right.Height, (x, y) => Grey((byte)(level + (x * y % 3 == 0 ? more : 0))));
-        var diagnosis = Diagnosis.Find(room, picture);
+        var diagnosis = Diagnosis.Find(room, picture, new());
         Assert.Equal((DiagnosisKind.TellsNothing, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         var compared = ComparisonText.Format(new PictureComparison(picture, right, room), "mine.png", "right.png");
         Assert.Contains(says, compared);
@@ -54,7 +54,7 @@ public class NotTheFormulasTests
     {
         var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, fovY: 3, width: 20, height: 20),
             [new Model<Plane>(new(new(-5, 0, 0), new(1, 0, 0)))]);
-        var diagnosis = Diagnosis.Find(wall, Renderer.Render(wall));
+        var diagnosis = Diagnosis.Find(wall, Renderer.Render(wall), new());
         Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);
         Assert.True(diagnosis.ProvesNothing);
     }

@@ -3,9 +3,8 @@ using System.Text;
 namespace RayCaster.Teaching.Tests.Marks;
 
 /// <summary>A class of pictures of one scene, and what is written about it.</summary>
-public sealed class ClassMarksTests : IDisposable
+public sealed class ClassMarksTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
     private readonly List<string> notices = [];
     private readonly Scene ball;
 
@@ -16,8 +15,6 @@ public sealed class ClassMarksTests : IDisposable
         ball = SceneReader.Read(folder["ball.json"]).Scene!;
         WriteRubric("");
     }
-
-    public void Dispose() => folder.Dispose();
 
     private void WriteRubric(string more, string scenes = "\"ball.json\"") => folder.Write("rubric.json", $$"""
         { "title": "A ball", "scenes": [{{scenes}}], {{more}} "items": [

@@ -1,11 +1,10 @@
 namespace RayCaster.Teaching.Tests.Marks;
 
 /// <summary>What the row, the pages and the summary of a class say of its test results.</summary>
-public sealed class ClassTestResultsTests : IDisposable
+public sealed class ClassTestResultsTests : InTemporaryFolder
 {
     private const string Passes = "<a><testcase classname='Step03' name='a'/><testcase classname='Step08' name='b'/></a>";
 
-    private readonly TemporaryFolder folder = new();
     private readonly List<string> notices = [];
 
     public ClassTestResultsTests()
@@ -14,8 +13,6 @@ public sealed class ClassTestResultsTests : IDisposable
             .Replace("\"target\"", "\"width\": 60, \"height\": 40, \"target\""));
         WriteRubric("tests");
     }
-
-    public void Dispose() => folder.Dispose();
 
     private void WriteRubric(string by, string title = "A ball") => folder.Write("rubric.json", $$"""
         { "title": "{{title}}", "scenes": ["ball.json"], "tests": "results*.xml", "items": [

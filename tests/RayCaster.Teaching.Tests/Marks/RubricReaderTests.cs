@@ -1,12 +1,8 @@
 namespace RayCaster.Teaching.Tests.Marks;
 
-public sealed class RubricReaderTests : IDisposable
+public sealed class RubricReaderTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
-
     public RubricReaderTests() => folder.Write("room.json", File.ReadAllText(ProjectFolder.PathOf("scenes/first.json")));
-
-    public void Dispose() => folder.Dispose();
 
     private Rubric? Read(string text, out string report) => RubricReader.Read(folder.Write("rubric.json", text), out report);
 

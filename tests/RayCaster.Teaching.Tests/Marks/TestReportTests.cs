@@ -151,6 +151,10 @@ public class TestReportTests
     [InlineData("<testsuite name='/home/ann/lab-step8/tests'><testcase name='a'/></testsuite>", 0)]
     public void AStepIsAlsoNamedByAPropertyOrASuite(string test, int step) => Assert.Equal(step, Assert.Single(Tests(test)).Step);
 
+    [Fact] // tests of step 3 may be missing
+    public void OfARunThatWasStoppedOnlyFailuresCount() => Assert.Equal("8: 0 of 1", Counts(Tests(
+        "<testcase classname='Step03' name='a'/><testcase classname='Step08' name='b'><error message='The run was stopped in this test.'/></testcase>")));
+
     [Fact] // xunit's names begin with the class
     public void TestsOfWholePicturesDoNotCountWhateverWritesTheirNames() => Assert.Equal("8: 1 of 1",
         Counts(Tests("<testcase classname='Lab.Step08' name='Lab.Step08.ThePictures'><failure/></testcase>" +

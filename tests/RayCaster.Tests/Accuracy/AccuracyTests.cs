@@ -6,7 +6,7 @@ using RayCaster.Tests.Shapes;
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>
-/// The worst of millions of rays (worst.txt, computed exactly by exact.py) are no worse than README.md beside it says.
+/// The worst of millions of rays (worst.txt, computed exactly by exact.py) are no worse than table.txt beside it says.
 /// </summary>
 public class AccuracyTests
 {
@@ -23,7 +23,7 @@ public class AccuracyTests
         }
     }
 
-    /// <summary>A line of the table in tests/RayCaster.Tests/Accuracy/README.md.</summary>
+    /// <summary>A line of table.txt.</summary>
     /// <param name="Wrong">How many rays are wrongly taken for hits or misses.</param>
     private sealed record Stated(double Ulps, int Wrong, double FromOutline);
 
@@ -162,7 +162,7 @@ public class AccuracyTests
     private static Dictionary<(string, string), Stated> ReadTable()
     {
         var table = new Dictionary<(string, string), Stated>();
-        foreach (var line in File.ReadLines(ProjectFolder.PathOf("tests/RayCaster.Tests/Accuracy/README.md")))
+        foreach (var line in File.ReadLines(ProjectFolder.PathOf("tests/RayCaster.Tests/Accuracy/table.txt")))
         {
             var cells = line.Split('|', StringSplitOptions.TrimEntries);
             if (cells.Length == 14 && Regex.IsMatch(cells[3], @"^[\d,]+$"))

@@ -2,12 +2,8 @@ using Xunit.Sdk;
 
 namespace RayCaster.Tests.Scenes;
 
-public sealed class PictureAssertTests : IDisposable
+public sealed class PictureAssertTests : InTemporaryFolder
 {
-    private readonly TemporaryFolder folder = new();
-
-    public void Dispose() => folder.Dispose();
-
     /// <summary>20 × 10 pixels: grey on the left, red on the right.</summary>
     private static Picture Halves(Action<Picture>? change = null)
     {

@@ -3,8 +3,6 @@ namespace RayCaster.Tests.Scenes;
 /// <summary>The scenes, as POV-Ray draws them from the same files by a converter that shares no code with this project.</summary>
 public class ReferenceTests
 {
-    public static TheoryData<string> References => [.. Reference.Names];
-
     public static TheoryData<string> WithoutMeshes => [.. Reference.WithoutMeshes];
 
     [Theory]
@@ -20,15 +18,5 @@ public class ReferenceTests
                 + $"tests/References/{name}.png with POV-Ray: tests/References/remake.sh {name}");
         foreach (var name in Reference.Names.Except(SceneFolder.Names))
             Assert.Fail($"tests/References/{name}.png has no scene: scenes/{name}.json is missing");
-    }
-
-    /// <summary>On outlines the comparison is less strict; there must be few.</summary>
-    [Theory]
-    [MemberData(nameof(References))]
-    public void OutlinesAreAtMostTwoPixelsInAHundred(string name)
-    {
-        var reference = Reference.Of(name);
-        var (width, height) = (reference.Picture.Width, reference.Picture.Height);
-        Assert.InRange(Enumerable.Range(0, width * height).Count(i => reference.IsOutline(i % width, i / width)), 0, width * height / 50);
     }
 }

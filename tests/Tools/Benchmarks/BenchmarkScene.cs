@@ -5,9 +5,8 @@ namespace RayCaster.Benchmarks;
 /// <summary>A scene to measure. Its models are made again for each run, so that nothing prepared for one picture helps the next.</summary>
 /// <param name="name">What options and tables call it.</param>
 /// <param name="title">What it shows.</param>
-/// <param name="models">How many shapes: models, or the triangles of its mesh.</param>
 /// <param name="create">Makes it in a size.</param>
-internal sealed class BenchmarkScene(string name, string title, int models, Func<int, int, Scene> create)
+internal sealed class BenchmarkScene(string name, string title, Func<int, int, Scene> create)
 {
     /// <summary>The scenes of the tables.</summary>
     public static readonly string[] Names = ["room", "bumpy-70k", "bumpy-1m", "bumpy-10m", "spheres-100k"];
@@ -16,16 +15,13 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
 
     public string Title { get; } = title;
 
-    public int ModelCount { get; } = models;
-
     /// <summary>The scene's mesh, if it is one: what a mesh file of it holds.</summary>
     public MeshData? Mesh { get; private init; }
 
     /// <summary>The scene with new models.</summary>
     public Scene Create(int width, int height) => create(width, height);
 
-    /// <summary>A scene by its name: room, or bumpy-N, spheres-N or one of <see cref="OddMeshes.Kinds"/> and a number, as in 500, 70k or
-    /// 10m.</summary>
+    /// <summary>A scene by its name: room, or bumpy-N, spheres-N and a number, as in 500, 70k or 10m.</summary>
     /// <exception cref="ArgumentException">The name is another.</exception>
     public static BenchmarkScene Named(string name)
     {
@@ -38,24 +34,23 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
                 var count = checked(value * unit);
                 if (kind == "bumpy") return Bumpy(name, BandsFor(count));
                 if (kind == "spheres") return Spheres(name, count);
-                if (OddMeshes.Kinds.Contains(kind)) return OddMeshes.Make(name, kind, count);
             }
         }
         throw new ArgumentException($"no scene is called '{name}'; choose {string.Join(", ", Names)}, or another number");
     }
 
     /// <summary>The room of the course: the project's scenes/room.json.</summary>
-    public static BenchmarkScene Room()
+    private static BenchmarkScene Room()
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
-        return new("room", "the course's room", scene.Models.Count, (width, height) => scene.WithSize(width, height));
+        return new("room", "the course's room", (width, height) => scene.WithSize(width, height));
     }
 
     /// <summary>
     /// A sphere with bumps, of 4 m (m − 1) triangles: m bands from pole to pole and 2 m around, at polar angle a and longitude b the
     /// radius is 1 + 0.1 sin 8a sin 9b + 0.01 sin 40a sin 45b. Corners are rounded to float, so that all peers see the same.
     /// </summary>
-    public static MeshData BumpyMesh(int m)
+    private static MeshData BumpyMesh(int m)
     {
         var around = 2 * m;
         var vertices = new Vector3[2 + (m - 1) * around];
@@ -87,24 +82,19 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
         return new(vertices, indices);
     }
 
-    /// <summary>A scene of one mesh.</summary>
-    public static BenchmarkScene Of(string name, string title, MeshData mesh, Func<int, int, Camera> camera) =>
-        new(name, title, mesh.Indices.Length / 3, (width, height) =>
-            new(camera(width, height), [new Mesh(mesh.Vertices, mesh.Indices) { Color = new(0.9, 0.8, 0.6) }], new Color(0.1, 0.1, 0.2)))
-        { Mesh = mesh };
-
     /// <summary>The scene of <see cref="BumpyMesh"/>.</summary>
-    public static BenchmarkScene Bumpy(string name, int m)
+    private static BenchmarkScene Bumpy(string name, int m)
     {
         var mesh = BumpyMesh(m);
-        return Of(name, $"a bumpy sphere of {Text.Count(mesh.Indices.Length / 3)} triangles", mesh, CameraAt);
+        return new(name, $"a bumpy sphere of {mesh.Indices.Length / 3:N0} triangles", (width, height) => new(CameraAt(width, height),
+            [new Mesh(mesh.Vertices, mesh.Indices) { Color = new(0.9, 0.8, 0.6) }], new Color(0.1, 0.1, 0.2))) { Mesh = mesh };
     }
 
     /// <summary>The number of bands with which <see cref="BumpyMesh"/> has about so many triangles.</summary>
-    public static int BandsFor(int count) => Math.Max(2, (int)((1 + Math.Sqrt(1 + count)) / 2));
+    private static int BandsFor(int count) => Math.Max(2, (int)((1 + Math.Sqrt(1 + count)) / 2));
 
     /// <summary>Spheres in a cube of side 2, with radii from a quarter to a half of the side that each has for itself; seeded.</summary>
-    public static BenchmarkScene Spheres(string name, int count)
+    private static BenchmarkScene Spheres(string name, int count)
     {
         var random = new Random(20240607);
         var side = 2 / Math.Cbrt(count);
@@ -115,7 +105,7 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
             spheres[i] = (new(new(Next(-1, 1), Next(-1, 1), Next(-1, 1)), Next(side / 4, side / 2)),
                 new(Next(0.2, 1), Next(0.2, 1), Next(0.2, 1)));
         }
-        return new(name, $"{Text.Count(count)} spheres", count, (width, height) =>
+        return new(name, $"{count:N0} spheres", (width, height) =>
         {
             var models = new Model[count];
             for (var i = 0; i < count; i++)
@@ -128,6 +118,6 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
     }
 
     /// <summary>A camera that a thing of radius 1.1 about the origin fills from top to bottom.</summary>
-    public static Camera CameraAt(int width, int height) =>
+    private static Camera CameraAt(int width, int height) =>
         new(new(2.2, 1.5, 1.2), new(0, 0, 0), width: width, height: height, zNear: 0.125, zFar: 128);
 }

@@ -1,3 +1,4 @@
+using System.ComponentModel;
 using System.Diagnostics;
 using System.Globalization;
 using System.Runtime.Intrinsics;
@@ -12,11 +13,34 @@ internal sealed class EmbreePeer : IDisposable
     private readonly Process process;
     private readonly bool hasUserShapes;
 
-    /// <param name="program">The peer.</param>
-    /// <param name="sceneFile">A scene as <see cref="PeerScene.Write"/> writes it.</param>
-    /// <param name="scene">The same scene.</param>
-    /// <param name="buildThreads">How many threads build the hierarchies.</param>
-    public EmbreePeer(string program, string sceneFile, Scene scene, int buildThreads)
+    /// <summary>Compiles the peer; null, after saying why, where that is not possible.</summary>
+    public static string? Build(string program)
+    {
+        var source = Path.Combine(AppContext.BaseDirectory, "Peers", "embree_peer.cpp");
+        try
+        {
+            using var compiler = Process.Start("g++",
+                ["-O3", "-march=native", "-ffast-math", "-std=c++17", source, "-o", program, "-lembree3", "-pthread"]);
+            compiler.WaitForExit();
+            if (compiler.ExitCode == 0) return program;
+        }
+        catch (Win32Exception)
+        {
+        }
+        Console.WriteLine("Embree is left out: its peer does not build here. On Debian: apt-get install libembree-dev g++");
+        return null;
+    }
+
+    /// <summary>Starts the peer with a scene, which is written into a file.</summary>
+    public static EmbreePeer Start(string program, BenchmarkScene benchmark, string file)
+    {
+        var scene = benchmark.Create(500, 500);
+        if (benchmark.Mesh is { } mesh) PeerScene.WriteMesh(file, scene, mesh);
+        else PeerScene.Write(file, scene);
+        return new(program, file, scene, Environment.ProcessorCount);
+    }
+
+    private EmbreePeer(string program, string sceneFile, Scene scene, int buildThreads)
     {
         var start = new ProcessStartInfo(program, [sceneFile, buildThreads.ToString(CultureInfo.InvariantCulture)])
         {

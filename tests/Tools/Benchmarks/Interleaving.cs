@@ -41,6 +41,12 @@ internal readonly record struct Ratio(double Median, double LowerQuartile, doubl
         return new(Quantile(ratios, 0.5), Quantile(ratios, 0.25), Quantile(ratios, 0.75), peer.Least / way.Least);
     }
 
+    /// <summary>The median, the quartiles and the ratio of the minima.</summary>
+    public override string ToString() => $"**{Short(Median)}** ({Short(LowerQuartile)}–{Short(UpperQuartile)}; {Short(OfMinima)})";
+
+    /// <summary>Three digits: 12.3, 1.23, 0.123.</summary>
+    public static string Short(double number) => number.ToString("F" + Math.Clamp(2 - (int)Math.Floor(Math.Log10(number)), 0, 8));
+
     public static double Quantile(IEnumerable<double> numbers, double part)
     {
         var sorted = numbers.Order().ToArray();

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Runtime.InteropServices;
 
 namespace RayCaster.Benchmarks;
 
@@ -42,13 +43,25 @@ internal static class OwnWays
     /// <summary>The milliseconds that work takes: on one thread its processor time, which other work of the machine hardly changes.</summary>
     private static double Time(Scene scene, int threads, Action<Scene> work)
     {
-        if (threads == 1 && Workshop.ProcessorTimeOfThread() is var before && !double.IsNaN(before))
+        if (threads == 1 && ProcessorTimeOfThread() is var before && !double.IsNaN(before))
         {
             work(scene);
-            return Workshop.ProcessorTimeOfThread() - before;
+            return ProcessorTimeOfThread() - before;
         }
         var start = Stopwatch.GetTimestamp();
         work(scene);
         return Stopwatch.GetElapsedTime(start).TotalMilliseconds;
     }
+
+    /// <summary>The milliseconds that the processor has spent on this thread; NaN if the system does not tell.</summary>
+    private static double ProcessorTimeOfThread()
+    {
+        const int ThreadCpuTime = 3;
+        if (!OperatingSystem.IsLinux()) return double.NaN;
+        var time = new long[2]; // seconds and nanoseconds
+        return GetClock(ThreadCpuTime, time) == 0 ? time[0] * 1e3 + time[1] / 1e6 : double.NaN;
+    }
+
+    [DllImport("libc", EntryPoint = "clock_gettime")]
+    private static extern int GetClock(int clock, long[] time);
 }

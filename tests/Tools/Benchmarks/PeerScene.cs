@@ -3,7 +3,7 @@ namespace RayCaster.Benchmarks;
 /// <summary>A scene as the Embree peer reads it: little-endian, in float, the camera's axes worked out.</summary>
 internal static class PeerScene
 {
-    public static void Write(string path, Scene scene, bool withModels = true)
+    public static void Write(string path, Scene scene)
     {
         using var writer = new BinaryWriter(new BufferedStream(File.Create(path), 1 << 20));
         void Float(double number) => writer.Write((float)number);
@@ -22,9 +22,7 @@ internal static class PeerScene
         writer.Write(camera.Height);
         writer.Write(camera.Clip == ClipMode.Distance ? 1 : 0);
         writer.Write(camera.Sample == PixelSample.Center ? 1 : 0);
-        writer.Write(withModels ? scene.Models.Count : 0);
-        if (!withModels) return;
-
+        writer.Write(scene.Models.Count);
         foreach (var model in scene.Models)
         {
             switch (model)

@@ -1,32 +1,28 @@
 using RayCaster.Benchmarks;
 
-Options options;
-try
+if (args is ["write", var folder, .. var named])
 {
-    options = Options.Parse(args);
+    Directory.CreateDirectory(folder);
+    foreach (var name in Scenes(named)) SceneFiles.WriteScene(Path.Combine(folder, $"{name}.json"), BenchmarkScene.Named(name));
+    return;
 }
-catch (ArgumentException problem)
+var rounds = args is [var first, ..] && int.TryParse(first, out var number) ? number : 15;
+Console.WriteLine($"Measured on: {Machine.Description}. {rounds} rounds.");
+using var temporary = new TemporaryFolder();
+var peer = EmbreePeer.Build(temporary["embree_peer"]);
+var comparisons = new List<RayComparison>();
+foreach (var name in Scenes(args.Where(word => !int.TryParse(word, out _))))
 {
-    Console.Error.WriteLine($"{problem.Message}\n\n{Options.Help}");
-    return 2;
+    var scene = BenchmarkScene.Named(name);
+    using var embree = peer is null ? null : EmbreePeer.Start(peer, scene, temporary["scene"]);
+    foreach (var threads in (int[])[1, 2]) comparisons.Add(new RayComparison(scene, threads).Run(embree, rounds, temporary["hits"]));
+}
+Console.WriteLine($"\n| scene | threads | {string.Join(" | ", comparisons[0].Own.Select(way => way.Name))} | Embree agrees |");
+Console.WriteLine("|---|---|--:|--:|--:|--:|--:|--:|");
+foreach (var c in comparisons)
+{
+    var ratios = c.Own.Select(way => c.BestEmbree(way.Answer) is { } best ? Ratio.Of(way, best).ToString() : "–");
+    Console.WriteLine($"| {c.Scene.Title} | {c.Threads} | {string.Join(" | ", ratios)} | {100 * c.Agreement:0.00} % |");
 }
 
-Console.WriteLine(Machine.Description);
-using var workshop = new Workshop();
-var peer = workshop.BuildEmbreePeer();
-var report = new Report();
-if (options.Only != "programs")
-{
-    foreach (var name in options.Scenes)
-    {
-        var scene = BenchmarkScene.Named(name);
-        using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, Environment.ProcessorCount);
-        Checks.Run(scene, embree, workshop);
-        foreach (var (width, height) in options.Sizes)
-            foreach (var threads in options.Threads)
-                report.Comparisons.Add(new RayComparison(scene, width, height, threads).Run(embree, options.Repeats, workshop));
-    }
-}
-if (options.Only != "rays") report.Programs.AddRange(new Programs(options, workshop, peer).Run());
-Console.WriteLine("\n" + report.Write(options));
-return 0;
+static string[] Scenes(IEnumerable<string> named) => named.ToArray() is { Length: > 0 } some ? some : BenchmarkScene.Names;

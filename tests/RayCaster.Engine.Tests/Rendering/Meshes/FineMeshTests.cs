@@ -44,22 +44,6 @@ public class FineMeshTests
         }
     }
 
-    /// <summary>In any order of its corners a copy's t may differ in its last bits; of those in the same order one is enough.</summary>
-    [Fact]
-    public void OnlyAnEarlierTriangleWithTheSameCornersInTheSameOrderIsATwin()
-    {
-        Vector3[] vertices = [new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(-0.0, 0, 0)];
-        var duplicates = new Duplicates(vertices, [0, 1, 2, 1, 2, 0, 3, 4, 5, 6, 1, 2]);
-        Assert.False(duplicates.HasEarlier(2));
-        Assert.False(duplicates.HasEarlier(0)); // a later one came before
-        Assert.False(duplicates.HasEarlier(1));
-        Assert.True(duplicates.HasEarlier(2));
-        Assert.False(duplicates.HasEarlier(3)); // −0 is not 0
-        Assert.False(duplicates.HasEarlier(0));
-        duplicates.Clear();
-        Assert.False(duplicates.HasEarlier(2));
-    }
-
     private static void Shuffle(int[] indices, Random random)
     {
         for (var i = indices.Length / 3 - 1; i > 0; i--)

@@ -5,33 +5,6 @@ public class GroupTests
 {
     private static readonly Camera camera = new(new(5, 0.4, 0.3), Vector3.Zero, fovY: 6, width: 64, height: 64);
 
-    /// <summary>Of triangles in a plane with the eye, the formula's areas are all rounding, and so are its hits between their corners. Those in
-    /// front of a wall must not be taken to be behind it.</summary>
-    [Fact]
-    public void AGroupSeenEdgeOnIsHitBeforeAWall()
-    {
-        var (random, hits) = (new Random(20261123), 0);
-        Vector3[] wall = [Ahead(-99, -99), Ahead(300, -99), Ahead(-99, 300)];
-        for (var round = 0; round < 300; round++)
-        {
-            var pixels = Enumerable.Range(0, 2).Select(_ => (Column: random.Next(64), Row: random.Next(64))).ToArray();
-            Vector3 Point() => pixels[random.Next(2)] is var (column, row)
-                ? camera.Position + (3 + random.NextDouble()) * camera.RayThrough(column, row).Direction : default;
-            var mesh = new Mesh([.. Enumerable.Range(0, 48).Select(_ => Point()), .. wall], [.. Enumerable.Range(0, 51)]);
-            var scene = new Scene(camera, [mesh]);
-            var fast = new Renderer(scene, threads: 1).CastHits();
-            foreach (var (column, row) in pixels)
-            {
-                var t = ScalarRenderer.Cast(scene, column, row).T;
-                Assert.Equal(t, fast.T[(63 - row) * 64 + column]);
-                if (t < 3.499) hits++;
-            }
-        }
-        Assert.InRange(hits, 100, 600);
-
-        Vector3 Ahead(int column, int row) => camera.Position + 3.5 * camera.RayThrough(column, row).Direction;
-    }
-
     [Theory]
     [InlineData(0, -1)]
     [InlineData(0, int.MinValue)]

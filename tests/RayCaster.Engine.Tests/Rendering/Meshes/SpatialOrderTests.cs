@@ -10,20 +10,6 @@ public class SpatialOrderTests
     private static readonly Mesh shuffled = Shuffled(Sheet());
 
     [Fact]
-    public void AMeshWhoseTrianglesFollowOneAnotherStays()
-    {
-        var sheet = Sheet();
-        Assert.Same(sheet, SpatialOrder.Of(sheet));
-    }
-
-    [Fact]
-    public void ASmallMeshStays()
-    {
-        var small = new Mesh(shuffled.Vertices, shuffled.Indices[..3000]);
-        Assert.Same(small, SpatialOrder.Of(small));
-    }
-
-    [Fact]
     public void TheLimitsSayFromHowManyTrianglesOnAndWhatTheCopyTakes()
     {
         var limits = File.ReadAllText(ProjectFolder.PathOf("docs/limits.md")).ReplaceLineEndings(" ");
@@ -31,15 +17,6 @@ public class SpatialOrderTests
         Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"at least {SpatialOrder.FewTriangles:N0} triangles in random order"), limits);
         Assert.Contains($"{triangle} bytes for each triangle and {vertex} for each vertex", limits);
         Assert.Contains($"{triangle + vertex / 2} bytes a triangle on a closed surface, {triangle + 3 * vertex} where", limits);
-    }
-
-    [Fact]
-    public void LongTrianglesInAnyOrderStay()
-    {
-        var random = new Random(1);
-        var points = Enumerable.Range(0, 3 << 17).Select(_ => new Vector3(random.NextDouble(), random.NextDouble(), random.NextDouble()));
-        var mesh = new Mesh([.. points], [.. Enumerable.Range(0, 3 << 17)]);
-        Assert.Same(mesh, SpatialOrder.Of(mesh));
     }
 
     [Fact]

@@ -1,10 +1,10 @@
-namespace RayCaster.Teaching.Explanations;
+namespace RayCaster.Page;
 
 /// <summary>
 /// A drawing from the side, in the plane of a pixel's ray and the camera's V: sections of the shapes, the clip planes and the crossings.
 /// Coordinates start at P: v along V, and u at right angles to V, in the direction of the ray.
 /// </summary>
-public static class RaySection
+internal static class RaySection
 {
     private const int Around = 720, Ahead = 400;
 
