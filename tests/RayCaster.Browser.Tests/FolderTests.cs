@@ -5,7 +5,7 @@ namespace RayCaster.Browser.Tests;
 [Collection("folder")]
 public class FolderTests(Chromium chromium, Site site) : PageTests
 {
-    private protected override async Task<HostedPage> OpenAsync() => await FolderPage.OpenAsync(chromium, site, FolderPage.Link(HostedPage.Ball));
+    private protected override async Task<HostedPage> OpenAsync() => await FolderPage.OpenAsync(chromium, site);
 
     [BrowserFact]
     public async Task EveryControlHasAName()

@@ -45,7 +45,7 @@ public class LinkTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task AnEncodedLinkShowsItsSceneAfterAVisit()
     {
-        await using var web = await FolderPage.FirstVisitAsync(chromium, site);
+        await using var web = await FolderPage.FirstVisitAsync(chromium, site, FolderPage.Link(Ball.Replace("40", "44")));
         await web.Page.EvaluateExpressionAsync("navigator.serviceWorker.ready.then(() => true)");
         await web.Page.GoToAsync($"{web.Server.Address}%23scene={code}");
         await web.Page.ShowsPictureOfAsync(Ball);
@@ -71,7 +71,7 @@ public class LinkTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task ALinkToAPixelHoldsTheSceneAndTheCamera()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball));
+        await using var web = await FolderPage.OpenAsync(chromium, site);
         await web.Page.FocusAsync("#stage");
         await web.Page.PressAsync("ArrowLeft");
         await web.Page.ShowsAsync("#camera-reset:not([disabled])");

@@ -11,7 +11,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task EachRequestIsForAFileOfTheSite()
     {
-        await using var web = await FolderPage.FirstVisitAsync(chromium, site, isProxied: true);
+        await using var web = await FolderPage.FirstVisitAsync(chromium, site, "", isProxied: true);
         var page = web.Page;
         await page.ExplainAsync();
         await page.DropWrongAsync(500, 500);
@@ -84,7 +84,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task TheFirstSceneIsTheRoomAndAFolderOfAHostWillDo()
     {
-        await using var web = await FolderPage.FirstVisitAsync(chromium, site, below: "/course/live");
+        await using var web = await FolderPage.FirstVisitAsync(chromium, site, "", below: "/course/live");
         await web.Page.ShowsPictureOfAsync(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!);
         Assert.Equal(File.ReadAllText(ProjectFolder.PathOf("scenes/room.json")).Trim(), (await web.SceneTextAsync()).Trim());
         Assert.Empty(web.Complaints);
@@ -114,7 +114,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task FramesComeDuringADragAndTheCameraHasTurnedAfterIt()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await using var web = await FolderPage.OpenAsync(chromium, site, "");
         var page = web.Page;
         var before = await page.TextOfAsync("#camera-json");
         await DragAsync(page, frames: 3);
@@ -130,7 +130,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task ThePageDoesNotStandStillWhileAPictureIsDrawn()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await using var web = await FolderPage.OpenAsync(chromium, site, "");
         await DragAsync(web.Page, frames: 1);
         var frames = await web.Page.EvaluateFunctionAsync<int>("""
             () => new Promise(done => {
@@ -148,7 +148,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task ALongDiagnosisShowsThatItRunsAndCanBeCancelled()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await using var web = await FolderPage.OpenAsync(chromium, site, "");
         var page = web.Page;
         var noise = new Picture(500, 500);
         new Random(20261127).NextBytes(noise.Rgb);

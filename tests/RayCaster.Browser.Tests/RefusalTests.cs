@@ -103,7 +103,7 @@ public class RefusalTests(Chromium chromium, Site site)
     public async Task WithoutItsFirstSceneThePageDrawsAnother(bool isLogin)
     {
         var oddity = isLogin ? Sent("room.json", headers => headers.ContentType = "text/html") : Missing("room.json");
-        await using var web = await FolderPage.FirstVisitAsync(chromium, site, FolderPage.Link(Ball), oddity: oddity);
+        await using var web = await FolderPage.FirstVisitAsync(chromium, site, oddity: oddity);
         await web.Page.WaitForFunctionAsync("() => navigator.serviceWorker.getRegistration().then(found => !found)");
         await web.Page.EvaluateExpressionAsync("sessionStorage.clear()");
         await web.Page.GoToAsync(web.Server.Address);
@@ -144,8 +144,6 @@ public class RefusalTests(Chromium chromium, Site site)
             () => navigator.serviceWorker.getRegistration().then(found => !found || (!found.installing && !found.waiting))
             """);
         await web.Page.ReloadAsync();
-        await web.Page.ShowsAsync("#picture[data-final=true]");
-        await web.WriteSceneAsync(Ball);
         await web.Page.ShowsPictureOfAsync(Ball);
         Assert.Equal("", await web.Page.TextOfAsync("#notice"));
     }
@@ -153,7 +151,7 @@ public class RefusalTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task ABrowserThatSavesNoFileSaysSo()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball),
+        await using var web = await FolderPage.OpenAsync(chromium, site,
             script: "URL.createObjectURL = () => { throw new DOMException('no', 'SecurityError'); }");
         await web.Page.ClickOnAsync("#save-scene");
         await web.Page.SaysAsync("The browser does not allow the page to save a file. The text is selected: copy it.");
@@ -168,7 +166,7 @@ public class RefusalTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task ABrowserThatCannotPackSaysSoOfItsLinksAndOfThoseThatItOpens()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball), script: NoPacking);
+        await using var web = await FolderPage.OpenAsync(chromium, site, script: NoPacking);
         var told = await web.Page.TextOfAsync("#notice");
         Assert.StartsWith("This browser cannot pack a scene into a link: Chrome and Edge can from version 103,", told);
         Assert.EndsWith("Another scene is shown.", told);
@@ -182,7 +180,7 @@ public class RefusalTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task ASceneThatTheBrowserDidNotKeepIsToldWhenThePageIsLoadedAgain()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball));
+        await using var web = await FolderPage.OpenAsync(chromium, site);
         var text = Ball.Replace("\"width\": 40", "\"width\": 44") + new string(' ', 1_000_000);
         await web.WriteSceneAsync(text);
         await web.Page.ShowsPictureOfAsync(text);
@@ -209,7 +207,7 @@ public class RefusalTests(Chromium chromium, Site site)
     public async Task ThePageWorksWithoutWhatABrowserMayRefuse(bool isServed, string script)
     {
         await using HostedPage host = isServed ? await ServedPage.OpenAsync(chromium, script: script)
-            : await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball), script);
+            : await FolderPage.OpenAsync(chromium, site, script: script);
         await host.Page.ShowsPictureOfAsync(Ball);
         await host.Page.ExplainAsync();
         await host.Page.ClickOnAsync("#camera-copy");

@@ -8,24 +8,24 @@ internal sealed class FolderPage(Tab tab, FileServer server, bool isAlone) : Hos
 {
     public FileServer Server => server;
 
-    /// <param name="fragment">What follows the address, beginning with #; nothing for the first scene.</param>
+    /// <param name="fragment">What follows the address; an empty text for the page's first scene, which takes a browser seconds to draw.</param>
     /// <param name="script">What is done before any script of the page.</param>
-    public static async Task<FolderPage> OpenAsync(Chromium chromium, Site site, string fragment = "", string script = "") =>
+    public static async Task<FolderPage> OpenAsync(Chromium chromium, Site site, string? fragment = null, string script = "") =>
         await ShownAsync(new(await chromium.OpenAsUsualAsync(script), await site.ServeAsUsualAsync(), isAlone: false), fragment);
 
     /// <summary>Opens the page of a server that no other test asks, and that this browser has not visited.</summary>
     /// <param name="isProxied">Whether requests for other hosts reach the file server, too.</param>
     /// <inheritdoc cref="Site.ServeAsync"/>
     public static async Task<FolderPage> FirstVisitAsync(
-        Chromium chromium, Site site, string fragment = "", string below = "", Oddity? oddity = null, bool isProxied = false)
+        Chromium chromium, Site site, string? fragment = null, string below = "", Oddity? oddity = null, bool isProxied = false)
     {
         var server = await site.ServeAsync(below, oddity);
         return await ShownAsync(new(await chromium.OpenAsync(isProxied ? server.Root : null), server, isAlone: true), fragment);
     }
 
-    private static async Task<FolderPage> ShownAsync(FolderPage web, string fragment)
+    private static async Task<FolderPage> ShownAsync(FolderPage web, string? fragment)
     {
-        await web.Tab.ShowAsync(web.Server.Address + fragment);
+        await web.Tab.ShowAsync(web.Server.Address + (fragment ?? Link(Ball)));
         return web;
     }
 
