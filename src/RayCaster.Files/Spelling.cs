@@ -76,21 +76,14 @@ public static class Spelling
         return $"; did you mean {quote}{nearest}{quote}?" + (nearest.Equals(word, StringComparison.OrdinalIgnoreCase) ? " (case matters)" : "");
     }
 
-    /// <summary>A name in which é is e and an accent, whether it is encoded as one character or as two. (Without ICU the runtime does not normalise
-    /// texts; but Windows-1251, which has no é, writes e.)</summary>
-    internal static string WithAccentsApart(string name)
-    {
-        var text = new StringBuilder();
-        var cyrillic = CodePagesEncodingProvider.Instance.GetEncoding(1251)!;
-        foreach (var c in name)
-        {
-            var plain = cyrillic.GetString(cyrillic.GetBytes([c]))[0];
-            if (CharUnicodeInfo.GetUnicodeCategory(c) == UnicodeCategory.NonSpacingMark) text.Append('\'');
-            else if (plain != c && char.IsAsciiLetter(plain)) text.Append(plain).Append('\'');
-            else text.Append(c);
-        }
-        return text.ToString();
-    }
+    /// <summary>À (U+00C0) and the letters after it, without their accents. (Without ICU the runtime does not take texts apart.)</summary>
+    private const string Plain = "AAAAAA CEEEEIIII NOOOOO  UUUUY  aaaaaa ceeeeiiii nooooo  uuuuy yAaAaAaCcCcCcCcDd  EeEeEeEeEeGgGg" +
+        "GgGgHh  IiIiIiIiI   JjKk LlLlLl    NnNnNn   OoOoOo  RrRrRrSsSsSsSsTtTt  UuUuUuUuUuUuWwYyYZzZzZz";
+
+    /// <summary>A name in which é is e and an accent, whether it is encoded as one character or as two.</summary>
+    internal static string WithAccentsApart(string name) => string.Concat(name.Select(c =>
+        CharUnicodeInfo.GetUnicodeCategory(c) == UnicodeCategory.NonSpacingMark ? "'"
+        : c >= 'À' && c - 'À' < Plain.Length && Plain[c - 'À'] != ' ' ? $"{Plain[c - 'À']}'" : $"{c}"));
 
     /// <summary>How many letters must be added, left out, changed or swapped with their neighbour; case is ignored.</summary>
     private static int Mistakes(string a, string b, int[,] mistakes)

@@ -9,7 +9,7 @@ public class EditorTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task KeysThatAreTypedAreDrawn()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball));
+        await using var web = await FolderPage.OpenAsync(chromium, site);
         await web.Page.EvaluateExpressionAsync("""
             { const e = document.getElementById('scene-text'); e.focus(); e.selectionStart = e.selectionEnd = e.value.indexOf('40,') + 1; }
             """);
@@ -37,11 +37,12 @@ public class EditorTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task ASceneThatIsOpenedIsDrawnAndEdited()
     {
+        var other = Ball.Replace("40", "44");
         await using var web = await FolderPage.OpenAsync(chromium, site);
         using var folder = new TemporaryFolder();
-        await (await web.Page.ShowsAsync("#open-scene")).UploadFileAsync(folder.Write("ball.json", Ball));
-        await web.Page.ShowsPictureOfAsync(Ball);
-        Assert.Equal(Ball, await web.SceneTextAsync());
+        await (await web.Page.ShowsAsync("#open-scene")).UploadFileAsync(folder.Write("ball.json", other));
+        await web.Page.ShowsPictureOfAsync(other);
+        Assert.Equal(other, await web.SceneTextAsync());
         await web.Page.SaysAsync("ball.json");
         Assert.Empty(web.Complaints);
     }
@@ -65,7 +66,7 @@ public class EditorTests(Chromium chromium, Site site)
     public async Task ALinkHoldsTheSceneAndShowsItElsewhereAsText()
     {
         string link;
-        await using (var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball)))
+        await using (var web = await FolderPage.OpenAsync(chromium, site))
         {
             await web.Page.ClickOnAsync("#share-scene");
             await web.Page.WaitForFunctionAsync("() => /#scene=./.test(document.getElementById('share-link').value ?? '')");
@@ -84,10 +85,39 @@ public class EditorTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task TheTextIsThereAgainAfterThePageWasLoadedAgain()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site, FolderPage.Link(Ball));
+        await using var web = await FolderPage.OpenAsync(chromium, site);
         await web.Page.ReloadAsync();
         await web.Page.ShowsPictureOfAsync(Ball);
         Assert.Equal(Ball, await web.SceneTextAsync());
         Assert.Empty(web.Complaints);
+    }
+
+    [BrowserFact]
+    public async Task AModelsRaysAreShownAlsoIfTheyAreCountedBeforeTheModelsAreTold()
+    {
+        const string Rays = "() => document.getElementById('model-0-rays')?.textContent.includes('%')";
+        await using var host = await FolderPage.OpenAsync(chromium, site, script: """
+            const late = []; // what the first worker sends before the second one has counted the rays
+            let made = 0;
+            window.isHeld = false;
+            window.Worker = class extends Worker {
+                isFirst = made++ === 0;
+
+                addEventListener(type, listener) {
+                    super.addEventListener(type, event => {
+                        if (type === 'message' && this.isFirst && isHeld) return void late.push(() => listener(event));
+                        listener(event);
+                        if (!isHeld || !String(event.data).includes('"ledger"')) return;
+                        isHeld = false;
+                        late.splice(0).forEach(tell => tell());
+                    });
+                }
+            };
+            """);
+        await host.Page.WaitForFunctionAsync(Rays);
+        await host.Page.EvaluateExpressionAsync("isHeld = true");
+        await host.WriteSceneAsync(Ball.Replace("<img src=x onerror=alert(1)>", "other"));
+        await host.Page.SaysAsync("other sphere");
+        await host.Page.WaitForFunctionAsync(Rays);
     }
 }

@@ -1,39 +1,43 @@
 namespace RayCaster.Browser.Tests;
 
-/// <summary>The page without a server is as any other; what follows from its being a folder of files is in the other classes.</summary>
+/// <summary>The page without a server is as any other; it has the most parts. What follows from its being a folder of files is in the
+/// other classes.</summary>
 [Collection("folder")]
 public class FolderTests(Chromium chromium, Site site) : PageTests
 {
-    private protected override async Task<HostedPage> OpenAsync(string script) =>
-        await FolderPage.OpenAsync(chromium, site, FolderPage.Link(HostedPage.Ball), script: script);
-
-    private const string Rays = "() => document.getElementById('model-0-rays')?.textContent.includes('%')";
+    private protected override async Task<HostedPage> OpenAsync() => await FolderPage.OpenAsync(chromium, site);
 
     [BrowserFact]
-    public async Task AModelsRaysAreShownAlsoIfTheyAreCountedBeforeTheModelsAreTold()
+    public async Task EveryControlHasAName()
     {
-        await using var host = await OpenAsync("""
-            const late = []; // what the first worker sends before the second one has counted the rays
-            let made = 0;
-            window.isHeld = false;
-            window.Worker = class extends Worker {
-                isFirst = made++ === 0;
+        await Page.ExplainAsync();
+        await Page.DropWrongAsync(40, 30);
+        Assert.Empty(await Page.EvaluateFunctionAsync<string[]>("""
+            () => [...document.querySelectorAll('button, input, select, textarea, summary, a')].filter(e => e.checkVisibility())
+                .filter(e => !(e.getAttribute('aria-label') || e.getAttribute('aria-labelledby')
+                    || [...(e.labels ?? [])].map(l => l.textContent).join('') || e.textContent).trim())
+                .map(e => e.outerHTML)
+            """));
+        Assert.Matches("The picture of .* 40 by 30 pixels", await Page.EvaluateFunctionAsync<string>(
+            "() => document.querySelector('[role=img]').getAttribute('aria-label')"));
+    }
 
-                addEventListener(type, listener) {
-                    super.addEventListener(type, event => {
-                        if (type === 'message' && this.isFirst && isHeld) return void late.push(() => listener(event));
-                        listener(event);
-                        if (!isHeld || !String(event.data).includes('"ledger"')) return;
-                        isHeld = false;
-                        late.splice(0).forEach(tell => tell());
-                    });
-                }
-            };
-            """);
-        await host.Page.WaitForFunctionAsync(Rays);
-        await host.Page.EvaluateExpressionAsync("isHeld = true");
-        await host.WriteSceneAsync(HostedPage.Ball.Replace("<img src=x onerror=alert(1)>", "other"));
-        await host.Page.SaysAsync("other sphere");
-        await host.Page.WaitForFunctionAsync(Rays);
+    [BrowserFact]
+    public async Task NoWidthNeedsScrollingSidewaysAndTextHasContrastInLightAndDark()
+    {
+        await Page.ExplainAsync();
+        await Page.DropWrongAsync(40, 30);
+        foreach (var width in new[] { 360, 1400 })
+        {
+            foreach (var scheme in new[] { "light", "dark" })
+            {
+                await Page.SetViewportAsync(new() { Width = width, Height = 800 });
+                await Page.EmulateMediaFeaturesAsync([new() { MediaFeature = MediaFeature.PrefersColorScheme, Value = scheme }]);
+                await Page.WaitForFunctionAsync("width => innerWidth === width", width);
+                Assert.Equal((scheme, width), (scheme, await Page.EvaluateExpressionAsync<int>(
+                    "Math.max(innerWidth, document.documentElement.scrollWidth)")));
+                Assert.Equal("", await Page.FaintTextsAsync());
+            }
+        }
     }
 }

@@ -11,7 +11,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task EachRequestIsForAFileOfTheSite()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site, isProxied: true);
+        await using var web = await FolderPage.FirstVisitAsync(chromium, site, "", isProxied: true);
         var page = web.Page;
         await page.ExplainAsync();
         await page.DropWrongAsync(500, 500);
@@ -29,7 +29,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task ThePolicyOfThePageForbidsRequestsForOtherHosts()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site, isProxied: true);
+        await using var web = await FolderPage.FirstVisitAsync(chromium, site, isProxied: true);
         var forbidden = await web.Page.EvaluateExpressionAsync<string[]>("""
             (async () => {
                 const forbidden = [];
@@ -52,7 +52,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task AfterTheFirstVisitNoNetworkIsNeeded()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await using var web = await FolderPage.FirstVisitAsync(chromium, site);
         var page = web.Page;
         await page.EvaluateExpressionAsync("navigator.serviceWorker.ready.then(() => true)");
         await web.Server.DisposeAsync();
@@ -84,7 +84,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task TheFirstSceneIsTheRoomAndAFolderOfAHostWillDo()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site, below: "/course/live");
+        await using var web = await FolderPage.FirstVisitAsync(chromium, site, "", below: "/course/live");
         await web.Page.ShowsPictureOfAsync(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!);
         Assert.Equal(File.ReadAllText(ProjectFolder.PathOf("scenes/room.json")).Trim(), (await web.SceneTextAsync()).Trim());
         Assert.Empty(web.Complaints);
@@ -114,7 +114,7 @@ public partial class PromiseTests(Chromium chromium, Site site)
     [BrowserFact]
     public async Task FramesComeDuringADragAndTheCameraHasTurnedAfterIt()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await using var web = await FolderPage.OpenAsync(chromium, site, "");
         var page = web.Page;
         var before = await page.TextOfAsync("#camera-json");
         await DragAsync(page, frames: 3);
@@ -125,34 +125,30 @@ public partial class PromiseTests(Chromium chromium, Site site)
         Assert.Empty(web.Complaints);
     }
 
-    /// <summary>The longest time in which the page draws nothing, while a picture is drawn after a drag. The worker needs more than a second for
-    /// it; the page would stand still so long if it drew by itself.</summary>
+    /// <summary>While a picture is drawn after a drag, which takes a worker about a second, the page draws on; if it drew the picture by itself, it
+    /// would stand still.</summary>
     [BrowserFact]
     public async Task ThePageDoesNotStandStillWhileAPictureIsDrawn()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site);
-        var page = web.Page;
-        await DragAsync(page, frames: 1);
-        var times = await page.EvaluateFunctionAsync<double[]>("""
+        await using var web = await FolderPage.OpenAsync(chromium, site, "");
+        await DragAsync(web.Page, frames: 1);
+        var frames = await web.Page.EvaluateFunctionAsync<int>("""
             () => new Promise(done => {
-                const start = performance.now();
-                let last = start, longest = 0;
+                let frames = 0;
                 requestAnimationFrame(function tick() {
-                    const now = performance.now();
-                    longest = Math.max(longest, now - last);
-                    last = now;
-                    if (document.getElementById('picture').dataset.final === 'true') done([longest, now - start]);
+                    frames++;
+                    if (document.getElementById('picture').dataset.final === 'true') done(frames);
                     else requestAnimationFrame(tick);
                 });
             })
             """);
-        Assert.True(times[0] < times[1] / 2, $"{times[0]:0} of {times[1]:0} ms without a frame");
+        Assert.True(frames >= 5, $"{frames} frames only");
     }
 
     [BrowserFact]
     public async Task ALongDiagnosisShowsThatItRunsAndCanBeCancelled()
     {
-        await using var web = await FolderPage.OpenAsync(chromium, site);
+        await using var web = await FolderPage.OpenAsync(chromium, site, "");
         var page = web.Page;
         var noise = new Picture(500, 500);
         new Random(20261127).NextBytes(noise.Rgb);

@@ -91,9 +91,7 @@ public class AttackTests(LiveServerFixture fixture) : IClassFixture<LiveServerFi
         PictureFile.Write(file, new Picture(60, 45), PictureFormat.Png);
         await page.ConnectAsync();
         Assert.Equal(HttpStatusCode.NoContent, (await PostAsync(file.ToArray())).StatusCode);
-        var told = await page.MessageAsync("comparison", message => !message.GetProperty("isVerdict").GetBoolean()
-            && message.GetProperty("text").GetString() is not null);
-        Assert.Contains("60 x 45", told.GetProperty("text").GetString());
+        await page.MessageAsync("comparison", message => $"{message.GetProperty("text")}".Contains("60 x 45")); // after another test's picture
     }
 
     [Fact]

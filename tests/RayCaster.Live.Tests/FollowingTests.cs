@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Text.Json;
-using RayCaster.Engine;
 
 namespace RayCaster.Live.Tests;
 
@@ -164,23 +163,6 @@ public class FollowingTests
         Assert.Equal(JsonValueKind.Array, wrong.GetProperty("middle").ValueKind);
         PictureFile.Write(page.Folder["mine.png"], ScalarRenderer.Render(SceneReader.Read(page.Scene).Scene!));
         await page.MessageAsync("comparison", message => message.GetProperty("verdict").GetString() == "identical");
-    }
-
-    [Fact]
-    public void TrianglesInRandomOrderStayAsInTheFile()
-    {
-        var ball = MeshGenerator.Icosphere(7);
-        var triangles = ball.Indices.Chunk(3).ToArray();
-        new Random(20261122).Shuffle(triangles);
-        int[] indices = [.. triangles.SelectMany(corners => corners)];
-        using var folder = new TemporaryFolder();
-        File.WriteAllBytes(folder["scan.ply"], MeshWriter.PlyBinary(new(ball.Vertices, indices), bigEndian: false));
-        File.WriteAllText(folder["scan.json"], """
-            { "camera": { "position": [0, 0, 3], "target": [0, 0, 0], "up": [0, 1, 0] }, "models": [{ "type": "mesh", "file": "scan.ply" }] }
-            """);
-        var live = new LiveScene(folder["scan.json"], TimeProvider.System, CancellationToken.None);
-        Renderer.Render(live.State.Scene!.WithSize(9, 9));
-        Assert.Equal(indices, ((Mesh)live.State.Scene.Models[0]).Indices);
     }
 
     [Fact(Skip = "links need rights there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]

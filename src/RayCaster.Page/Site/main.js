@@ -136,4 +136,5 @@ function followLink() {
 addEventListener("hashchange", followLink);
 $("stage").addEventListener("frame", followLink, { once: true });
 
+say("Loading …");
 connect();

@@ -57,8 +57,9 @@ function last() {
 async function first() {
   if (location.hash.startsWith("#pixel=")) $("notice").textContent = "This address holds a pixel but no scene: this is the page's first one.";
   const answer = await fetch("room.json").catch(() => null);
-  if (!answer?.ok) $("notice").textContent = "This page is not complete: its host does not have room.json.";
-  return { name: "room.json", text: answer?.ok ? await answer.text() : "" };
+  const isRoom = answer?.ok && isFile("room.json", answer);
+  if (!isRoom) $("notice").textContent = "This page is not complete: its host does not have room.json.";
+  return { name: "room.json", text: isRoom ? await answer.text() : "" };
 }
 
 /** Sends one or several requests. */

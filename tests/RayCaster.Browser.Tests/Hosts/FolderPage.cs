@@ -4,21 +4,29 @@ using System.Text;
 namespace RayCaster.Browser.Tests;
 
 /// <summary>The page of the folder, which holds the scene's text itself.</summary>
-internal sealed class FolderPage(Tab tab, FileServer server) : HostedPage(tab)
+internal sealed class FolderPage(Tab tab, FileServer server, bool isAlone) : HostedPage(tab)
 {
     public FileServer Server => server;
 
-    /// <param name="fragment">What follows the address, beginning with #; nothing for the first scene.</param>
-    /// <param name="below">The folder of the host that the site is in.</param>
+    /// <param name="fragment">What follows the address; an empty text for the page's first scene, which takes a browser seconds to draw.</param>
     /// <param name="script">What is done before any script of the page.</param>
+    public static async Task<FolderPage> OpenAsync(Chromium chromium, Site site, string? fragment = null, string script = "") =>
+        await ShownAsync(new(await chromium.OpenAsUsualAsync(script), await site.ServeAsUsualAsync(), isAlone: false), fragment);
+
+    /// <summary>Opens the page of a server that no other test asks, and that this browser has not visited.</summary>
     /// <param name="isProxied">Whether requests for other hosts reach the file server, too.</param>
-    public static async Task<FolderPage> OpenAsync(
-        Chromium chromium, Site site, string fragment = "", string below = "", string script = "", bool isProxied = false)
+    /// <inheritdoc cref="Site.ServeAsync"/>
+    public static async Task<FolderPage> FirstVisitAsync(
+        Chromium chromium, Site site, string? fragment = null, string below = "", Oddity? oddity = null, bool isProxied = false)
     {
-        var server = await site.ServeAsync(below);
-        var tab = await chromium.OpenAsync(isProxied ? server.Root : null, script);
-        await tab.ShowAsync(server.Address + fragment);
-        return new(tab, server);
+        var server = await site.ServeAsync(below, oddity);
+        return await ShownAsync(new(await chromium.OpenAsync(isProxied ? server.Root : null), server, isAlone: true), fragment);
+    }
+
+    private static async Task<FolderPage> ShownAsync(FolderPage web, string? fragment)
+    {
+        await web.Tab.ShowAsync(web.Server.Address + (fragment ?? Link(Ball)));
+        return web;
     }
 
     /// <summary>A link's part that holds a scene.</summary>
@@ -43,6 +51,6 @@ internal sealed class FolderPage(Tab tab, FileServer server) : HostedPage(tab)
     public override async ValueTask DisposeAsync()
     {
         await base.DisposeAsync();
-        await server.DisposeAsync();
+        if (isAlone) await server.DisposeAsync();
     }
 }

@@ -12,7 +12,7 @@ internal sealed class ServedPage(Tab tab, LivePage live) : HostedPage(tab)
     public static async Task<ServedPage> OpenAsync(Chromium chromium, string scene = Ball, string script = "")
     {
         var live = await LivePage.OpenAsync(scene);
-        var tab = await chromium.OpenAsync(script: script);
+        var tab = await chromium.OpenAsUsualAsync(script);
         await tab.ShowAsync(live.Server.Address);
         return new(tab, live);
     }

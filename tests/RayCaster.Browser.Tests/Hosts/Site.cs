@@ -20,6 +20,7 @@ public sealed partial class Site : IAsyncLifetime
 
     private readonly TemporaryFolder folder = new();
     private bool cannotBeRestored;
+    private Task<FileServer>? usual;
 
     /// <summary>The published files.</summary>
     internal IEnumerable<string> Files()
@@ -38,18 +39,20 @@ public sealed partial class Site : IAsyncLifetime
 
     /// <summary>Serves the folder as any web host does.</summary>
     /// <param name="below">The folder of the host that it is copied to.</param>
-    /// <param name="missing">The beginning of the names that the host does not have.</param>
-    /// <param name="refusal">What stands before a script of the site, which then runs as in a browser that refuses something.</param>
-    internal Task<FileServer> ServeAsync(string below = "", string? missing = null, (string File, string Script)? refusal = null)
+    /// <param name="oddity">What this host does otherwise.</param>
+    internal Task<FileServer> ServeAsync(string below = "", Oddity? oddity = null)
     {
         Assert.SkipWhen(cannotBeRestored, "the runtime pack for browser-wasm cannot be restored");
-        return FileServer.StartAsync(published ?? folder.Path, below, missing, refusal);
+        return FileServer.StartAsync(published ?? folder.Path, below, oddity);
     }
 
-    public ValueTask DisposeAsync()
+    /// <summary>The server of all tests that ask nothing particular of it: a browser need not compile the program again for each of them.</summary>
+    internal Task<FileServer> ServeAsUsualAsync() => usual ??= ServeAsync();
+
+    public async ValueTask DisposeAsync()
     {
+        if (usual is not null) await (await usual).DisposeAsync();
         folder.Dispose();
-        return ValueTask.CompletedTask;
     }
 
     private async Task<(int Code, string Text)> PublishAsync()
@@ -69,6 +72,9 @@ public sealed partial class Site : IAsyncLifetime
     private static partial Regex Unrestored();
 }
 
+/// <summary>What a host does otherwise than others: a step before a file is sent.</summary>
+internal delegate Task Oddity(HttpContext context, Func<Task> next);
+
 /// <summary>A server of files and nothing else. A browser may also use it as its proxy: then it hears of requests for other hosts, too.</summary>
 internal sealed class FileServer(WebApplication server, ConcurrentQueue<string> requests, string below) : IAsyncDisposable
 {
@@ -80,8 +86,7 @@ internal sealed class FileServer(WebApplication server, ConcurrentQueue<string> 
     /// <summary>All requests so far: their addresses and the status that was answered.</summary>
     public string[] Requests => [.. requests];
 
-    public static async Task<FileServer> StartAsync(
-        string folder, string below, string? missing, (string File, string Script)? refusal)
+    public static async Task<FileServer> StartAsync(string folder, string below, Oddity? oddity)
     {
         var builder = WebApplication.CreateSlimBuilder();
         builder.Logging.ClearProviders();
@@ -95,24 +100,8 @@ internal sealed class FileServer(WebApplication server, ConcurrentQueue<string> 
             else context.Response.StatusCode = StatusCodes.Status502BadGateway;
             requests.Enqueue($"{request.Method} {request.Scheme}://{request.Host}{request.Path}{request.QueryString} {context.Response.StatusCode}");
         });
-        var files = new PhysicalFileProvider(folder);
-        server.Use((context, next) =>
-        {
-            if (missing is not null && context.Request.Path.StartsWithSegments(below, out var rest) && rest.Value!.StartsWith("/" + missing,
-                StringComparison.Ordinal)) context.Request.Path = "/missing";
-            return next();
-        });
-        server.Use(async (context, next) =>
-        {
-            if (refusal is not var (file, script) || context.Request.Path != $"{below}/{file}") await next();
-            else
-            {
-                context.Response.ContentType = "text/javascript";
-                await context.Response.WriteAsync(script + "\n" + await File.ReadAllTextAsync(Path.Combine(folder, file)));
-            }
-        });
-        server.UseDefaultFiles(new DefaultFilesOptions { FileProvider = files, RequestPath = below });
-        server.UseStaticFiles(new StaticFileOptions { FileProvider = files, RequestPath = below });
+        if (oddity is not null) server.Use((context, next) => oddity(context, next));
+        server.UseFileServer(new FileServerOptions { FileProvider = new PhysicalFileProvider(folder), RequestPath = below });
         server.Run(async context => // as hosts do for a file that they do not have
         {
             context.Response.StatusCode = StatusCodes.Status404NotFound;

@@ -45,7 +45,7 @@ await using (var web = await FolderAsync())
 
 async Task<HostedPage> ServedAsync() => await RestAsync(await ServedPage.OpenAsync(chromium, room));
 
-async Task<HostedPage> FolderAsync() => await RestAsync(await FolderPage.OpenAsync(chromium, site));
+async Task<HostedPage> FolderAsync() => await RestAsync(await FolderPage.OpenAsync(chromium, site, ""));
 
 // What the page tells last is how often each model shows.
 async Task<HostedPage> RestAsync(HostedPage host)
