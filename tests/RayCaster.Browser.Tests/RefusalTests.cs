@@ -7,6 +7,8 @@ namespace RayCaster.Browser.Tests;
 [Collection("folder")]
 public class RefusalTests(Chromium chromium, Site site)
 {
+    private const string NothingIsKept = "() => navigator.serviceWorker.getRegistration().then(found => !found)";
+
     private const string NoPacking = "delete window.CompressionStream; delete window.DecompressionStream";
 
     [BrowserFact]
@@ -102,14 +104,13 @@ public class RefusalTests(Chromium chromium, Site site)
     [InlineData(false)]
     public async Task WithoutItsFirstSceneThePageDrawsAnother(bool isLogin)
     {
-        var oddity = isLogin ? Sent("room.json", headers => headers.ContentType = "text/html") : Missing("room.json");
-        await using var web = await FolderPage.FirstVisitAsync(chromium, site, oddity: oddity);
-        await web.Page.WaitForFunctionAsync("() => navigator.serviceWorker.getRegistration().then(found => !found)");
-        await web.Page.EvaluateExpressionAsync("sessionStorage.clear()");
-        await web.Page.GoToAsync(web.Server.Address);
+        var server = await site.ServeAsync(oddity: isLogin ? Sent("room.json", headers => headers.ContentType = "text/html") : Missing("room.json"));
+        await using var web = new FolderPage(await chromium.OpenAsync(), server, isAlone: true);
+        await web.Page.GoToAsync(server.Address);
         await web.Page.SaysAsync("its host does not have room.json");
         await web.WriteSceneAsync(Ball);
         await web.Page.ShowsPictureOfAsync(Ball);
+        await web.Page.WaitForFunctionAsync(NothingIsKept);
     }
 
     [BrowserFact]
@@ -131,18 +132,25 @@ public class RefusalTests(Chromium chromium, Site site)
         await tab.Page.SaysAsync("RayCaster cannot start in this browser: it runs no WebAssembly, which a phone's Lockdown Mode turns off.");
     }
 
-    /// <summary>Private windows, and disks that are full.</summary>
+    /// <summary>Private windows, and disks that are full: the next visit is like the first one.</summary>
     [BrowserTheory]
     [InlineData("CacheStorage.prototype.open = () => Promise.reject(new DOMException('no', 'SecurityError'));")]
-    [InlineData("CacheStorage.prototype.match = () => Promise.reject(new DOMException('no', 'SecurityError'));")]
     [InlineData("Cache.prototype.put = () => Promise.reject(new DOMException('full', 'QuotaExceededError'));")]
-    [InlineData("Object.defineProperty(self, 'caches', { value: undefined });")]
-    public async Task WithoutACacheThePageDrawsEachTimeItIsLoaded(string refusal)
+    public async Task WithoutACacheThePageDraws(string refusal)
     {
         await using var web = await FolderPage.FirstVisitAsync(chromium, site, oddity: Before("offline.js", refusal));
-        await web.Page.WaitForFunctionAsync("""
-            () => navigator.serviceWorker.getRegistration().then(found => !found || (!found.installing && !found.waiting))
-            """);
+        await web.Page.ShowsPictureOfAsync(Ball);
+        await web.Page.WaitForFunctionAsync(NothingIsKept);
+        Assert.Equal("", await web.Page.TextOfAsync("#notice"));
+    }
+
+    [BrowserTheory]
+    [InlineData("Object.defineProperty(self, 'caches', { value: undefined });")]
+    [InlineData("CacheStorage.prototype.match = () => Promise.reject(new DOMException('no', 'SecurityError'));")]
+    public async Task WithoutWhatItHasKeptThePageDrawsEachTimeItIsLoaded(string refusal)
+    {
+        await using var web = await FolderPage.FirstVisitAsync(chromium, site, oddity: Before("offline.js", refusal));
+        await web.Page.EvaluateExpressionAsync("navigator.serviceWorker.ready.then(() => true)");
         await web.Page.ReloadAsync();
         await web.Page.ShowsPictureOfAsync(Ball);
         Assert.Equal("", await web.Page.TextOfAsync("#notice"));
