@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace RayCaster.Cli.Tests;
 
 /// <summary>Parts of a picture, and the picture that they make, as commands.</summary>

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.IO.Compression;
 using System.Text;
 using static RayCaster.Files.Tests.Pictures.TestPng;
