@@ -3,6 +3,8 @@ namespace RayCaster.Files.Tests.Meshes;
 /// <summary>The files in scenes/meshes. <c>dotnet run --project tests/Tools/Generator</c> writes them again.</summary>
 public class CommittedMeshesTests
 {
+    public static string[] Names => ["cube.stl", "icosphere.obj", "knot.ply"];
+
     [Theory]
     [InlineData("cube.stl", 12)]
     [InlineData("icosphere.obj", 320)]
