@@ -110,6 +110,6 @@ public class LinkTests(Chromium chromium, Site site)
         await using var tab = await chromium.OpenAsUsualAsync();
         await tab.Page.GoToAsync((await site.ServeAsUsualAsync()).Address + "icon.svg");
         return await tab.Page.EvaluateFunctionAsync<string?>(
-            "link => import('./link.js').then(({ fromLink, isLink }) => isLink(link) ? fromLink(link) : null).then(found => found?.text ?? null)", link);
+            "link => import('./link.js').then(page => page.isLink(link) ? page.fromLink(link) : null).then(found => found?.text ?? null)", link);
     }
 }

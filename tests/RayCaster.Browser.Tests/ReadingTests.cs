@@ -2,7 +2,7 @@ using static RayCaster.Browser.Tests.HostedPage;
 
 namespace RayCaster.Browser.Tests;
 
-/// <summary>Somebody uses the page by mouse, keyboard and fingers, and reads, on a laptop and on a phone. It is the same page from each host.</summary>
+/// <summary>Somebody uses the page and reads, on a laptop and on a phone. The page is the same from each host, so it is asked of one.</summary>
 [Collection("server")]
 public class ReadingTests(Chromium chromium) : HostTests
 {

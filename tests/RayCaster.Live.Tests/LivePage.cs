@@ -127,8 +127,9 @@ internal sealed class LivePage : IAsyncDisposable
         }
         if (receiving.IsCompleted) return await receiving;
         var (state, file) = (Server.Scene.State, FileWatch.StampOf(Scene));
-        throw new TimeoutException($"Nothing came in 30,000 waits of 2 ms or more, and of 10 ms by the server's clock. The server's scene has version {state.Version}, the file {file.Length} bytes of " +
-            $"{file.Time:T}; the pool has {ThreadPool.ThreadCount} threads and {ThreadPool.PendingWorkItemCount} waiting. The last messages:\n" +
+        throw new TimeoutException("Nothing came in 30,000 waits of 2 ms or more, and of 10 ms by the server's clock. The server's scene has " +
+            $"version {state.Version}, the file {file.Length} bytes of {file.Time:T}; the pool has {ThreadPool.ThreadCount} threads and " +
+            $"{ThreadPool.PendingWorkItemCount} waiting. The last messages:\n" +
             string.Join('\n', received.Select(message => message[..Math.Min(300, message.Length)])));
     }
 }

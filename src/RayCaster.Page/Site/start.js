@@ -45,7 +45,8 @@ async function lacks() {
   }
 
   const silent = answers.filter(({ answer }) => !answer);
-  return silent.length > 0 ? `This page cannot start: its host does not answer for ${names(silent)}. Is there a network, or a login in between?` : null;
+  if (silent.length === 0) return null;
+  return `This page cannot start: its host does not answer for ${names(silent)}. Is there a network, or a login in between?`;
 }
 
 const typeOf = answer => answer.headers.get("Content-Type")?.toLowerCase() ?? "";
