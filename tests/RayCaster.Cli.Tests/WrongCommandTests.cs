@@ -22,6 +22,13 @@ public sealed class WrongCommandTests : CommandTests
     }
 
     [Fact]
+    public void AMistakeThatALargeMeshDoesNotShowIsToldAsThat()
+    {
+        raycaster.Run("wrong", Path.Combine(RayCasterProcess.Scenes, "mesh.json"), "tri-uv", "-s", "20x20");
+        Assert.StartsWith("tri-uv: a large mesh is drawn rightly all the same", raycaster.Error);
+    }
+
+    [Fact]
     public void JsonIsOnStandardOutputWhateverIsInTheWay()
     {
         raycaster.Run("diagnose", Room, "nothing.png", "--json");

@@ -27,6 +27,8 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
         var scene = SceneInput.Read(operands[0], line, cancellation, judges: true);
         PictureFile.ThrowIfTooLarge(scene.Camera.Width, scene.Camera.Height); // it is in memory at once
 
+        foreach (var id in ids.Where(id => !MutationCoverage.CanTry(scene, MistakeCatalog.Named(id)!)))
+            line.Warn($"{id}: a large mesh is drawn rightly all the same; draw its triangles as models to see the mistake");
         var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!.Usual);
         PictureOutput.Write(file, Draw(), format, cancellation);
         line.Tell($"{OutputFile.NameOf(file)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");

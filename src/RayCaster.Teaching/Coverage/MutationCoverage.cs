@@ -119,7 +119,7 @@ public sealed class MutationCoverage
     public static bool CanJudge(Scene scene) => scene.Models.Count <= MaxModels;
 
     /// <summary>Whether a scene can show a mistake: a mesh of many triangles is drawn by the definition.</summary>
-    internal static bool CanTry(Scene scene, Mistake mistake) => CanTry(scene, mistake.Usual);
+    public static bool CanTry(Scene scene, Mistake mistake) => CanTry(scene, mistake.Usual);
 
     /// <summary>The same for what people write.</summary>
     internal static bool CanTry(Scene scene, Change change) => change.In(FormulaProgram.For(scene.Camera)) is not { MutatesTriangles: true }
