@@ -79,7 +79,8 @@ internal static partial class TestReport
 
     /// <exception cref="ProblemException">What is wrong with the file, as a sentence that begins with "it".</exception>
     public static IReadOnlyList<ReportedTest> Read(string path) =>
-        Parse(new FileInfo(path).Length == 0 ? [] : [.. InputFile.Read(path, "file", MaxBytes, ": do the tests print too much?")]); // a pipe has no length either
+        Parse(new FileInfo(path).Length == 0 ? [] // a pipe has no length either
+            : [.. InputFile.Read(path, "file", MaxBytes, ": do the tests print too much?")]);
 
     /// <exception cref="ProblemException">The same.</exception>
     internal static IReadOnlyList<ReportedTest> Parse(byte[] report)
@@ -122,7 +123,7 @@ internal static partial class TestReport
     /// <summary>When the run of a test began, as its suite or the run says, or else the test.</summary>
     private static DateTimeOffset? BegunOf(XElement test) =>
         test.Ancestors().Select(suite => Text(suite, "timestamp"))
-            .Concat(test.Ancestors().SelectMany(run => run.Elements().Where(times => times.Name.LocalName == "Times")).Select(times => Text(times, "start")))
+            .Concat(test.Ancestors().Elements().Where(times => times.Name.LocalName == "Times").Select(times => Text(times, "start")))
             .Append(Text(test, "startTime"))
             .Select(text => DateTimeOffset.TryParse(text, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal, out var time) ? time
                 : (DateTimeOffset?)null).FirstOrDefault(time => time is not null);
@@ -142,7 +143,8 @@ internal static partial class TestReport
         var isQualified = type != "" && name.StartsWith(type + ".", StringComparison.Ordinal);
         var step = StepOf(test, type, name);
         var (suite, places) = (type == "" ? Text(test.Parent!, "name") : type, dialect.Others.Where(other => other != "executionId"));
-        return new(string.Join('\n', [$"{step}", suite, name, .. places.Select(place => Text(test, place))]), BegunOf(test), step, Cut(isQualified ? name[(type.Length + 1)..] : name), outcome, Cut(word),
+        var key = string.Join('\n', [$"{step}", suite, name, .. places.Select(place => Text(test, place))]);
+        return new(key, BegunOf(test), step, Cut(isQualified ? name[(type.Length + 1)..] : name), outcome, Cut(word),
             outcome == TestOutcome.Passed && test.Elements().Any(element => attempts.Contains(element.Name.LocalName)),
             test.Elements().Any(error => Text(error, "message").StartsWith(Stopped, StringComparison.Ordinal)));
     }

@@ -8,7 +8,8 @@ internal sealed record StepResult(int Step, int Passed, int Count, bool IsOpen =
 
     /// <summary>Whether the result is about this step: tests fail, too, if a step fails that they use.</summary>
     public bool IsConclusive(IReadOnlyDictionary<int, StepResult> all) =>
-        !IsOpen && (IsPassed || !Enumerable.Range(1, Step is 4 or 5 ? 3 : 2).Any(used => used < Step && all.GetValueOrDefault(used) is { IsPassed: false }));
+        !IsOpen && (IsPassed || !Enumerable.Range(1, Step is 4 or 5 ? 3 : 2)
+            .Any(used => used < Step && all.GetValueOrDefault(used) is { IsPassed: false }));
 
     public override string ToString() => $"{Passed} of {Count} tests of step {Step} pass";
 }
@@ -59,7 +60,8 @@ internal sealed record TestResults(IReadOnlyDictionary<int, StepResult> Steps, I
         foreach (var same in all.GroupBy(row => row.Test.Key))
         {
             var runs = same.GroupBy(row => row.File, row => row.Test).ToArray();
-            ReportedTest[][] last = [.. runs.GroupBy(run => run.Max(test => test.Begun)).OrderBy(time => time.Key).Last().Select(run => run.ToArray())];
+            var newest = runs.GroupBy(run => run.Max(test => test.Begun)).MaxBy(time => time.Key)!;
+            ReportedTest[][] last = [.. newest.Select(run => run.ToArray())];
             if (runs.Any(run => run.Any(test => test.Begun is null))) last = [.. runs.Select(run => run.ToArray())];
             var isCut = last.Length == 1 && same.Key.Contains("···"); // xunit cuts long names, so these are several tests
             var isDisputed = !isCut && last.SelectMany(run => run).Select(test => test.Outcome).Except([TestOutcome.NotRun]).Count() > 1;

@@ -151,6 +151,7 @@ programs_of_the_current_folder() { # they lie where Windows looks first, and the
     cp scenes/first.json "$work/traps"
     for command in dotnet cmd; do cp "$program.exe" "$work/traps/$command.exe"; done
     for command in "live first.json" "handout lab"; do
+        # shellcheck disable=SC2086 # several words
         said=$(cd "$work/traps" && "$work/on_windows" "$program" $command 2>&1 </dev/null) && fail "windows: $command, with dotnet.exe beside"
         [[ $said == *"dotnet is not in PATH"* ]] || fail "windows: $command, with dotnet.exe beside: $said"
     done

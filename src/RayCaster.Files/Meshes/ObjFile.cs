@@ -42,8 +42,8 @@ internal static class ObjFile
         foreach (var (index, line) in ahead)
             if (index > mesh.VertexCount)
                 throw source.ErrorAtLine(line, $"face index {index} is beyond the file's {mesh.VertexCount} vertices");
-        return mesh.Finish(string.Join("; ", ((string?[])[warning, skipped.Warning, mesh.UnusedBlocks()]).OfType<string>()) is { Length: > 0 } warnings ? warnings : null,
-            others: [(lines, "line"), (points, "point")]);
+        var warnings = string.Join("; ", ((string?[])[warning, skipped.Warning, mesh.UnusedBlocks()]).OfType<string>());
+        return mesh.Finish(warnings.Length > 0 ? warnings : null, others: [(lines, "line"), (points, "point")]);
     }
 
     private static void ReadVertex(TextScanner scanner, MeshBuilder mesh)

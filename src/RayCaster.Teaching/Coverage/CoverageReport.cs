@@ -82,7 +82,8 @@ public static class CoverageReport
         else if (fitness.IsCut) text.AppendLine("Not all were compared with each other (--all does): some may not be told apart.");
         if (fitness.NotTried.Count > 0)
             text.AppendLine(
-                $"Not tried, since {(fitness.IsCut ? "the usual amount of work is done (--all tries them)" : $"a mesh of more than {ShapePart.MaxTriangles} triangles is always drawn rightly")}: " +
+                $"Not tried, since {(fitness.IsCut ? "the usual amount of work is done (--all tries them)"
+                    : $"a mesh of more than {ShapePart.MaxTriangles} triangles is always drawn rightly")}: " +
                 $"{string.Join(", ", fitness.NotTried.Select(mistake => mistake.Id))}.");
         return text.ToString();
     }

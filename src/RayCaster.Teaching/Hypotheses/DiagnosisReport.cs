@@ -236,7 +236,8 @@ public static class DiagnosisReport
     {
         if (diagnosis.NotTried.Count > 0)
             text.Wrap("",
-                $"Not tried, since a mesh of more than {ShapePart.MaxTriangles} triangles is always drawn rightly: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
+                $"Not tried, since a mesh of more than {ShapePart.MaxTriangles} triangles is always drawn rightly: " +
+                $"{string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 
     private static string Names(Suspect suspect) => string.Join(" + ", Shown(suspect).Select(NameOf));

@@ -18,10 +18,11 @@ public sealed record MapPicture(Picture Picture, (double Least, double Greatest)
         var camera = scene.Camera;
         if ((long)camera.Width * camera.Height is > MaxPixels and var pixels)
             throw new ProblemException(FormattableString.Invariant(
-                $"a map of {camera.Width} × {camera.Height} has {pixels:N0} pixels; the limit is {MaxPixels:N0}, for all of it is in memory at once"));
+                $"a map of {camera.Width} × {camera.Height} has {pixels:N0} pixels; the limit is {MaxPixels:N0}, as it is in memory at once"));
         var hits = new Renderer(scene, threads).CastHits();
         if (kind == MapKind.Model)
-            return new(Draw(pixel => OfModel(hits.Model[pixel])), null, [.. Enumerable.Range(0, Math.Min(scene.Models.Count, MaxLegend)).Select(OfModel)]);
+            return new(Draw(pixel => OfModel(hits.Model[pixel])), null,
+                [.. Enumerable.Range(0, Math.Min(scene.Models.Count, MaxLegend)).Select(OfModel)]);
 
         var (least, greatest) = (double.PositiveInfinity, double.NegativeInfinity);
         for (var pixel = 0; pixel < hits.Model.Length; pixel++)

@@ -59,7 +59,8 @@ public sealed class HandOutCommandTests : CommandTests
     public void WithoutDotnetNothingIsBuiltAndThatIsTold(string command)
     {
         var isPageBeside = File.Exists(Path.Combine(Path.GetDirectoryName(RayCasterProcess.App)!, "raycaster-live.dll"));
-        Assert.SkipWhen(isPageBeside && command.StartsWith("handout", StringComparison.Ordinal), "the page lies beside this program: nothing is built");
+        Assert.SkipWhen(isPageBeside && command.StartsWith("handout", StringComparison.Ordinal),
+            "the page lies beside this program: nothing is built");
         Directory.CreateDirectory(raycaster.PathOf("tmp"));
         raycaster.Write("dotnet", "").Write("scene.json", "{}").RunInShell($"chmod +x dotnet; PATH=.::/nowhere TMPDIR=$PWD/tmp raycaster {command}");
         Assert.Equal((ExitCode.Failed, "raycaster: dotnet is not in PATH: install it, or add its folder to PATH\n"),

@@ -3,7 +3,8 @@ using System.Text.Json.Nodes;
 
 namespace RayCaster.Files.Tests.Scenes;
 
-/// <summary>Whether the schema accepts and refuses what the reader does is asked once a week, by another program (tests/Campaigns/schema.sh).</summary>
+/// <summary>Whether the schema accepts and refuses what the reader does is tested once a week, by another program
+/// (tests/Campaigns/schema.sh).</summary>
 public class SceneSchemaTests
 {
     private static readonly JsonDocumentOptions lenient = new() { CommentHandling = JsonCommentHandling.Skip, AllowTrailingCommas = true };

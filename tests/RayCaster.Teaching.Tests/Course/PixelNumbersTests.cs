@@ -46,7 +46,8 @@ public class PixelNumbersTests
     [InlineData("Ray", "t > Bias", "t < Bias", "Counts(25.601)", "Bias\" or \"zNear & zFar", Explicit = true)]
     [InlineData("Ray", "z <= ZFar", "z <= ZNear", "Counts(25.601)", "Bias\" or \"zNear & zFar", Explicit = true)]
     [InlineData("Camera", "(2 * (Target", "((Target", "attenuation", "Primitive Shading")]
-    [InlineData("Sphere", "2 * (ray.Direction * CP)", "ray.Direction * CP", "t of ball by AnalyticalSolution", "Sphere – Analytical Solution", Explicit = true)]
+    [InlineData("Sphere", "2 * (ray.Direction * CP)", "ray.Direction * CP", "t of ball by AnalyticalSolution",
+        "Sphere – Analytical Solution", Explicit = true)]
     [InlineData("Vector3", "return new(a.X + b.X, a.Y + b.Y, a.Z + b.Z)", "a.X += b.X; a.Y += b.Y; a.Z += b.Z; return a",
         "a after a + b", "IDE & Vectors")]
     [InlineData("Scene", ": Camera.Shade(ray)", ": ray.HitModel.Color", "bytes", "Ray Casting")]

@@ -68,7 +68,8 @@ public class FormulaProgramTests
     public void AMeshIsHitAsItsTrianglesAre()
     {
         var ball = MeshGenerator.Icosphere(1);
-        var scene = new Scene(new(new(3, 1, 1), Vector3.Zero, width: 60, height: 40), [new Mesh(ball.Vertices, ball.Indices) { Color = new(1, 0.5, 0) }]);
+        var scene = new Scene(new(new(3, 1, 1), Vector3.Zero, width: 60, height: 40),
+            [new Mesh(ball.Vertices, ball.Indices) { Color = new(1, 0.5, 0) }]);
         foreach (var id in new[] { "tri-uv", "dir-unnorm" })
         {
             var triangles = scene.Models.SelectMany<Model, Model>(model => model is not Mesh mesh

@@ -15,7 +15,8 @@ public class LikelyCauseTests
     {
         var ball = Model.Of(((Model<Sphere>)room.Models[5]).Primitive);
         (ball.Name, ball.Color) = ("ball", new(0.2, 0.9, 1));
-        var diagnosis = Diagnosis.Find(room, EditedLab.Render(room with { Models = [.. room.Models.Select((model, i) => i == 5 ? ball : model)] }), new());
+        var other = room with { Models = [.. room.Models.Select((model, i) => i == 5 ? ball : model)] };
+        var diagnosis = Diagnosis.Find(room, EditedLab.Render(other), new());
         Assert.Equal((DiagnosisKind.NoneOfThese, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
         Assert.StartsWith("`ball` has another colour", Assert.Single(diagnosis.Likely));
     }

@@ -24,7 +24,8 @@ public class TestReportTests
 
     [Fact]
     public void ThePageOfLimitsHasTheMostBytesOfAFile() => Assert.Contains(
-        FormattableString.Invariant($"| file of test results | {TestReport.MaxBytes:N0} bytes |"), File.ReadAllText(ProjectFolder.PathOf("docs/limits.md")));
+        FormattableString.Invariant($"| file of test results | {TestReport.MaxBytes:N0} bytes |"),
+        File.ReadAllText(ProjectFolder.PathOf("docs/limits.md")));
 
     [Theory]
     [InlineData("pytest.xml", "3: 1 of 1; 8: 3 of 7", "2 of 9 tests of step 8 did not run (skipped)")]
@@ -120,7 +121,8 @@ public class TestReportTests
         Assert.Equal(told != "", TestResults.ByStep(tests)[8].IsOpen);
 
         static ReportedTest Run(string time, string end) => Assert.Single(Tests(
-            $"<testsuite{(time == "" ? "" : $" timestamp='2026-11-20T0{time}:00'")}><testcase classname='step8' name='near' status='{end}'/></testsuite>"));
+            $"<testsuite{(time == "" ? "" : $" timestamp='2026-11-20T0{time}:00'")}>" +
+            $"<testcase classname='step8' name='near' status='{end}'/></testsuite>"));
     }
 
     [Fact]
@@ -153,7 +155,8 @@ public class TestReportTests
 
     [Fact] // tests of step 3 may be missing
     public void OfARunThatWasStoppedOnlyFailuresCount() => Assert.Equal("8: 0 of 1", Counts(Tests(
-        "<testcase classname='Step03' name='a'/><testcase classname='Step08' name='b'><error message='The run was stopped in this test.'/></testcase>")));
+        "<testcase classname='Step03' name='a'/><testcase classname='Step08' name='b'>" +
+        "<error message='The run was stopped in this test.'/></testcase>")));
 
     [Fact] // xunit's names begin with the class
     public void TestsOfWholePicturesDoNotCountWhateverWritesTheirNames() => Assert.Equal("8: 1 of 1",

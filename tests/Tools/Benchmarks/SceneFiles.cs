@@ -10,7 +10,8 @@ internal static class SceneFiles
         using var writer = new StreamWriter(path);
         var camera = scene.Camera;
         writer.WriteLine(Line($"{{ \"camera\": {{ \"position\": {camera.Position}, \"target\": {camera.Target}, \"up\": {camera.Up},"));
-        writer.WriteLine(Line($"    \"fovY\": {camera.FovY:R}, \"zNear\": {camera.ZNear:R}, \"zFar\": {camera.ZFar:R}, \"width\": 1920, \"height\": 1080 }},"));
+        writer.WriteLine(Line($"    \"fovY\": {camera.FovY:R}, \"zNear\": {camera.ZNear:R}, \"zFar\": {camera.ZFar:R},"));
+        writer.WriteLine(Line($"    \"width\": 1920, \"height\": 1080 }},"));
         writer.WriteLine(Line($"  \"background\": {Vector(scene.Background)}, \"models\": ["));
         for (var i = 0; i < scene.Models.Count; i++)
         {
