@@ -16,14 +16,12 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
     private PictureComparison? Result => Mine is null ? null : field ??= PictureComparison.With(Scene, Mine);
 
     /// <summary>The words for the page, without the diagnosis.</summary>
-    /// <param name="isVerdict">Whether only the verdict is told: a browser finds the rest seconds later.</param>
-    public byte[] Message(bool isVerdict) => Messages.Of(new
+    public byte[] Message() => Messages.Of(new
     {
         Kind = "comparison",
         Name,
         Problem,
-        IsVerdict = isVerdict,
-        Text = Result is null ? null : isVerdict ? "Looking for what is wrong …" : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
+        Text = Result is null ? null : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
         Verdict = Result is null ? null : ComparisonText.Format(Result.Likeness),
         HasLayers = Result?.Difference is not null,
         Middle = Result?.Difference?.WrongMiddle is var (x, y) ? (int[])[x, y] : null,

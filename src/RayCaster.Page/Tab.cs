@@ -179,9 +179,8 @@ internal sealed partial class Tab(
 
     private async Task SendAsync(Comparison comparison, int version)
     {
-        await SendAsync(await studio.DoAsync(() => comparison.Message(isVerdict: true), end));
         foreach (var (layer, frame) in comparison.Frames()) await SendFrameAsync(frame, layer, version, isFinal: true);
-        await SendAsync(await studio.DoAsync(() => comparison.Message(isVerdict: false), end));
+        await SendAsync(await studio.DoAsync(comparison.Message, end));
         if (comparison.ByObject() is { } byObject) await SendFrameAsync(byObject, Layer.ByObject, version, isFinal: true);
     }
 

@@ -26,8 +26,7 @@ on("comparison", message => {
   for (const option of $("mine-show").options) option.disabled = !message.hasLayers && option.value !== "none";
   if (!message.hasLayers) $("mine-show").value = "none";
   diagnosing(false);
-  $("diagnose").disabled = message.isVerdict;
-  if (message.isVerdict) forget("objects");
+  forget("objects");
   arrange();
   if (isNew) reveal($("comparison"));
   isNew = false;

@@ -16,6 +16,9 @@ internal static class ChangeSource
         return new(ways, Priors.NotYet) { Missing = part };
     }
 
+    /// <summary>Lines that no loop reaches.</summary>
+    public static Change Of(UnreachedLines lines) => new([[new StepChange.Unreached(lines)]], lines.Bits) { Unreached = lines };
+
     /// <summary>Known mistakes, each in all its ways.</summary>
     /// <param name="likely">Which are likelier than the others; null for none.</param>
     public static IEnumerable<Change> Of(IEnumerable<Mistake> known, Predicate<Change>? likely) =>

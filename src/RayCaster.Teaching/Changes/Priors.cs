@@ -16,9 +16,18 @@ internal static class Priors
     /// <summary>A known mistake that fewer people make, and one that is unlikely by what else is known of the program.</summary>
     public const double Rare = 1, Unlikely = 1.5;
 
-    /// <summary>One model that is not drawn; another number in the scene: which one, and its value; the same in place of two mistakes of the
-    /// camera, of which some pair draws nearly each angle.</summary>
-    public const double MissingModel = 9, NumberOfScene = 16, NumberForTwo = 13.5;
+    /// <summary>One model that is not drawn, and what several of a kind cost more; another colour of a model.</summary>
+    public const double MissingModel = 9, Several = 3, OtherColor = 12;
+
+    /// <summary>Another number in the scene: which one, and its value; the same in place of two mistakes of the camera, of which some pair draws
+    /// nearly each angle.</summary>
+    public const double NumberOfScene = 16, NumberForTwo = 13.5;
+
+    /// <summary>Another place for all pixels; another value for each; single pixels that are lost.</summary>
+    public const double Places = 9, Values = 13, LostPixels = 12;
+
+    /// <summary>Lines that no loop reached, of the grey that new memory has, or of any colour, which shapes may have.</summary>
+    public const double Lines = 8, LinesOfAnyColor = 12;
 
     /// <summary>What it is worth to leave half as many pixels unexplained.</summary>
     public const double PerHalf = 8;
@@ -32,4 +41,10 @@ internal static class Priors
     /// <summary>Explanations that are longer by less than this are told as equally likely: the shortest has less than 90 % of the probability.
     /// </summary>
     public const double AsLikely = 3;
+
+    /// <summary>
+    /// The bits of pixels that are left unexplained. Their share of the wrong ones is unknown before, from all down to what other last bits may leave:
+    /// each time that it halves is worth the same.
+    /// </summary>
+    public static double BitsOf(double unexplained, double wrong) => PerHalf * Math.Log2(1 + Math.Min(1, unexplained / Math.Max(1, wrong)) / Rounding);
 }

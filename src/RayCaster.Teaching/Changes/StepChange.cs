@@ -88,6 +88,14 @@ internal abstract class StepChange
         public override FormulaProgram? In(FormulaProgram program) => program.Scatters ? null : program with { Scatters = true };
     }
 
+    /// <summary>No loop reaches some lines and columns.</summary>
+    public sealed class Unreached(UnreachedLines lines) : StepChange
+    {
+        public override IEnumerable<StepKind> Steps => [];
+
+        public override FormulaProgram? In(FormulaProgram program) => program.Unreached is null ? program with { Unreached = lines } : null;
+    }
+
     /// <summary>All bytes of the picture are farther on in the file.</summary>
     public sealed class MovedBytes(int count) : StepChange
     {

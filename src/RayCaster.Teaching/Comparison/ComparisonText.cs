@@ -8,11 +8,6 @@ public static class ComparisonText
 
     internal const string Cropped = "Was it cropped on its way, for example by a screenshot?";
 
-    /// <summary>A sentence for a picture of which every channel is as many levels too bright, or too dark.</summary>
-    internal static string Shifted(int levels) =>
-        $"Every channel is {Digits.Count(Math.Abs(levels), "level")} {(levels > 0 ? "brighter" : "darker")}: " +
-        "is a number added on its way to a byte?";
-
     /// <summary>The comparison in whole lines.</summary>
     /// <param name="mine">The name of the picture in question.</param>
     /// <param name="reference">The name of the picture that it should be.</param>
@@ -25,7 +20,7 @@ public static class ComparisonText
             return $"{mine} is wrong: it has {a.Width} x {a.Height} pixels, {reference} has {b.Width} x {b.Height}" +
                 $"{(isSwapped ? ": width and height are swapped" : "")}.\n" +
                 (comparison.Crop is { } crop ? $"It is the right picture without {crop.Missing}. {Cropped}\n" : "")
-                + OneColor(comparison, mine) + Recognized(comparison);
+                + OneColor(comparison, mine) + Observed(comparison);
         }
         return comparison.Likeness switch
         {
@@ -50,9 +45,7 @@ public static class ComparisonText
             $"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n" +
             (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Indented(Rounding(d)) : "")}" : "") +
-            (Math.Abs(d.Shift ?? 0) > 1 && !d.Mine.IsNearlyOneColor ? $"  {Shifted(d.Shift!.Value)}\n" : "") +
-            OneColor(comparison, mine) + Recognized(comparison) +
-            (comparison.Unreached is { } unreached ? $"{unreached.Sentence}\n" : "") +
+            OneColor(comparison, mine) + Observed(comparison) +
             (comparison.ByModels is { } models ? ModelsText.Format(comparison, models, mine) : "");
     }
 
@@ -60,21 +53,9 @@ public static class ComparisonText
         comparison.Mine.IsNearlyOneColor
             ? $"{mine} is all {comparison.Mine.OneColorInWords}: very many mistakes make such a picture, so it proves nothing.\n" : "";
 
-    private static string Recognized(PictureComparison comparison)
-    {
-        if (comparison.Recognition is not { } r) return "";
-        var d = r.Difference;
-        var rest = r.Likeness switch
-        {
-            Likeness.Identical or Likeness.WithinRounding => "right",
-            Likeness.OutlinesOnly => $"right but for {Digits.Count(d.Wrong, "pixel")} on outlines",
-            Likeness.RoundedOtherwise => $"right but for rounding, where {OffByOne(d)}",
-            _ => $"nearly right, but for {Digits.Part(d.Wrong, d.Pixels)}",
-        };
-        var change = r.Transform.Description;
-        return $"{char.ToUpperInvariant(change[0])}{change[1..]} it is {rest}: {r.Transform.Question}\n" +
-            (r.Likeness == Likeness.RoundedOtherwise ? Indented(Rounding(d)) : "");
-    }
+    /// <summary>What is certain; of a picture of one colour that is that it proves nothing.</summary>
+    private static string Observed(PictureComparison comparison) => comparison.Mine.IsNearlyOneColor ? ""
+        : string.Concat(comparison.Observations.Sentences.Select(sentence => sentence + "\n"));
 
     /// <summary>What more pixels are than rounding explains, and why.</summary>
     internal static string RoundedOtherwise(PictureDifference d) =>
@@ -83,7 +64,6 @@ public static class ComparisonText
     /// <summary>Why channels are off by a level; null if they are so both ways.</summary>
     private static string? Rounding(PictureDifference d)
     {
-        if (d.Shift is { } levels) return Shifted(levels);
         var lighter = d.OffByOne - d.OneDarker;
         return lighter <= 0.01 * d.OffByOne
                 ? $"{Digits.Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded? " +

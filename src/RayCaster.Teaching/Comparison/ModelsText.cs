@@ -3,7 +3,7 @@ namespace RayCaster.Teaching.Comparison;
 /// <summary>A comparison in words, model by model.</summary>
 internal static class ModelsText
 {
-    private const int MaxSentences = 6, MaxRows = 20;
+    private const int MaxSentences = 6, MaxRows = 20, MaxNames = 4;
 
     /// <summary>Which models are wrong and how, or why they cannot be compared.</summary>
     public static string Format(PictureComparison comparison, SceneDifference scene, string mine)
@@ -14,10 +14,9 @@ internal static class ModelsText
                 ? $"The scene's own picture is {mine}, not the reference: are the two swapped?\n"
                 : $"The reference is not the picture of this scene: {Digits.Part(own.Wrong, own.Pixels)} differ. " +
                     "So its models are not compared.\n";
-        // A change of the whole picture explains the difference, not single models.
-        if (comparison.Recognition is not null || comparison.Mine.IsNearlyOneColor || comparison.Unreached is { IsRestRight: true }) return "";
-        return string.Concat(Sentences(comparison.Scene!, scene).Select(sentence => sentence + "\n")) +
-            (own.Wrong > 0 ? $"The reference itself differs from the picture of this scene in {Digits.Count(own.Wrong, "pixel")}.\n" : "") +
+        // Values and places of the whole picture explain the difference, not single models.
+        if (comparison.Observations.Best is { Way: not Way.Models } || comparison.Mine.IsNearlyOneColor) return "";
+        return (own.Wrong > 0 ? $"The reference itself differs from the picture of this scene in {Digits.Count(own.Wrong, "pixel")}.\n" : "") +
             Table(scene);
     }
 
@@ -37,29 +36,44 @@ internal static class ModelsText
     /// <summary>What is certain of the kinds of shape, then a sentence for each wrong model.</summary>
     public static IEnumerable<string> Sentences(Scene scene, SceneDifference all)
     {
-        var meant = Meant(all);
+        var meant = Reported(all);
         if (meant is not [{ IsExplained: true }] && all.WrongKinds is { Sentence: { } certain } kinds)
         {
             ModelDifference[] wrong = [.. meant.Where(model => kinds.Has(model.Model) && !(model.IsMissing && kinds.ShowsElsewhere(model.Model)))];
             return OfModels(scene, all, wrong).Prepend(certain);
         }
-        var unexplained = all.Models.Where(model => !model.IsExplained).Sum(model => model.Wrong);
-        if (unexplained > all.Models.Sum(model => model.Pixels) / 2) // a picture from another camera position makes models look "missing", too
-            return ["No single model explains it. Is the camera different, or its target? The target also sets the light."];
         return OfModels(scene, all, meant);
+    }
+
+    /// <summary>What explains a picture without some models, which may be all of a kind that are small.</summary>
+    public static Explanation Missing(Scene scene, SceneDifference all)
+    {
+        var models = all.MissingModels;
+        var kinds = models.Select(model => scene.Models[model].Kind).Distinct().ToArray();
+        var sizes = models.Select(SizeOf).ToArray();
+        var areSmall = models.Count > 1 && kinds is [var kind] && all.ModelAt.Distinct()
+            .Where(model => model >= 0 && scene.Models[model].Kind == kind && !models.Contains(model)).Select(SizeOf).DefaultIfEmpty().Min() > sizes.Max();
+        string[] names = [.. models.Take(MaxNames).Select(model => ModelName.Format(scene, model))];
+        var words = models is [_] ? Reported(all) is [{ IsMissing: true }] ? OfModels(scene, all, Reported(all)).First()
+                : $"{names[0]} is missing: without it the scene gives this picture."
+            : $"{string.Join(", ", names)}{(models.Count > MaxNames ? $" and {models.Count - MaxNames} more" : "")} are missing: without them the scene " +
+                $"gives this picture.{(areSmall ? $" All other {MissingParts.Many(kinds[0])} are larger: is there a limit that depends on the size?" : "")}";
+        return new(Way.Models, $"{words} Is it in your scene, and in the list that your program casts rays at?", Priors.MissingModel + (models.Count > 1 ? Priors.Several * kinds.Length : 0));
+
+        double SizeOf(int model) => scene.Models[model].Bounds is { } box ? (box.Max - box.Min).Length : double.PositiveInfinity;
     }
 
     private static IEnumerable<string> OfModels(Scene scene, SceneDifference all, IReadOnlyList<ModelDifference> meant)
     {
         var edges = all.Models.Sum(model => model.Wrong) - meant.Sum(model => model.Wrong);
-        var agree = meant.Count != 1 || Meant(all).Count != 1 ? ""
+        var agree = meant.Count != 1 || Reported(all).Count != 1 ? ""
             : edges == 0 ? "; all others agree" : $"; all others agree, but for {Digits.Count(edges, "pixel")}";
         return meant.Select(model => Sentence(scene, model) ?? (meant.Count == 1 ? $"{PartOf(model)} are wrong" : null))
             .OfType<string>().Take(MaxSentences).Select(sentence => $"{sentence}{agree}.");
     }
 
     /// <summary>The models to report. A model with only a few wrong pixels beside a wrong model is left out: these are edges or ties.</summary>
-    public static IReadOnlyList<ModelDifference> Meant(SceneDifference all)
+    public static IReadOnlyList<ModelDifference> Reported(SceneDifference all)
     {
         var most = all.Models.Select(model => model.Wrong).DefaultIfEmpty().Max();
         return [.. all.Models.Where(model => model.Wrong > 0 && (model.Wrong >= 0.01 * most || model.Wrong >= 0.01 * model.Pixels))];

@@ -4,7 +4,6 @@ namespace RayCaster.Teaching.Comparison;
 public sealed class PictureComparison
 {
     private readonly PictureJudge judge;
-    private readonly Lazy<Causes> causes; // the verdict does not wait for them
 
     /// <summary>Compares two pictures, which may have different sizes.</summary>
     /// <param name="scene">The reference's scene, in any size; without it, models are not compared.</param>
@@ -27,7 +26,6 @@ public sealed class PictureComparison
         else Crop = Crop.Find(mine, reference);
         judge = new(reference, ByModels is { IsReferenceOwn: true } ? Scene : null);
         Likeness = Difference is null ? Likeness.Wrong : judge.Judge(Difference);
-        causes = new(FindCauses);
     }
 
     /// <summary>Compares with a scene's own picture. Its rays are cast once, for the picture and for the models that it shows.</summary>
@@ -52,25 +50,13 @@ public sealed class PictureComparison
     /// <summary>Where the pictures differ; null if their sizes do.</summary>
     public PictureDifference? Difference { get; }
 
-    /// <summary>A change of the whole picture that explains the difference; null if there is none.</summary>
-    internal Recognition? Recognition => causes.Value.Recognition;
-
     /// <summary>What the picture lacks at its border, if it is right but for that.</summary>
     internal Crop? Crop { get; }
 
-    /// <summary>The pixels that no loop reached; null if there are none.</summary>
-    internal UnreachedPixels? Unreached => causes.Value.Unreached;
+    /// <summary>What a wrong picture shows; found when it is first asked for.</summary>
+    internal Observations Observations => field ??= new(Mine, Reference, Difference, ByModels is { IsReferenceOwn: true } ? ByModels : null,
+        ByModels is { IsReferenceOwn: true } ? Scene : null, judge);
 
     /// <summary>The difference model by model; null without a scene, or if the sizes differ.</summary>
     internal SceneDifference? ByModels { get; }
-
-    private Causes FindCauses()
-    {
-        if (Likeness != Likeness.Wrong) return new(null, null);
-        var unreached = Difference is null ? null : UnreachedPixels.Find(Difference, Scene);
-        return new(unreached, unreached is { IsRestRight: true } ? null : new TransformFinder(Mine, Reference, Difference, judge).Find());
-    }
-
-    /// <summary>What may have made a wrong picture; no more than one is certain.</summary>
-    private sealed record Causes(UnreachedPixels? Unreached, Recognition? Recognition);
 }

@@ -34,26 +34,6 @@ public sealed class PictureDifference
     /// <summary>Those of <see cref="OffByOne"/> with no channel lighter than it should be, as truncation makes them.</summary>
     public int OneDarker { get; private set; }
 
-    /// <summary>By how many levels every channel is brighter, up to 255, or, below 0, darker, down to 0; null if it is not the same for
-    /// all.</summary>
-    public int? Shift
-    {
-        get
-        {
-            var (most, changed) = (0, 0);
-            for (var i = 0; i < Mine.Rgb.Length; i++)
-            {
-                var levels = Mine.Rgb[i] - Reference.Rgb[i];
-                if (levels != 0) changed++;
-                if (Math.Abs(levels) > Math.Abs(most)) most = levels;
-            }
-            if (changed <= Mine.Rgb.Length / 10) return null; // few: the others may be at an end by chance
-            for (var i = 0; i < Mine.Rgb.Length; i++)
-                if (Mine.Rgb[i] != Math.Clamp(Reference.Rgb[i] + most, 0, 255)) return null;
-            return most;
-        }
-    }
-
     /// <summary>Pixels in which a channel differs by more than 1 level.</summary>
     public int Wrong => CountBeyond(1);
 

@@ -9,13 +9,14 @@ internal sealed class SceneDifference
     /// <summary>The most models that are left out one by one, to find whether they are missing.</summary>
     private const int MaxLeftOut = 8;
 
-    /// <summary>The share of pixels that an explanation must cover; pixels on outlines are uncertain.</summary>
-    private const double Nearly = 0.99;
+    /// <summary>The share of a model's pixels that an explanation must cover, and of the wrong pixels; pixels on outlines are uncertain.</summary>
+    private const double Nearly = 0.99, Mostly = 0.95;
 
     private readonly Scene scene;
     private readonly PictureDifference difference;
     private readonly HitMap hits, others; // others: of the scene with fewer models
     private readonly int? threads;
+    private bool isLostKnown;
 
     /// <param name="scene">The scene in the pictures' size.</param>
     /// <param name="threads">How many threads cast rays; one per core if null.</param>
@@ -44,10 +45,11 @@ internal sealed class SceneDifference
     /// picture.</summary>
     public IReadOnlyList<ModelDifference> Models => field ??= IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
 
-    /// <summary>The model without which the scene gives the picture, but for one wrong pixel in twenty; null for none.</summary>
-    public int? MissingModel => PixelsOf.Where(pixels => pixels.Key >= 0).Select(CountWrong)
-        .Where(model => difference.Wrong > 0 && model.Wrong >= 0.95 * difference.Wrong && IsMissing(model))
-        .Select(model => (int?)model.Model).FirstOrDefault();
+    /// <summary>The models without which the scene gives the picture, but for one wrong pixel in twenty; empty if there are none.</summary>
+    public IReadOnlyList<int> MissingModels => field ??= FindMissing();
+
+    /// <summary>Wrong pixels that lie alone; null if they do not.</summary>
+    public LostPixels? LostPixels => isLostKnown ? field : field = FindLost();
 
     /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
     public IReadOnlyList<int> ModelAt => hits.Model;
@@ -110,11 +112,48 @@ internal sealed class SceneDifference
 
     private bool IsMissing(ModelDifference model)
     {
-        var without = scene with { Models = [.. scene.Models.Where((_, i) => i != model.Model)] };
+        var without = Without([model.Model]);
+        return IsExplained(model, pixel => without.BytesAt(others, pixel)) && !WrongKinds.ShowsElsewhere(model.Model);
+    }
+
+    /// <summary>The scene without some models; others are its hits.</summary>
+    private Scene Without(IReadOnlyCollection<int> some)
+    {
+        var without = scene with { Models = [.. scene.Models.Where((_, i) => !some.Contains(i))] };
         new Renderer(without, threads).CastHits(others);
-        return IsExplained(model, pixel => without.BytesAt(others, pixel)) && !Enumerable.Range(0, difference.Pixels).Where(pixel =>
-            Shade.ModelsOf(scene, difference.Mine.At(pixel)).Take(2).SequenceEqual([model.Model]) && !Shows(pixel, without.BytesAt(others, pixel)))
-            .Skip(WrongKinds.LeastShown - 1).Any(); // what shows, at any place, is not missing
+        return without;
+    }
+
+    private int[] FindMissing()
+    {
+        if (difference.Wrong == 0) return [];
+        ModelDifference[] wrong = [.. PixelsOf.Where(pixels => pixels.Key >= 0).Select(CountWrong).Where(model => model.Share >= Nearly / 2)];
+        int[] all = [.. wrong.Where(model => model.Share >= Nearly).Select(model => model.Model)];
+        return [.. ((int[][])[all, .. wrong.Select(model => (int[])[model.Model])]).Select(AreMissing).FirstOrDefault(some => some.Length > 0, [])];
+    }
+
+    /// <summary>Some models, if the scene without them gives the picture, and those behind them that must be missing, too; otherwise none.</summary>
+    private int[] AreMissing(int[] some)
+    {
+        while (some.Length > 0)
+        {
+            var without = Without(some);
+            int[] left = [.. Enumerable.Range(0, difference.Pixels).Where(i => !Shows(i, without.BytesAt(others, i)))];
+            if (left.Length <= (1 - Mostly) * difference.Wrong)
+                return some.Any(WrongKinds.ShowsElsewhere) ? [] : [.. some.Order()];
+            int[] kept = [.. Enumerable.Range(0, scene.Models.Count).Except(some)];
+            int[] behind = [.. left.Where(i => others.Model[i] >= 0).GroupBy(i => others.Model[i])
+                .Where(model => model.Count() >= Nearly * others.Model.Count(other => other == model.Key)).Select(model => kept[model.Key])];
+            if (behind.Length == 0) return [];
+            some = [.. some, .. behind];
+        }
+        return [];
+    }
+
+    private LostPixels? FindLost()
+    {
+        isLostKnown = true;
+        return LostPixels.Find(difference, scene, hits.Model);
     }
 
     /// <summary>The colour that gives the bytes of the model's pixels if it is multiplied by their attenuation; null if none does.</summary>

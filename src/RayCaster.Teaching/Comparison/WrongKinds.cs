@@ -21,6 +21,8 @@ internal sealed class WrongKinds
     private readonly Scene scene;
     private readonly HitMap hits;
     private readonly PictureDifference difference;
+    private readonly int? threads;
+    private readonly ColorMap colors;
     private readonly int[] wrong;
     private readonly int[] rightOf, wrongOf; // how many pixels of each model are right, and wrong
 
@@ -28,19 +30,27 @@ internal sealed class WrongKinds
     /// <param name="difference">That of the picture to the scene's own.</param>
     public WrongKinds(Scene scene, HitMap hits, PictureDifference difference, int? threads)
     {
-        (this.scene, this.hits, this.difference) = (scene, hits, difference);
+        (this.scene, this.hits, this.difference, this.threads) = (scene, hits, difference, threads);
+        colors = new(scene);
         wrong = [.. Enumerable.Range(0, difference.Pixels).Where(difference.IsWrong)];
         (rightOf, wrongOf) = (new int[scene.Models.Count], new int[scene.Models.Count]);
         for (var i = 0; i < difference.Pixels; i++)
             if (hits.Model[i] is >= 0 and var model) (difference.IsWrong(i) ? wrongOf : rightOf)[model]++;
         string[] all = [.. scene.Models.Select(model => model.Kind).Distinct()];
-        if (wrong.Length == 0 || all.Length < 2) return;
-        Kinds = Only(all.Select(kind => (string[])[kind]), threads);
+        if (wrong.Length == 0) return;
+        Kinds = Only(all.Select(kind => (string[])[kind]));
+        if (all.Length == 1) // only models that agree prove anything
+        {
+            Agreeing = ProofWithout([]);
+            if (Kinds.Count > 0 && Agreeing.Count > 0) Agreeing = [];
+            else Kinds = [];
+            return;
+        }
         Agreeing = ProofWithout(Kinds);
         if (Kinds.Count > 0 || Agreeing.Count == 0) return;
         string[] suspected = [.. all.Where(kind => !Agreeing.Any(model => scene.Models[model].Kind == kind))];
         Kinds = Only(suspected.SelectMany((one, i) => suspected.Skip(i + 1).Select(other => (string[])[one, other]))
-            .Where(pair => pair.Length < all.Length), threads);
+            .Where(pair => pair.Length < all.Length));
     }
 
     /// <summary>The kinds, as scene files call them; empty if it is not certain which ones they are.</summary>
@@ -80,14 +90,14 @@ internal sealed class WrongKinds
     public bool ShowsColor((byte, byte, byte) shown) => ModelsOf(Kinds).Any(model => Shade.IsOf(shown, scene.Models[model].Color));
 
     /// <summary>The one set of kinds that may be wrong alone; none if several may.</summary>
-    private IReadOnlyList<string> Only(IEnumerable<string[]> sets, int? threads)
+    private IReadOnlyList<string> Only(IEnumerable<string[]> sets)
     {
-        string[][] possible = [.. sets.Where(kinds => MayBeOnly(kinds, threads)).Take(2)];
+        string[][] possible = [.. sets.Where(MayBeOnly).Take(2)];
         return possible is [var only] ? only : [];
     }
 
     /// <summary>Whether all else may be right.</summary>
-    private bool MayBeOnly(string[] kinds, int? threads)
+    private bool MayBeOnly(string[] kinds)
     {
         var rest = scene with { Models = [.. scene.Models.Where(model => !kinds.Contains(model.Kind))] };
         var behind = new Renderer(rest, threads).CastHits();
@@ -137,9 +147,16 @@ internal sealed class WrongKinds
 
     private bool IsBad(int model) => wrongOf[model] > 0 || ShowsElsewhere(model);
 
-    /// <summary>Whether wrong pixels that should show something else show a model's colour, which no other model has.</summary>
-    public bool ShowsElsewhere(int model) => wrong.Where(i => hits.Model[i] != model
-        && Shade.ModelsOf(scene, difference.Mine.At(i)).Take(2).SequenceEqual([model])).Skip(LeastShown - 1).Any();
+    /// <summary>Whether wrong pixels that should show something else show a model's colour, which no other model has, where the model alone would
+    /// not show it: there it lies behind one that is missing.</summary>
+    public bool ShowsElsewhere(int model)
+    {
+        int[] places = [.. wrong.Where(i => hits.Model[i] != model && colors.ModelOf(difference.Mine.At(i)) == model)];
+        if (places.Length < LeastShown) return false;
+        var alone = scene with { Models = [scene.Models[model]] };
+        var own = new Renderer(alone, threads).CastHits();
+        return places.Count(i => own.Model[i] < 0 || !PictureJudge.IsNear(difference.Mine.At(i), alone.BytesAt(own, i))) >= LeastShown;
+    }
 
     private IEnumerable<int> ModelsOf(IReadOnlyCollection<string> kinds) =>
         Enumerable.Range(0, scene.Models.Count).Where(model => kinds.Contains(scene.Models[model].Kind));

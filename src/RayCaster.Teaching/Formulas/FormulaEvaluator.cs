@@ -97,6 +97,9 @@ internal sealed class FormulaEvaluator
             drawn += bytes.Length;
         }
         budget?.Spend(arithmetic.Work);
+        if (program.Unreached is { } lines)
+            foreach (var (at, (x, y)) in groups.SelectMany(group => group.Pixels).Index().Where(pixel => lines.Contains(pixel.Item.X, pixel.Item.Y)))
+                (rgb[3 * at], rgb[3 * at + 1], rgb[3 * at + 2]) = lines.Color;
         return rgb;
     }
 
@@ -193,10 +196,13 @@ internal sealed class FormulaEvaluator
         /// <param name="count">How many values each array has; the last pixel's stands for more.</param>
         public Group((int X, int Y)[] pixels, int count)
         {
-            Shown = pixels.Length;
+            (Pixels, Shown) = (pixels, pixels.Length);
             (X, Y) = (new(new double[count]), new(new double[count]));
             for (var i = 0; i < count; i++) (X.X[i], Y.X[i]) = pixels[Math.Min(i, Shown - 1)];
         }
+
+        /// <summary>Their columns and lines.</summary>
+        public (int X, int Y)[] Pixels { get; }
 
         /// <summary>How many pixels are drawn.</summary>
         public int Shown { get; }

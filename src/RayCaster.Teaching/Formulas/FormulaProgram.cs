@@ -19,6 +19,9 @@ internal sealed record FormulaProgram
     /// <summary>By how many bytes all bytes of the picture are farther on in the file.</summary>
     public int MovedBytes { get; init; }
 
+    /// <summary>Lines and columns that no loop reaches; null for none.</summary>
+    public UnreachedLines? Unreached { get; init; }
+
     /// <summary>Whether the camera stands at T and looks at P.</summary>
     public bool SwapsEnds { get; init; }
 

@@ -4,9 +4,7 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
 /// <param name="done">What the program certainly draws.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
-/// <param name="isLeftOut">Which pixels are not compared, by their places; none if null.</param>
-internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Change>? likely,
-    Func<int, bool>? isLeftOut = null)
+internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Change>? likely)
 {
     /// <summary>What explains a picture leaves at most this share of the wrong pixels.</summary>
     public const double Explained = 0.1;
@@ -26,7 +24,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     /// <summary>How many pixels are drawn with each mistake, at most.</summary>
     private const int Pixels = 6000;
 
-    private readonly PictureSample sample = SampleOf(prepared, picture, isLeftOut);
+    private readonly PictureSample sample = SampleOf(prepared, picture);
 
     private SuspectFinder Suspects => new(prepared, sample);
 
@@ -50,79 +48,28 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         if (prepared.Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
             return Facts with { Kind = DiagnosisKind.Cropped, Missing = crop.Missing };
         if (sample.WrongCount == 0 || (prepared.TooManyModels && sample.IsOnlyOutlines)) return Facts with { Kind = DiagnosisKind.Matches };
-        if (WithoutFormulas() is { } diagnosis) return diagnosis;
-        var plain = PlainPicture.Describe(prepared.Scene, picture, prepared.Right);
-        var tellsNothing = Facts with { Kind = DiagnosisKind.TellsNothing, Likely = plain is null ? [] : [plain] };
-        if (plain is not null && (prepared.TooManyModels || !PlainPicture.IsOneShade(prepared.Scene, picture))) return tellsNothing;
-        if (prepared.TooManyModels) return Facts with { Kind = DiagnosisKind.NoneOfThese };
-        var found = Search();
-        if (plain is null) return found;
-        // All but a mistake that casts the same ray through all pixels would explain one colour by chance.
-        found = found with
-        {
-            Suspects = [.. found.Suspects.Take(1).Where(IsOneRay)],
-        };
-        return found.Suspects.Count > 0 ? found : tellsNothing with { MissingModel = found.MissingModel };
+        var observed = sample.Observe(prepared.Threads);
+        if (observed.Plain is { } plain) return Facts with { Kind = DiagnosisKind.TellsNothing, Likely = [plain] };
+        return prepared.TooManyModels ? Observed(observed) : Search(observed);
     }
 
-    /// <summary>Whether a mistake of the rays alone explains all of a picture.</summary>
-    private static bool IsOneRay(Suspect suspect) =>
-        suspect is { Mistakes: [{ Id: not Change.NoName } mistake], NotYet.Count: 0, Unexplained: < 0.5 }
-        && mistake.Steps.All(step => step.IsOfRays());
-
-    /// <summary>What is said if no loop reached some pixels; otherwise null. The rest of the picture is judged by itself.</summary>
-    private Diagnosis? WithoutFormulas()
+    /// <summary>What is said if no formula explains the picture.</summary>
+    private Diagnosis Observed(Observations observed) => Facts with
     {
-        if (sample.Difference is not { } difference) return null;
-        if (UnreachedPixels.Find(difference, prepared.Scene) is not { } unreached) return null;
-        if (!prepared.TooManyModels && AreDrawn(unreached, OneChange()))
-        {
-            if (!unreached.IsRestRight) return null;
-            var found = Search();
-            return IsOfFile(found) ? found with { Likely = [unreached.Sentence, .. found.Likely] } : found;
-        }
-        if (unreached.IsRestRight) return Facts with { Kind = DiagnosisKind.NotTheFormulas, Likely = [unreached.Sentence] };
-        if (prepared.TooManyModels) return null;
-        var rest = new Decision(prepared, unreached.Rest, done, likely, unreached.Contains).Decide();
-        if (rest.Suspects is [var suspect, ..]
-            && AreDrawn(unreached, [Hypothesis.Create([prepared.Scene], suspect.Mistakes)?.Programs[0]])) return null;
-        return rest with
-        {
-            Kind = rest.Kind == DiagnosisKind.Matches ? DiagnosisKind.NotTheFormulas : rest.Kind,
-            Likely = [unreached.Sentence, .. rest.Likely],
-            WrongCount = sample.WrongCount,
-        };
-    }
-
-    /// <summary>Whether the first suspect is a mistake in the places that a program writes to.</summary>
-    private static bool IsOfFile(Diagnosis found) =>
-        found.Suspects is [{ Mistakes: [var mistake] }, ..] && mistake.Steps.All(step => step == StepKind.File);
-
-    /// <summary>The programs with one known mistake, or without a kind of shape.</summary>
-    private IEnumerable<FormulaProgram?> OneChange()
-    {
-        var right = FormulaProgram.For(prepared.Scene.Camera);
-        return prepared.Known.SelectMany(mistake => mistake.Changes)
-            .Concat(prepared.Scene.Models.Select(model => model.Kind).Distinct().Select(ChangeSource.Missing)).Select(change => change.In(right));
-    }
-
-    /// <summary>Whether one of some programs gives these pixels their colour and explains much of the picture: then it has reached them.</summary>
-    private bool AreDrawn(UnreachedPixels unreached, IEnumerable<FormulaProgram?> programs)
-    {
-        var area = new PictureSample(prepared.Scene, prepared.Right, picture, Pixels, forgiveOutlines: false, prepared.Budget,
-            pixel => !unreached.Contains(pixel));
-        return programs.Any(program => area.Residual(program, 0.1).Unexplained <= Explained * area.WrongCount
-            && sample.Residual(program).Unexplained <= sample.WrongCount - (1 - Explained) * area.WrongCount);
-    }
+        Kind = observed.Best?.Way == Way.Places ? DiagnosisKind.NotTheFormulas : DiagnosisKind.NoneOfThese,
+        Likely = observed.Sentences,
+        MissingModel = observed.MissingModels,
+        IsOfScene = observed.IsOfScene,
+    };
 
     /// <summary>The pixels that count. If most of the wrong ones lie on outlines, these count too where one mistake explains all of them: a box
     /// that loses its edge to 0 · ∞ is not forgiven.</summary>
-    private static PictureSample SampleOf(SceneDiagnosis prepared, Picture picture, Func<int, bool>? isLeftOut)
+    private static PictureSample SampleOf(SceneDiagnosis prepared, Picture picture)
     {
         var (scene, right) = (prepared.Scene, prepared.Right);
-        var sample = new PictureSample(scene, right, picture, Pixels, !prepared.TooManyModels, prepared.Budget, isLeftOut);
+        var sample = new PictureSample(scene, right, picture, Pixels, !prepared.TooManyModels, prepared.Budget);
         if (sample.WrongCount >= sample.OutlineCount || sample.OutlineCount <= MutationCoverage.LeastPixels) return sample;
-        var strict = new PictureSample(scene, right, picture, Pixels, forgiveOutlines: false, prepared.Budget, isLeftOut);
+        var strict = new PictureSample(scene, right, picture, Pixels, forgiveOutlines: false, prepared.Budget);
         return prepared.Known.Any(IsAll) ? strict : sample;
 
         // A mistake of the camera may by chance be the last bits of another program.
@@ -130,45 +77,31 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
             strict.Residual(change.In(FormulaProgram.For(scene.Camera)), share).Unexplained <= Explained * strict.WrongCount));
     }
 
-    /// <summary>Searches, and decides: named is what is shorter than any other explanation.</summary>
-    private Diagnosis Search()
+    /// <summary>Searches, and decides: what is shorter than any other explanation is told.</summary>
+    private Diagnosis Search(Observations observed)
     {
-        var byModels = sample.Difference is { } difference ? new SceneDifference(prepared.Scene, difference, prepared.Threads) : null;
-        var missing = byModels?.MissingModel;
-        var byMissingModel = missing is { } model ? Priors.MissingModel + sample.BitsOf(sample.Residual(
-            prepared.Scene with { Models = [.. prepared.Scene.Models.Where((_, i) => i != model)] }, FormulaProgram.For(prepared.Scene.Camera)))
-            : double.PositiveInfinity;
-        var none = Facts with
-        {
-            Kind = DiagnosisKind.NoneOfThese,
-            MissingModel = missing is { } lost ? ModelName.Format(prepared.Scene, lost) : null,
-            IsOfScene = byModels?.WrongKinds.IsCertain == true,
-        };
-
-        var ranked = new HypothesisSearch([sample], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible).Run();
+        var without = observed.Best?.Total(sample.WrongCount) ?? Priors.OtherProgram;
+        var ranked = new HypothesisSearch([sample], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible,
+            sample.Difference is { } difference ? UnreachedLines.Find(difference) : null, without).Run();
         var best = ranked[0];
-        var isEnough = best.Total < Math.Min(Priors.OtherProgram, byMissingModel);
-        var (sentences, byNumber) = missing is null ? OtherCause(best, byModels, isEnough) : ([], double.PositiveInfinity);
-        if (isEnough && best.Total <= byNumber) return Naming(none, best, ranked, sentences);
-
-        if (sample.IsOnlyOutlines) return none with { Kind = DiagnosisKind.Matches };
-        if (missing is not null) return none;
-        if (byNumber < best.Total) return none with { Likely = sentences, IsOfScene = true };
-        if (sentences.Count == 0 && LikelyCause.OfTheWhole(sample) is { } whole) sentences = [whole];
-        return none with { Likely = sentences, Nearest = NearestOf(ranked, best, byModels?.WrongKinds), IsOpen = true };
+        var (sentence, byNumber) = observed.Best is null ? OtherNumberFor(best, observed) : default;
+        if (sentence is not null && byNumber < Math.Min(best.Total, without))
+            return Facts with { Kind = DiagnosisKind.NoneOfThese, Likely = [sentence], IsOfScene = true };
+        if (best.Total < without) return Naming(Facts, best, ranked);
+        if (sample.IsOnlyOutlines) return Facts with { Kind = DiagnosisKind.Matches };
+        var none = Observed(observed);
+        return observed.Best is not null ? none
+            : none with { Nearest = NearestOf(ranked, best, observed.ByModels?.WrongKinds), IsOpen = true };
     }
 
-    /// <summary>The sentences about another cause, and the bits of its explanation of the picture.</summary>
-    private (IReadOnlyList<string> Sentences, double Total) OtherCause(Hypothesis best, SceneDifference? byModels, bool isEnough)
+    /// <summary>What is said if another number of the scene explains the picture, and its bits; null if none does.</summary>
+    private (string? Sentence, double Total) OtherNumberFor(Hypothesis best, Observations observed)
     {
         var isOfCamera = best.Told.Count > 1 && best.Told.All(mistake => mistake.Steps.All(step => step.IsOfRays()));
         var price = isOfCamera ? Priors.NumberForTwo : Priors.NumberOfScene;
-        if (best.Total <= price || sample.IsOnlyOutlines || byModels is null)
-            return ([], double.PositiveInfinity);
-        var (residual, certain) = LikelyCause.Certain(prepared, byModels, sample);
-        var total = certain is null ? double.PositiveInfinity : price + sample.BitsOf(residual);
-        if (total < best.Total) return ([certain!], total);
-        return (isEnough ? [] : [.. LikelyCause.Hints(byModels, sample)], double.PositiveInfinity);
+        if (best.Total <= price || sample.IsOnlyOutlines || observed.ByModels is not { } byModels) return default;
+        var (residual, sentence) = OtherNumber.Find(prepared.Scene, byModels, sample, prepared.Threads);
+        return residual.Unexplained <= Explained * sample.WrongCount ? (sentence, price + sample.BitsOf(residual)) : default;
     }
 
     /// <summary>The known mistakes that explain a part of what is drawn wrong; one of thousands of slips would, by chance.</summary>
@@ -197,7 +130,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     }
 
     /// <summary>Names the best candidate, and others that also explain the picture.</summary>
-    private Diagnosis Naming(Diagnosis facts, Hypothesis best, List<Hypothesis> ranked, IReadOnlyList<string> sentences)
+    private Diagnosis Naming(Diagnosis facts, Hypothesis best, List<Hypothesis> ranked)
     {
         string[] missing = [.. best.MissingShapes];
         if (best.Mistakes.Count == 0 && missing.Length > 0 && sample.BitsOf(best.Residual) > Priors.NotYet)
@@ -205,7 +138,7 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
             // Beside missing shapes a small mistake counts for little, so the rest is judged by itself.
             var drawn = prepared.Scene with { Models = [.. prepared.Scene.Models.Where(model => !missing.Contains(model.Kind))] };
             var partly = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible, prepared.Budget);
-            var rest = new Decision(partly, sample.Picture, done, likely, isLeftOut).Decide();
+            var rest = new Decision(partly, sample.Picture, done, likely).Decide();
             if (rest.Kind != DiagnosisKind.Matches)
                 return facts with
                 {
@@ -227,9 +160,9 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
         Suspect[] suspects = [.. first.Select(candidate => Suspects.Of(candidate, first[0])).DistinctBy(suspect => IdsOf(suspect.Mistakes))];
         return facts with
         {
-            Kind = best.Told.Count > 0 ? DiagnosisKind.Mistake : DiagnosisKind.Unfinished,
+            Kind = best.Told.Count > 0 ? DiagnosisKind.Mistake : best.Missing.Count > 0 ? DiagnosisKind.Unfinished : DiagnosisKind.NotTheFormulas,
             NotYet = best.Missing,
-            Likely = sentences,
+            Likely = [.. best.Changes.Select(change => change.Unreached?.Sentence).OfType<string>()],
             Suspects = suspects is [{ Twins: var twins }, ..] // no mistake is told twice
                 ? [.. suspects.Where((suspect, i) => i == 0 || suspect.Mistakes is not [var one] || twins.All(twin => twin.Id != one.Id))] : [],
             IsOpen = best.Told.Count > 0 && best.Residual.Unexplained >= 0.5,

@@ -30,7 +30,7 @@ public sealed record Diagnosis
     /// <summary>If nothing explains the picture, the nearest mistakes, the one that explains most first.</summary>
     public IReadOnlyList<Suspect> Nearest { get; internal init; } = [];
 
-    /// <summary>The name of the model without which the scene gives the picture; null if there is none.</summary>
+    /// <summary>The names of the models without which the scene gives the picture; null if there are none.</summary>
     public string? MissingModel { get; internal init; }
 
     /// <summary>The lines and columns without which the scene's picture is this one, with <see cref="DiagnosisKind.Cropped"/>; otherwise null.

@@ -34,8 +34,6 @@ public static class DiagnosisReport
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
             text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(IsRestRight(diagnosis) ? " The rest is right." : "")}");
-        else if (diagnosis.MissingModel is { } missing)
-            text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
         AppendLost(text, diagnosis);
         foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
         if (diagnosis.Kind == DiagnosisKind.TellsNothing)
@@ -80,11 +78,6 @@ public static class DiagnosisReport
 
     private static void AppendNone(StringBuilder text, Diagnosis diagnosis, string picture, string scene, HintLevel level)
     {
-        if (diagnosis.MissingModel is not null)
-        {
-            text.AppendLine("No known mistake loses just that. Is it in your scene, and in the list that your program casts rays at?");
-            return;
-        }
         if (diagnosis.TooManyModels)
         {
             text.AppendLine(string.Create(CultureInfo.InvariantCulture,

@@ -11,8 +11,11 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
 /// <param name="budget">How much the search may do; null for any amount. The pictures spend it.</param>
 /// <param name="possible">Which edits are tried that have no name; all if null.</param>
+/// <param name="unreached">Lines that no loop may have reached; null for none.</param>
+/// <param name="shortest">The bits of the shortest explanation without formulas.</param>
 internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
-    int? threads, Predicate<Change>? likely, SearchBudget? budget, Predicate<Change>? possible)
+    int? threads, Predicate<Change>? likely, SearchBudget? budget, Predicate<Change>? possible,
+    UnreachedLines? unreached, double shortest)
 {
     // How much of the sample is looked at, as a share of it: by all hypotheses, and by the best of these. The last look is at all of it.
     private const double FirstLook = 0.008, SecondLook = 0.05;
@@ -48,10 +51,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     private readonly List<Hypothesis> found = []; // compared with all of the sample
     private readonly Hypothesis right = Hypothesis.Create(pictures.Select(picture => picture.Scene))!;
 
-    /// <summary>What nothing explains.</summary>
-    private double Literal => pictures.Count(picture => picture.WrongCount > 0) * Priors.OtherProgram;
-
-    private double Bound => found.Where(of => !of.IsDenied).Select(of => of.Total).Append(Literal).Min();
+    private double Bound => found.Where(of => !of.IsDenied).Select(of => of.Total).Append(shortest).Min();
 
     /// <summary>The hypotheses that were compared with all of the sample, the shortest explanation first.</summary>
     public List<Hypothesis> Run()
@@ -93,12 +93,13 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         Change[] named = [.. ChangeSource.Of(known, likely)];
         var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
         Change[] wordings = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Wordings(scene, known)];
-        Change[] cheap = [.. missing, .. ChangeSource.Styles(scene), .. named.Where(change => change.IsOtherSample)];
+        Change[] lines = unreached is null ? [] : [ChangeSource.Of(unreached)];
+        Change[] cheap = [.. lines, .. missing, .. ChangeSource.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
         // one change, or a program that is not finished
         var singles = Measured([.. named.Select(right.With)], FirstLook);
         var ways = Measured([.. Ways(missing, kinds.Length)], FirstLook);
-        Refine([.. singles.Concat(ways).Concat(Measured([.. wordings.Select(right.With)], FirstLook)).OrderBy(of => of.Total)]);
+        Refine([.. singles.Concat(ways).Concat(Measured([.. lines.Select(right.With)], FirstLook)).Concat(Measured([.. wordings.Select(right.With)], FirstLook)).OrderBy(of => of.Total)]);
         if (Bound < Priors.Known + Priors.NotYet) return;
 
         // with something that costs little, or in an unfinished program

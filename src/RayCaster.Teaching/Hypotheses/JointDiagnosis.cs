@@ -77,19 +77,22 @@ public sealed record JointDiagnosis
         PictureSample[] wrongSamples = [.. wrong.Select(i => samples[i])];
         var none = new JointDiagnosis { Wrong = wrong, Unexplained = wrong };
         if (samples.All(sample => sample.Picture.IsNearlyOneColor)) return none with { TellsNothing = true };
-        if (UnreachedIn(wrongSamples) is { } causes) return none with { Causes = wrong.Zip(causes).ToDictionary() };
-        var ranked = new HypothesisSearch(samples, known, [], 1, null, null, null).Run();
+        Observations[] observed = [.. wrongSamples.Select(sample => sample.Observe(1))];
+        var without = observed.Index().Sum(of => of.Item.Best?.Total(wrongSamples[of.Index].WrongCount) ?? Priors.OtherProgram);
+        var ranked = new HypothesisSearch(samples, known, [], 1, null, null, null, null, without).Run();
         var verdict = ranked[0];
         int[] unexplained = [.. wrong.Where(i => !samples[i].IsExplainedBy(verdict.Programs[i]))];
+        if (without < verdict.Total && observed.All(of => of.Best is not null))
+            return none with { Causes = wrong.Zip(observed.Select(of => of.Best!.Sentence)).ToDictionary() };
         if (2 * unexplained.Length >= wrong.Length)
         {
-            var (steps, note) = OnlyLight(wrongSamples);
+            var (steps, note) = OnlyLight(observed);
             return new(steps)
             {
                 Wrong = wrong,
                 Unexplained = wrong,
                 Nearest = verdict.Told.Count > 0 && verdict.Total < Decision.Mentioned * wrong.Length ? Find(verdict) : null,
-                Note = note ?? OnlyKind(wrongSamples),
+                Note = note ?? OnlyKind(observed),
             };
         }
         Hypothesis?[] less = [WithoutSlight(verdict, samples, wrongSamples)];
@@ -119,14 +122,6 @@ public sealed record JointDiagnosis
 
     private static Suspect Find(Hypothesis hypothesis) => new(
         hypothesis.Mistakes, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, [], hypothesis.Missing, false, false, hypothesis.IsUsual);
-
-    /// <summary>A sentence for each of some pictures if all are right but for pixels that no loop reached; otherwise null.</summary>
-    private static string[]? UnreachedIn(PictureSample[] wrong)
-    {
-        string[] causes = [.. wrong.Select(sample => sample.Difference is { } difference ? UnreachedPixels.Find(difference, sample.Scene) : null)
-            .TakeWhile(found => found?.IsRestRight == true).Select(found => found!.Sentence)];
-        return causes.Length == wrong.Length ? causes : null;
-    }
 
     /// <summary>Programs of as many mistakes as the verdict that are about as short.</summary>
     private static IEnumerable<Hypothesis> AsGood(Hypothesis verdict, List<Hypothesis> ranked) =>
@@ -176,10 +171,9 @@ public sealed record JointDiagnosis
     /// <summary>
     /// The steps where all outlines are right and only the light is not. If it is wrong on one kind of shape, this one's formula may be the reason.
     /// </summary>
-    private static (IReadOnlyCollection<StepKind>? Steps, string? Note) OnlyLight(PictureSample[] wrong)
+    private static (IReadOnlyCollection<StepKind>? Steps, string? Note) OnlyLight(Observations[] wrong)
     {
-        var kinds = wrong.Select(sample => LikelyCause.InAnotherLight(sample, new Renderer(sample.Scene).CastHits().Model))
-            .TakeWhile(kinds => kinds.Count > 0).ToList();
+        var kinds = wrong.Select(of => of.OtherLight).TakeWhile(kinds => kinds.Count > 0).ToList();
         if (kinds.Count < wrong.Length) return default;
         var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value)
             .ToDictionary(kind => kind.Key, kind => kind.Sum());
@@ -190,10 +184,9 @@ public sealed record JointDiagnosis
     }
 
     /// <summary>What the teacher should know where all pictures prove that one kind of shape is wrong and all else is right.</summary>
-    private static string? OnlyKind(PictureSample[] wrong)
+    private static string? OnlyKind(Observations[] wrong)
     {
-        var kinds = wrong.Select(sample => sample.Difference is { } difference
-            ? new SceneDifference(sample.Scene, difference, 1).WrongKinds.Kinds : []).ToArray();
+        var kinds = wrong.Select(of => of.ByModels?.WrongKinds.Kinds ?? []).ToArray();
         return kinds.All(kind => kind.Count == 1) && kinds.Select(kind => kind[0]).Distinct().ToArray() is [var only]
             ? $"only {MissingParts.Many(only)} are wrong" : null;
     }

@@ -14,10 +14,6 @@ internal sealed class PictureSample
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.05;
 
-    /// <summary>A piece of a shape is a smaller share of its pixels, of which a greater share has a neighbour that shows, too. Last bits would leave
-    /// more pixels, and scatter them.</summary>
-    private const double MostOfPiece = 0.3, LeastBeside = 0.6;
-
     /// <summary>The share of a picture's pixels that last bits may change.</summary>
     private const double LastBits = 0.002;
 
@@ -30,25 +26,21 @@ internal sealed class PictureSample
     private readonly int most;
     private readonly int allWrong; // also those that a first mistake explains
     private readonly Lazy<Dictionary<string, (int X, int Y)[]>> shownKinds;
-    private readonly Lazy<string[]> pieces;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
     /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
     /// <param name="pixels">The most pixels that are compared; fewer in a scene of many models.</param>
     /// <param name="budget">What drawing spends; null if it is not counted.</param>
-    /// <param name="isLeftOut">Which pixels are not compared, by their places; none if null.</param>
-    public PictureSample(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true, SearchBudget? budget = null,
-        Func<int, bool>? isLeftOut = null)
+    public PictureSample(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true, SearchBudget? budget = null)
     {
         (Scene, Picture, Right, this.budget) = (scene, picture, right, budget);
-        shownKinds = new(() => FindShownKinds(isLeftOut));
-        pieces = new(() => [.. shownKinds.Value.Keys.Where(ShowsOnlyAPieceOf)]);
+        (Colors, shownKinds) = (new(scene), new(FindShownKinds));
         most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
         var difference = Difference = HasRightSize ? new PictureDifference(picture, right) : null;
         var judge = new PictureJudge(right, scene);
         List<int> wrong = [], other = [];
         for (var i = 0; i < PixelCount; i++)
-            if (isLeftOut?.Invoke(i) != true) (difference is null || difference.IsWrong(i) ? wrong : other).Add(i);
+            (difference is null || difference.IsWrong(i) ? wrong : other).Add(i);
         DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
         if (forgiveOutlines && difference is not null && wrong.Count <= FewPixels * PixelCount)
         {
@@ -66,7 +58,7 @@ internal sealed class PictureSample
     public PictureSample(PictureSample whole, FormulaProgram first)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
-        (shownKinds, pieces) = (whole.shownKinds, whole.pieces);
+        (shownKinds, Colors) = (whole.shownKinds, whole.Colors);
         basis = first with { MovedBytes = 0 };
         var drawn = whole.Draw(first);
         var isExplained = whole.wrongPixels[..drawn.Wrong].Concat(whole.otherPixels[..drawn.Other]).Index()
@@ -80,7 +72,7 @@ internal sealed class PictureSample
     private PictureSample(PictureSample whole, int[] pixels)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
-        (shownKinds, pieces) = (whole.shownKinds, whole.pieces);
+        (shownKinds, Colors) = (whole.shownKinds, whole.Colors);
         (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
     }
 
@@ -88,14 +80,17 @@ internal sealed class PictureSample
     /// that draws most models right is near, even if a second one changes most of the picture.</summary>
     public PictureSample ByColors()
     {
-        int[][] colors = [.. wrongPixels.Concat(otherPixels).GroupBy(pixel => ColorOf(Picture.At(pixel))).Select(same => same.ToArray())];
-        return new(this, [.. Enumerable.Range(0, 2 * most).SelectMany(k => colors.Where(color => k < color.Length).Select(color => color[k]))]);
+        int[][] alike = [.. wrongPixels.Concat(otherPixels).GroupBy(pixel => ColorOf(Picture.At(pixel))).Select(same => same.ToArray())];
+        return new(this, [.. Enumerable.Range(0, 2 * most).SelectMany(k => alike.Where(color => k < color.Length).Select(color => color[k]))]);
 
         int ColorOf((byte, byte, byte) shown) => shown == Scene.Background.ToBytes() ? -1
             : Scene.Models.TakeWhile(model => !Shade.IsOf(shown, model.Color)).Count();
     }
 
     public Scene Scene { get; }
+
+    /// <summary>Which models have a colour.</summary>
+    public ColorMap Colors { get; }
 
     public Picture Right { get; }
 
@@ -119,6 +114,10 @@ internal sealed class PictureSample
 
     /// <summary>How the picture differs from the right one; null if it has another size, and for a second mistake.</summary>
     public PictureDifference? Difference { get; }
+
+    /// <summary>What the whole picture shows.</summary>
+    public Observations Observe(int? threads) => new(Picture, Right, Difference,
+        Difference is null ? null : new(Scene, Difference, threads), Scene, new(Right, Scene));
 
     /// <summary>Whether the picture has the size of the scene's own.</summary>
     public bool HasRightSize => (Right.Width, Right.Height) == (Picture.Width, Picture.Height);
@@ -160,12 +159,8 @@ internal sealed class PictureSample
         public (byte, byte, byte) ColorAt(int i) => (Rgb[3 * i], Rgb[3 * i + 1], Rgb[3 * i + 2]);
     }
 
-    /// <summary>
-    /// The bits of the pixels that are left unexplained. Their share is unknown before, from all that is wrong down to what other last bits may
-    /// leave: each time that it halves is worth the same.
-    /// </summary>
-    public double BitsOf(Residual residual) =>
-        Priors.PerHalf * Math.Log2(1 + Math.Min(1, residual.Weight / Math.Max(1, allWrong)) / Priors.Rounding);
+    /// <summary>The bits of the pixels that are left unexplained.</summary>
+    public double BitsOf(Residual residual) => Priors.BitsOf(residual.Weight, allWrong);
 
     /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
     public bool IsExplainedBy(FormulaProgram program) => Residual(program).Weight <= Math.Min(0.5 * WrongCount,
@@ -179,9 +174,8 @@ internal sealed class PictureSample
     public bool Denies(FormulaProgram program, Predicate<string> isAbout)
     {
         if (!CanDraw(program)) return false;
-        if (program.Scatters && pieces.Value.Any(kind => isAbout(kind))) return true;
         return Lost(Scene, program).Any(kind =>
-            isAbout(kind) || ColorsOf(Draw(program)).All(color => ShownColors.OnlyKindOf(Scene, color) != kind));
+            isAbout(kind) || ColorsOf(Draw(program)).All(color => Colors.KindOf(color) != kind));
 
         static IEnumerable<(byte, byte, byte)> ColorsOf(Drawn drawn) => Enumerable.Range(0, drawn.Wrong + drawn.Other).Select(drawn.ColorAt);
     }
@@ -194,16 +188,6 @@ internal sealed class PictureSample
         let drawn = FormulaEvaluator.Draw(scene, program with { Scatters = false }, places, budget)
         where !places.Index().Any(place => PictureJudge.IsNear(At(drawn, place.Index), Picture[place.Item.X, place.Item.Y]))
         select shown.Key;
-
-    /// <summary>Whether the picture shows few pixels of a kind of shape, but these in a piece: last bits would scatter them.</summary>
-    private bool ShowsOnlyAPieceOf(string kind)
-    {
-        var shown = Enumerable.Range(0, Picture.Count).Count(i => IsOf(Picture, i));
-        var beside = Enumerable.Range(0, Picture.Count - 1).Count(i => IsOf(Picture, i) && IsOf(Picture, i + 1));
-        return shown < MostOfPiece * Enumerable.Range(0, Right.Count).Count(i => IsOf(Right, i)) && beside > LeastBeside * shown;
-
-        bool IsOf(Picture picture, int i) => ShownColors.OnlyKindOf(Scene, picture.At(i)) == kind;
-    }
 
     /// <summary>The share that a program explains of those wrong pixels that show certain colours; 0 if none does.</summary>
     public double ShareExplained(FormulaProgram program, Predicate<(byte, byte, byte)> ofColor)
@@ -269,10 +253,8 @@ internal sealed class PictureSample
     private static (byte, byte, byte) At(byte[] rgb, int i) => (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
 
     /// <summary>Some of the pixels that show a colour that only one kind of shape has, for each kind that shows.</summary>
-    /// <param name="isLeftOut">Which pixels show nothing of the program.</param>
-    private Dictionary<string, (int X, int Y)[]> FindShownKinds(Func<int, bool>? isLeftOut) => Enumerable.Range(0, Picture.Count)
-        .Where(i => isLeftOut?.Invoke(i) != true)
-        .ToLookup(i => ShownColors.OnlyKindOf(Scene, Picture.At(i)) ?? "", i => (i % Picture.Width, i / Picture.Width))
+    private Dictionary<string, (int X, int Y)[]> FindShownKinds() => Enumerable.Range(0, Picture.Count)
+        .ToLookup(i => Colors.KindOf(Picture.At(i)) ?? "", i => (i % Picture.Width, i / Picture.Width))
         .Where(kind => kind.Key != "" && kind.Count() >= WrongKinds.LeastShown).ToDictionary(kind => kind.Key, kind =>
         {
             (int, int)[] all = [.. kind];

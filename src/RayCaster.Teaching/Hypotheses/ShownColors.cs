@@ -15,8 +15,8 @@ internal static class ShownColors
         var seen = new int[kinds.Length];
         foreach (var picture in pictures)
         {
-            CountKinds(picture.Scene, picture.Right, kinds, expected);
-            CountKinds(picture.Scene, picture.Picture, kinds, seen);
+            CountKinds(picture.Colors, picture.Right, kinds, expected);
+            CountKinds(picture.Colors, picture.Picture, kinds, seen);
         }
         string[] unseen = [.. kinds.Where((kind, i) => seen[i] <= expected[i] / 500 && !done.Contains(kind))];
         return from missing in Subsets(unseen).Reverse()
@@ -36,14 +36,10 @@ internal static class ShownColors
         Enumerable.Range(0, 1 << all.Length).Select(bits => all.Where((_, i) => (bits >> i & 1) != 0).ToArray());
 
     /// <summary>Counts, in some thousand pixels, how many show a colour that only one kind has.</summary>
-    private static void CountKinds(Scene scene, Picture picture, string[] kinds, int[] seen)
+    private static void CountKinds(ColorMap colors, Picture picture, string[] kinds, int[] seen)
     {
         var places = new GoldenRatioSequence(picture.Count);
         for (var k = 0; k < Math.Min(8000, picture.Count); k++)
-            if (OnlyKindOf(scene, picture.At(places[k])) is { } only) seen[Array.IndexOf(kinds, only)]++;
+            if (colors.KindOf(picture.At(places[k])) is { } only) seen[Array.IndexOf(kinds, only)]++;
     }
-
-    /// <summary>The only kind of shape that has a colour in some light; null if none or several have it.</summary>
-    public static string? OnlyKindOf(Scene scene, (byte R, byte G, byte B) shown) =>
-        Shade.ModelsOf(scene, shown).Select(model => scene.Models[model].Kind).Distinct().Take(2).ToArray() is [var only] ? only : null;
 }

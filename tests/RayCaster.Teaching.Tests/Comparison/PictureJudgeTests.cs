@@ -62,26 +62,6 @@ public class PictureJudgeTests
     public void ASmallerPictureThatIsWrongIsNotCalledCropped() =>
         Assert.Null(new PictureComparison(SomePictures.Still(96, 63), still).Crop); // the same scene at another size
 
-    [Theory]
-    [InlineData(1, "  Every channel is 1 level brighter: is a number added on its way to a byte?\n")]
-    [InlineData(-1, "  Every channel is 1 level darker: is a number added on its way to a byte?\n")]
-    [InlineData(7, "  Every channel is 7 levels brighter: is a number added on its way to a byte?\n")]
-    public void TheSameNumberOfLevelsEverywhereIsSaid(int levels, string sentence)
-    {
-        var shifted = still.Map(p => (Add(p.R), Add(p.G), Add(p.B)));
-        Assert.Contains(sentence, ComparisonText.Format(new(shifted, still), "mine.png", "right.png"));
-
-        byte Add(byte channel) => (byte)Math.Clamp(channel + levels, 0, 255);
-    }
-
-    [Fact]
-    public void RoundingUpIsNotTakenForAnAddedLevel()
-    {
-        var up = still.Map(p => p);
-        for (var i = 0; i < up.Rgb.Length; i += 2) up.Rgb[i] = (byte)Math.Min(255, up.Rgb[i] + 1);
-        Assert.Null(new PictureDifference(up, still).Shift);
-    }
-
     [Fact]
     public void PicturesOfDifferentSizesAreWrong() =>
         Assert.Equal(Likeness.Wrong, new PictureComparison(SomePictures.Still(64, 96), still).Likeness);

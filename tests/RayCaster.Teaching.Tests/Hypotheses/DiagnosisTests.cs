@@ -54,7 +54,7 @@ public class DiagnosisTests
     {
         var brighter = ScalarRenderer.Render(scene);
         for (var i = 0; i < brighter.Rgb.Length; i++) brighter.Rgb[i] = (byte)Math.Min(255, brighter.Rgb[i] + 1);
-        Assert.Contains("Every channel is 1 level brighter", DiagnosisReport.Text(Diagnosis.Find(scene, brighter, new()), "mine.png", "scene.json"));
+        Assert.Contains("are one level lighter", DiagnosisReport.Text(Diagnosis.Find(scene, brighter, new()), "mine.png", "scene.json"));
     }
 
     /// <summary>As screenshots make them. Nothing of the code is accused.</summary>
