@@ -100,7 +100,7 @@ internal static class MutantNaming
         };
     }
 
-    private static string InWords(string name) => words.GetValueOrDefault(name, name);
+    internal static string InWords(string name) => words.GetValueOrDefault(name, name);
 
     /// <summary>What texts call a step.</summary>
     internal static string SectionOf(StepKind kind) => kind.ToString().ToLowerInvariant();

@@ -29,6 +29,9 @@ internal static class Priors
     /// <summary>Lines that no loop reached, of the grey that new memory has, or of any colour, which shapes may have.</summary>
     public const double Lines = 8, LinesOfAnyColor = 12;
 
+    /// <summary>No explanation without formulas is shorter.</summary>
+    public const double LeastWithoutFormulas = Lines;
+
     /// <summary>What it is worth to leave half as many pixels unexplained.</summary>
     public const double PerHalf = 8;
 

@@ -40,7 +40,8 @@ internal static class ModelsText
         if (meant is not [{ IsExplained: true }] && all.WrongKinds is { Sentence: { } certain } kinds)
         {
             ModelDifference[] wrong = [.. meant.Where(model => kinds.Has(model.Model) && !(model.IsMissing && kinds.ShowsElsewhere(model.Model)))];
-            return OfModels(scene, all, wrong).Prepend(certain);
+            return OfModels(scene, all, wrong).Prepend(certain + (all.LostPixels is null ? ""
+                : " They are full of holes: is something compared with ==, or with a limit that rounding passes?"));
         }
         return OfModels(scene, all, meant);
     }
@@ -58,7 +59,8 @@ internal static class ModelsText
                 : $"{names[0]} is missing: without it the scene gives this picture."
             : $"{string.Join(", ", names)}{(models.Count > MaxNames ? $" and {models.Count - MaxNames} more" : "")} are missing: without them the scene " +
                 $"gives this picture.{(areSmall ? $" All other {MissingParts.Many(kinds[0])} are larger: is there a limit that depends on the size?" : "")}";
-        return new(Way.Models, $"{words} Is it in your scene, and in the list that your program casts rays at?", Priors.MissingModel + (models.Count > 1 ? Priors.Several * kinds.Length : 0));
+        return new(Way.Models, $"{words} Is it in your scene, and in the list that your program casts rays at?", Priors.MissingModel + (models.Count > 1 ? Priors.Several * kinds.Length : 0),
+            all.WrongWithoutMissing);
 
         double SizeOf(int model) => scene.Models[model].Bounds is { } box ? (box.Max - box.Min).Length : double.PositiveInfinity;
     }

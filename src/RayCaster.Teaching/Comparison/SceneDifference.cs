@@ -48,6 +48,9 @@ internal sealed class SceneDifference
     /// <summary>The models without which the scene gives the picture, but for one wrong pixel in twenty; empty if there are none.</summary>
     public IReadOnlyList<int> MissingModels => field ??= FindMissing();
 
+    /// <summary>How many pixels the scene without the missing models leaves wrong.</summary>
+    public int WrongWithoutMissing { get; private set; }
+
     /// <summary>Wrong pixels that lie alone; null if they do not.</summary>
     public LostPixels? LostPixels => isLostKnown ? field : field = FindLost();
 
@@ -139,6 +142,7 @@ internal sealed class SceneDifference
         {
             var without = Without(some);
             int[] left = [.. Enumerable.Range(0, difference.Pixels).Where(i => !Shows(i, without.BytesAt(others, i)))];
+            WrongWithoutMissing = left.Length;
             if (left.Length <= (1 - Mostly) * difference.Wrong)
                 return some.Any(WrongKinds.ShowsElsewhere) ? [] : [.. some.Order()];
             int[] kept = [.. Enumerable.Range(0, scene.Models.Count).Except(some)];

@@ -65,7 +65,8 @@ internal sealed class FormulaEvaluator
     /// <param name="pixels">Columns from the left and lines from the top of the program's file.</param>
     /// <param name="budget">What is spent; null if it is not counted.</param>
     public static byte[] Draw(Scene scene, FormulaProgram program, IReadOnlyList<(int X, int Y)> pixels, SearchBudget? budget = null) =>
-        program.MovedBytes != 0 ? DrawMoved(scene, program, pixels, budget) : new FormulaEvaluator(scene, pixels).Draw(program, budget);
+        pixels.Count == 0 ? [] // all bytes of the pixels that are asked for may have moved out of the file
+            : program.MovedBytes != 0 ? DrawMoved(scene, program, pixels, budget) : new FormulaEvaluator(scene, pixels).Draw(program, budget);
 
     /// <summary>The same where a byte comes from another place in the file; what is before the first or after the last one is a line break.
     /// </summary>

@@ -80,14 +80,15 @@ internal sealed class Decision(SceneDiagnosis prepared, Picture picture, IReadOn
     /// <summary>Searches, and decides: what is shorter than any other explanation is told.</summary>
     private Diagnosis Search(Observations observed)
     {
-        var without = observed.Best?.Total(sample.WrongCount) ?? Priors.OtherProgram;
+        var without = new Lazy<double>(() => observed.Best?.Total(sample.WrongCount) ?? Priors.OtherProgram);
         var ranked = new HypothesisSearch([sample], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible,
             sample.Difference is { } difference ? UnreachedLines.Find(difference) : null, without).Run();
         var best = ranked[0];
+        if (best.Total < Priors.LeastWithoutFormulas) return Naming(Facts, best, ranked);
         var (sentence, byNumber) = observed.Best is null ? OtherNumberFor(best, observed) : default;
-        if (sentence is not null && byNumber < Math.Min(best.Total, without))
+        if (sentence is not null && byNumber < Math.Min(best.Total, without.Value))
             return Facts with { Kind = DiagnosisKind.NoneOfThese, Likely = [sentence], IsOfScene = true };
-        if (best.Total < without) return Naming(Facts, best, ranked);
+        if (best.Total < without.Value) return Naming(Facts, best, ranked);
         if (sample.IsOnlyOutlines) return Facts with { Kind = DiagnosisKind.Matches };
         var none = Observed(observed);
         return observed.Best is not null ? none

@@ -33,7 +33,8 @@ public static class DiagnosisReport
             $"differ by more than {PictureJudge.Tolerance} level.");
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
-            text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(IsRestRight(diagnosis) ? " The rest is right." : "")}");
+            text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(!IsRestRight(diagnosis) ? ""
+                : diagnosis.NotYet.Any(MissingParts.IsShape) ? " All other pixels are right." : " The rest is right.")}");
         AppendLost(text, diagnosis);
         foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
         if (diagnosis.Kind == DiagnosisKind.TellsNothing)
@@ -102,7 +103,8 @@ public static class DiagnosisReport
     private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
     {
         if (diagnosis.Kind == DiagnosisKind.Unfinished && diagnosis.Suspects.Count > 0)
-            text.Wrap("", $"If that is written already, these mistakes also hide it: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
+            text.Wrap("", $"If that is written already, a slip in it, or in what it uses, hides it; so do the mistakes " +
+                $"{string.Join(", ", diagnosis.Suspects.Select(Names))}.");
         else if (diagnosis.NotYet.FirstOrDefault(MissingParts.IsShape) is { } shape)
             text.Wrap("", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes hide it.");
     }
@@ -218,6 +220,8 @@ public static class DiagnosisReport
         text.AppendLine($"  {Explains(diagnosis, suspect)}.");
         if (suspect.OtherSample)
             text.Wrap("  Besides:  ", "the rays pass through another point of each pixel than the scene's \"sample\" says (corner or center).");
+        if (suspect.OtherFormulas.Count > 0)
+            text.Wrap("  Or:       ", $"a slip in {string.Join(", or in ", suspect.OtherFormulas)} draws the same here.");
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
                 (level == HintLevel.Answer ? $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))}"

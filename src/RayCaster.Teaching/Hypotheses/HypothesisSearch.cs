@@ -12,10 +12,10 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <param name="budget">How much the search may do; null for any amount. The pictures spend it.</param>
 /// <param name="possible">Which edits are tried that have no name; all if null.</param>
 /// <param name="unreached">Lines that no loop may have reached; null for none.</param>
-/// <param name="shortest">The bits of the shortest explanation without formulas.</param>
+/// <param name="shortest">The bits of the shortest explanation without formulas; not found where one mistake is shorter than any.</param>
 internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
     int? threads, Predicate<Change>? likely, SearchBudget? budget, Predicate<Change>? possible,
-    UnreachedLines? unreached, double shortest)
+    UnreachedLines? unreached, Lazy<double> shortest)
 {
     // How much of the sample is looked at, as a share of it: by all hypotheses, and by the best of these. The last look is at all of it.
     private const double FirstLook = 0.008, SecondLook = 0.05;
@@ -51,7 +51,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     private readonly List<Hypothesis> found = []; // compared with all of the sample
     private readonly Hypothesis right = Hypothesis.Create(pictures.Select(picture => picture.Scene))!;
 
-    private double Bound => found.Where(of => !of.IsDenied).Select(of => of.Total).Append(shortest).Min();
+    private double Bound => found.Where(of => !of.IsDenied).Select(of => of.Total).Append(shortest.Value).Min();
 
     /// <summary>The hypotheses that were compared with all of the sample, the shortest explanation first.</summary>
     public List<Hypothesis> Run()
@@ -100,7 +100,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         var singles = Measured([.. named.Select(right.With)], FirstLook);
         var ways = Measured([.. Ways(missing, kinds.Length)], FirstLook);
         Refine([.. singles.Concat(ways).Concat(Measured([.. lines.Select(right.With)], FirstLook)).Concat(Measured([.. wordings.Select(right.With)], FirstLook)).OrderBy(of => of.Total)]);
-        if (Bound < Priors.Known + Priors.NotYet) return;
+        if (found.Exists(of => !of.IsDenied && of.Total < Priors.LeastWithoutFormulas) || Bound < Priors.Known + Priors.NotYet) return;
 
         // with something that costs little, or in an unfinished program
         var shortest = found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(MaxBesideCheap).ToArray();

@@ -78,11 +78,12 @@ public sealed record JointDiagnosis
         var none = new JointDiagnosis { Wrong = wrong, Unexplained = wrong };
         if (samples.All(sample => sample.Picture.IsNearlyOneColor)) return none with { TellsNothing = true };
         Observations[] observed = [.. wrongSamples.Select(sample => sample.Observe(1))];
-        var without = observed.Index().Sum(of => of.Item.Best?.Total(wrongSamples[of.Index].WrongCount) ?? Priors.OtherProgram);
+        var without = new Lazy<double>(() =>
+            observed.Index().Sum(of => of.Item.Best?.Total(wrongSamples[of.Index].WrongCount) ?? Priors.OtherProgram));
         var ranked = new HypothesisSearch(samples, known, [], 1, null, null, null, null, without).Run();
         var verdict = ranked[0];
         int[] unexplained = [.. wrong.Where(i => !samples[i].IsExplainedBy(verdict.Programs[i]))];
-        if (without < verdict.Total && observed.All(of => of.Best is not null))
+        if (verdict.Total >= Priors.LeastWithoutFormulas && without.Value < verdict.Total && observed.All(of => of.Best is not null))
             return none with { Causes = wrong.Zip(observed.Select(of => of.Best!.Sentence)).ToDictionary() };
         if (2 * unexplained.Length >= wrong.Length)
         {

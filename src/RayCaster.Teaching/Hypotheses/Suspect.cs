@@ -17,6 +17,9 @@ public sealed record Suspect(
     /// <summary>A right program.</summary>
     internal static Suspect None { get; } = new([], 0, false, [], [], false, false, false);
 
+    /// <summary>Other formulas of the same step in which a slip draws the same, in words.</summary>
+    public IReadOnlyList<string> OtherFormulas { get; init; } = [];
+
     /// <summary>The mistakes, and that of the sample point if it is another.</summary>
     public IEnumerable<Change> AllMistakes => OtherSample ? Mistakes.Append(MistakeCatalog.OtherSample) : Mistakes;
 }

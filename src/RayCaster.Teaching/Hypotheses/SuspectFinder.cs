@@ -3,10 +3,14 @@ namespace RayCaster.Teaching.Hypotheses;
 /// <summary>Finds which of a hypothesis's mistakes show, and which other mistakes draw the same picture.</summary>
 internal sealed class SuspectFinder(SceneDiagnosis prepared, PictureSample sample)
 {
+    /// <summary>How many other formulas are named.</summary>
+    private const int MaxFormulas = 3;
+
     /// <param name="likeliest">The first suspect.</param>
     public Suspect Of(Hypothesis hypothesis, Hypothesis likeliest)
     {
         Mistake[] twins = [];
+        string[] others = [];
         var own = hypothesis.Programs[0];
         var drawn = sample.Draw(own);
         var shown = Visible(hypothesis, drawn);
@@ -16,12 +20,29 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, PictureSample sampl
                 || (change.Missing is not null && hypothesis.Mistakes.Count > 0)))!;
             twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
                 .Where(other => other.Id != named.Id && other.Changes.Any(change => AreAlike(drawn, rest.Plus(change))))];
+            if (ReferenceEquals(hypothesis, likeliest)) others = OtherFormulas(named, own, rest, drawn);
         }
         var isSame = own.Scatters == likeliest.Programs[0].Scatters && sample.AreAlike(drawn, likeliest.Programs[0]);
         var isTypical = hypothesis.Residual.Unexplained <= Decision.Explained * sample.WrongCount && hypothesis.IsUsual;
         shown = [.. shown.Select(mistake => Fits(mistake, hypothesis, drawn) ? mistake : MutantNaming.Unnamed(mistake))];
         return new(shown, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.Missing, isSame,
-            isSame || hypothesis.Total - likeliest.Total < Priors.AsLikely, isTypical);
+            isSame || hypothesis.Total - likeliest.Total < Priors.AsLikely, isTypical) { OtherFormulas = others };
+    }
+
+    /// <summary>The formulas of the step that a mistake changes in which a slip draws the same, but for its own, in words: the scene cannot tell them
+    /// apart.</summary>
+    private string[] OtherFormulas(Change named, FormulaProgram own, Hypothesis rest, PictureSample.Drawn drawn)
+    {
+        if (named.OwnSteps.Distinct().ToArray() is not [var step] || !step.IsOfShape() && !step.IsOfRays()) return [];
+        var right = FormulaBook.Slides[step, own[step].Style];
+        var changed = right.Formulas.Where(formula => !own[step].Formulas.Contains(formula)).Select(formula => formula.Computed);
+        Mutant[] slips = [.. MutantFactory.MutantsOf(right).Where(mutant => mutant.Formula is not null && mutant.Label != named.Id)];
+        return
+        [
+            .. slips.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
+                .Where(mutant => AreAlike(drawn, rest.Plus(ChangeSource.Of(mutant)))).AsEnumerable()
+                .Select(mutant => mutant.Formula!.Computed).Distinct().Except(changed).Select(MutantNaming.InWords).Take(MaxFormulas),
+        ];
     }
 
     /// <summary>The mistakes that would also make a program lose the missing shapes.</summary>
@@ -41,8 +62,17 @@ internal sealed class SuspectFinder(SceneDiagnosis prepared, PictureSample sampl
     /// <summary>Whether the question of a mistake fits a slip that has its name. A question about a size fits only if the picture is also that of
     /// what people write who make the mistake: "half of the height" is no question about one that is twice too large.</summary>
     private bool Fits(Change slip, Hypothesis hypothesis, PictureSample.Drawn drawn) => slip is not { Mutant: { } mutant, Mistake: { } mistake }
-        || !IsOfSize(mutant)
-        || mistake.Changes.Any(change => AreAlike(drawn, With(hypothesis.Changes.Select(own => own == slip ? change : own))));
+        || IsAbout(mistake, mutant) && (!IsOfSize(mutant)
+            || mistake.Changes.Any(change => AreAlike(drawn, With(hypothesis.Changes.Select(own => own == slip ? change : own)))));
+
+    /// <summary>Whether a mistake is made in the formula that is edited. Only the slides' own style has its names.</summary>
+    private static bool IsAbout(Mistake mistake, Mutant mutant)
+    {
+        if (mutant.Formula is not { } formula || mutant.Right != FormulaBook.Slides.StylesOf(mutant.Section.Kind)[0]) return true;
+        string[] names = [.. mistake.Changes.SelectMany(change => change.Ways[0]).OfType<StepChange.Written>()
+            .Where(step => step.Kind == mutant.Section.Kind && step.Style is null).SelectMany(step => step.Formulas).Select(written => written.Name)];
+        return names.Length == 0 || names.Contains(formula.Name == Formula.Near || formula.Name == Formula.Far ? "hits" : formula.Name.Text);
+    }
 
     private static bool IsOfSize(Mutant mutant) => mutant.Operator.IsOfSize
         || mutant is { Section.Kind: StepKind.Camera, Formula.Right.Dimension.Kind: ValueKind.Number };
