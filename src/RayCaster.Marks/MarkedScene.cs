@@ -3,7 +3,7 @@ namespace RayCaster.Marks;
 /// <summary>A scene that a class is marked by, with what all students share: its picture is drawn once.</summary>
 /// <param name="Name">The scene file's name without its extension.</param>
 /// <param name="Judge">The scene, its picture, and the mistakes that show in it.</param>
-internal sealed record MarkedScene(string Name, SceneDiagnosis Judge)
+internal sealed record MarkedScene(string Name, Diagnoser Judge)
 {
     public Scene Scene => Judge.Scene;
 

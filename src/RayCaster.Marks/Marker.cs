@@ -6,7 +6,7 @@ namespace RayCaster.Marks;
 internal sealed class Marker(Rubric rubric)
 {
     /// <summary>What is wrong with pictures, by their hashes: the same pictures are diagnosed once.</summary>
-    private readonly ConcurrentDictionary<string, Lazy<JointDiagnosis>> diagnoses = [];
+    private readonly ConcurrentDictionary<string, Lazy<ProgramDiagnosis>> diagnoses = [];
 
     /// <summary>Judges the pictures of a student together.</summary>
     /// <param name="submitted">A picture of each scene of the rubric.</param>
@@ -41,7 +41,7 @@ internal sealed class Marker(Rubric rubric)
     {
         List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = diagnoses.GetOrAdd(string.Join(' ', pictures.Select(picture => $"{picture.Scene.Name}/{picture.Digest}")),
-            _ => new(() => JointDiagnosis.Find([.. pictures.Select(picture => (picture.Scene.Judge, picture.Picture!))], rubric.Known))).Value;
+            _ => new(() => ProgramDiagnosis.Find([.. pictures.Select(picture => (picture.Scene.Judge, picture.Picture!))], rubric.Known))).Value;
         var verdict = diagnosis.Verdict;
         return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Judge(picture, pictures.IndexOf(picture), diagnosis))],
             [.. MissingParts.All.Intersect(verdict.NotYet)],
@@ -73,13 +73,13 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
-    private static List<MarkedScene> UnderstoodScenes(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
+    private static List<MarkedScene> UnderstoodScenes(List<SubmittedPicture> pictures, ProgramDiagnosis diagnosis) =>
     [
         .. pictures.Select(picture => picture.Scene).Where((_, i) => !diagnosis.Unexplained.Contains(i)
             && (!diagnosis.IsGuess || !diagnosis.Wrong.Contains(i))),
     ];
 
-    private List<ItemMarks> Items(JointDiagnosis diagnosis, List<SubmittedPicture> pictures)
+    private List<ItemMarks> Items(ProgramDiagnosis diagnosis, List<SubmittedPicture> pictures)
     {
         var items = new List<ItemMarks>();
         var understood = UnderstoodScenes(pictures, diagnosis);
@@ -124,12 +124,12 @@ internal sealed class Marker(Rubric rubric)
     private static bool IsOfShapes(RubricItem item) => item.Undone.Any(MissingParts.IsShape);
 
     /// <summary>Whether an item is about a shape that mistakes keep out of all pictures: it may be unwritten.</summary>
-    private static bool IsOutOfSight(RubricItem item, JointDiagnosis diagnosis, List<SubmittedPicture> pictures) =>
+    private static bool IsOutOfSight(RubricItem item, ProgramDiagnosis diagnosis, List<SubmittedPicture> pictures) =>
         diagnosis.Verdict.Mistakes.Count > 0 && item.Undone.Where(MissingParts.IsShape).ToArray() is { Length: > 0 } kinds
             && kinds.Any(kind => pictures.Any(picture => picture.Scene.Needs(kind))) && !kinds.Any(diagnosis.Drawn.Contains);
 
     /// <summary>Whether what has no name, and costs nothing, may be in an item's formulas: it needs their shape, or has a mistake in them.</summary>
-    private static bool Concerns(JointDiagnosis diagnosis, RubricItem item) =>
+    private static bool Concerns(ProgramDiagnosis diagnosis, RubricItem item) =>
         item.Undone.Any(diagnosis.MayBeIn) || item.Mistakes.Any(mistake => diagnosis.MayBeIn(MistakeCatalog.Named(mistake)!));
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
@@ -142,7 +142,7 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <param name="place">The picture's place among those that can be judged.</param>
-    private static SceneMarks Judge(SubmittedPicture picture, int place, JointDiagnosis diagnosis)
+    private static SceneMarks Judge(SubmittedPicture picture, int place, ProgramDiagnosis diagnosis)
     {
         var verdict = !picture.CanBeJudged ? SceneVerdict.NoPicture
             : !diagnosis.Wrong.Contains(place) ? SceneVerdict.Right
@@ -152,7 +152,7 @@ internal sealed class Marker(Rubric rubric)
         return new(picture.Scene.Name, verdict) { Digest = isDistinctive ? picture.Digest : null };
     }
 
-    private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis, string[] ofWrong)
+    private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, ProgramDiagnosis diagnosis, string[] ofWrong)
     {
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
         {

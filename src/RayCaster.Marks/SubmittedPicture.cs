@@ -13,8 +13,8 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     /// <summary>A picture that promises more than so many times the scene's pixels is not read.</summary>
     private const long SizeFactor = 16;
 
-    /// <summary>Whether it has a size in which it can be judged (<see cref="SceneDiagnosis.CanJudge"/>).</summary>
-    public bool CanBeJudged => Picture is not null && SceneDiagnosis.CanJudge(Scene.Scene, Picture);
+    /// <summary>Whether it has a size in which it can be judged (<see cref="Diagnoser.CanJudge"/>).</summary>
+    public bool CanBeJudged => Picture is not null && Diagnoser.CanJudge(Scene.Scene, Picture);
 
     /// <summary>Whether it is what the hand-out draws before anything is written.</summary>
     public bool IsUntouched => CanBeJudged && Picture!.Width == Scene.Right.Width
@@ -39,7 +39,7 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
                     FormattableString.Invariant($"the picture file has {file.Length:N0} bytes, too many for the scene's {pixels:N0} pixels"));
             using var stream = file.OpenRead();
             var picture = PictureFile.Read(stream, 3 * SizeFactor * pixels);
-            return new(scene, picture, SceneDiagnosis.CanJudge(scene.Scene, picture) ? null
+            return new(scene, picture, Diagnoser.CanJudge(scene.Scene, picture) ? null
                 : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels");
         }
         catch (Exception e) when (e is ProblemException || ProblemException.IsCausedByFile(e))

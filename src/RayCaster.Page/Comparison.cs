@@ -9,7 +9,7 @@ namespace RayCaster.Page;
 internal sealed partial record Comparison(string? Name, string? Problem, Picture? Mine, Scene Scene, string SceneName)
 {
     private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds
-    private Diagnosis? diagnosis;
+    private DiagnosisResult? diagnosis;
     private bool isCut;
 
     /// <summary>The comparison, which the first use makes.</summary>
@@ -42,14 +42,14 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
     public async Task<string> DiagnoseAsync(HintLevel level, TimeSpan time, CancellationToken cancellation)
     {
         if (Mine is null) return "";
-        if (!SceneDiagnosis.CanJudge(Scene, Mine)) return "The picture must have the scene's size to be diagnosed.";
+        if (!Diagnoser.CanJudge(Scene, Mine)) return "The picture must have the scene's size to be diagnosed.";
         await turn.WaitAsync(cancellation);
         try
         {
             if (diagnosis is null)
             {
                 var budget = new SearchBudget(lastResort: time, cancellation: cancellation);
-                var found = await Task.Run(() => Diagnosis.Find(Scene, Mine, budget), CancellationToken.None);
+                var found = await Task.Run(() => DiagnosisResult.Find(Scene, Mine, budget), CancellationToken.None);
                 cancellation.ThrowIfCancellationRequested();
                 (diagnosis, isCut) = (found, found.IsOpen && budget.UsedUp is not null);
             }

@@ -96,7 +96,7 @@ internal static class Messages
     }
 
     /// <summary>The ledger: in how many pixels each model shows, or why it does not.</summary>
-    public static byte[] OfLedger(Scene scene, HitLedger ledger) => Of(new
+    public static byte[] OfLedger(Scene scene, SceneVisibility ledger) => Of(new
     {
         Kind = "ledger",
         ledger.Rays,

@@ -165,7 +165,7 @@ internal sealed partial class Tab(
     {
         bool diagnoses;
         CancellationTokenSource diagnosis;
-        lock (sync) (diagnoses, diagnosis) = (Takes(Pending.Diagnosis), diagnosing); // "Cancel" may come before the diagnosis begins
+        lock (sync) (diagnoses, diagnosis) = (Takes(Pending.DiagnosisResult), diagnosing); // "Cancel" may come before the diagnosis begins
         if (!Takes(Pending.Comparison) && !diagnoses) return;
         var comparison = mine.CompareWith(state, live.Path);
         if (!ReferenceEquals(comparison, compared))
@@ -207,7 +207,7 @@ internal sealed partial class Tab(
     {
         if (wishes.IsMoving || !Takes(Pending.Ledger)) return;
         var scene = wishes.View.Of(state.Scene!);
-        var ledger = await Task.Run(() => HitLedger.Take(scene, Outdated()));
+        var ledger = await Task.Run(() => SceneVisibility.Take(scene, Outdated()));
         await SendAsync(Messages.OfLedger(scene, ledger));
     }
 

@@ -48,7 +48,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         var scene = SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true);
         var picture = PictureFile.Read(picturePath, StandardStreams.WriteError);
         var size = (scene.Camera.Width, scene.Camera.Height);
-        var hasOtherSize = !SceneDiagnosis.CanJudge(scene, picture);
+        var hasOtherSize = !Diagnoser.CanJudge(scene, picture);
         if (hasOtherSize)
         {
             StandardStreams.WriteError(
@@ -57,7 +57,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
             scene = scene.WithSize(picture.Width, picture.Height);
         }
         var budget = line.Budget();
-        var prepared = new SceneDiagnosis(scene, line.Get(Option.Threads), budget: budget, size: size);
+        var prepared = new Diagnoser(scene, line.Get(Option.Threads), budget: budget, size: size);
         var diagnosis = prepared.Judge(picture, line.Get(parts) ?? WrittenParts.Find());
         var hidden = diagnosis.Kind == DiagnosisKind.Matches ? prepared.Hidden : [];
         var mayChange = diagnosis.IsOpen || diagnosis.Kind == DiagnosisKind.Matches; // after a match it may be the mistakes that cannot show
@@ -69,7 +69,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         return diagnosis.Kind == DiagnosisKind.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
     }
 
-    private static string MoreHelp(Diagnosis diagnosis, HintLevel level) => diagnosis.Kind != DiagnosisKind.Mistake ? "" : level switch
+    private static string MoreHelp(DiagnosisResult diagnosis, HintLevel level) => diagnosis.Kind != DiagnosisKind.Mistake ? "" : level switch
     {
         HintLevel.Symptom => "\nMore help: --hint question, or --hint answer\n",
         HintLevel.Question => "\nMore help: --hint answer\n",

@@ -13,12 +13,12 @@ internal sealed class ModelsCommand() : Command("models", "<scene>", "Says which
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var scene = SceneInput.Read(line.Exactly("<scene>")[0], line, cancellation);
-        StandardStreams.WriteOutput(HitLedger.Take(scene, cancellation).Report());
+        StandardStreams.WriteOutput(SceneVisibility.Take(scene, cancellation).Report());
         return ExitCode.Done;
     }
 
     /// <summary>The same, for a picture that looks like a mistake, unless it takes long.</summary>
     public static string WhyNothingShows(Scene scene, CancellationToken cancellation) =>
-        HitLedger.IsQuick(scene) ? HitLedger.Take(scene, cancellation).Report()
+        SceneVisibility.IsQuick(scene) ? SceneVisibility.Take(scene, cancellation).Report()
         : "The picture shows nothing, or one colour. The command 'models' says why, which takes a while with so many triangles.";
 }

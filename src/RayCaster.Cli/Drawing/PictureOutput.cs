@@ -23,7 +23,7 @@ internal static class PictureOutput
     public static bool Draw(string output, PictureFormat format, RendererChoice renderer, NumberRange lines, PartFacts? part,
         CommandLine line, CancellationToken cancellation)
     {
-        var odd = default(OddPicture);
+        var odd = default(BlankPicture);
         OutputFile.Write(output, cancellation, stream =>
         {
             if (WriteTo(stream, plain: false) is not { } difference) return;

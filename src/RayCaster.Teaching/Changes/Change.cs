@@ -27,7 +27,7 @@ public sealed record Change
     public bool IsUsual { get; internal init; }
 
     /// <summary>The slip of a formula; null for others.</summary>
-    internal Mutant? Mutant { get; init; }
+    internal Mutation? Mutation { get; init; }
 
     /// <summary>What is not written yet: a kind of shape, attenuation or clipping; null for others.</summary>
     internal string? Missing { get; init; }
@@ -45,10 +45,10 @@ public sealed record Change
     public Hint Hint { get => field ?? Mistake?.Hint ?? new("", "", ""); internal init; }
 
     /// <summary>The id of its mistake; <see cref="NoName"/> for a slip without one, empty for what is no mistake.</summary>
-    public string Id => Mistake?.Id ?? (Mutant is null ? "" : Mutant.Label ?? NoName);
+    public string Id => Mistake?.Id ?? (Mutation is null ? "" : Mutation.Label ?? NoName);
 
     /// <summary>The title of the slide with the right formula; empty for what is no mistake.</summary>
-    public string Slide => Mistake?.Slide ?? Mutant?.Section.Slide ?? "";
+    public string Slide => Mistake?.Slide ?? Mutation?.Step.Slide ?? "";
 
     /// <summary>The steps whose formulas are changed: by any way of its mistake, or by the slip.</summary>
     internal IReadOnlySet<StepKind> Steps => Mistake?.Steps ?? OwnSteps.ToHashSet();

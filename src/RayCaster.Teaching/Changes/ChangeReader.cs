@@ -56,9 +56,9 @@ internal static class ChangeReader
 
     private static StepChange? UnsaidOf(string text) => text.Split(' ') switch
     {
-        ["swapped", "ends"] => new StepChange.SwappedEnds(),
-        ["scattered", "triangles"] => new StepChange.ScatteredTriangles(),
-        ["moved", var many, "byte" or "bytes"] => new StepChange.MovedBytes(int.Parse(many, CultureInfo.InvariantCulture)),
+        ["swapped", "ends"] => new StepChange.SwappedEyeAndTarget(),
+        ["scattered", "triangles"] => new StepChange.NoisyTriangles(),
+        ["moved", var many, "byte" or "bytes"] => new StepChange.ByteShift(int.Parse(many, CultureInfo.InvariantCulture)),
         _ => null,
     };
 

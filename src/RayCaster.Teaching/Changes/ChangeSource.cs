@@ -13,7 +13,7 @@ internal static class ChangeSource
         ImmutableArray<ImmutableArray<StepChange>> ways = same.Length == 0 ? [[new StepChange.LeftOut(part)]]
             : [.. same.Aggregate((IEnumerable<ImmutableArray<StepChange>>)[[]], (all, change) =>
                 from before in all from way in change.Ways select before.AddRange(way))];
-        return new(ways, Priors.NotYet) { Missing = part };
+        return new(ways, Priors.MissingPart) { Missing = part };
     }
 
     /// <summary>Lines that no loop reaches.</summary>
@@ -28,92 +28,92 @@ internal static class ChangeSource
 
     /// <summary>Further wordings of known mistakes.</summary>
     public static IEnumerable<Change> Wordings(Scene scene, IReadOnlyCollection<Mistake> known) =>
-        from section in SectionsOf(scene)
-        from mutant in MutantFactory.NamedMutantsOf(section)
-        where known.Any(mistake => mistake.Id == mutant.Label)
-        select Of(mutant);
+        from step in StepsOf(scene)
+        from mutation in MutationFactory.NamedMutationsOf(step)
+        where known.Any(mistake => mistake.Id == mutation.Label)
+        select Of(mutation);
 
     /// <summary>The slips in each step that a scene shows, in each style. Those of a mistake that is not among the known ones are left out.
     /// </summary>
-    public static IEnumerable<Change> Mutants(Scene scene, IReadOnlyCollection<Mistake> known) =>
-        from mutant in MutantsIn(scene)
-        where mutant.Label is null || known.Any(mistake => mistake.Id == mutant.Label)
-        select Of(mutant);
+    public static IEnumerable<Change> Mutations(Scene scene, IReadOnlyCollection<Mistake> known) =>
+        from mutation in MutationsIn(scene)
+        where mutation.Label is null || known.Any(mistake => mistake.Id == mutation.Label)
+        select Of(mutation);
 
     /// <summary>A slip.</summary>
-    public static Change Of(Mutant mutant) => new([[.. mutant.Beside.Append(mutant.Section).Select(section => new StepChange.Mutated(section))]],
-        mutant.Label is null ? Priors.Unknown + Priors.PerCost * (mutant.Cost - 0.8) : Priors.Known + Priors.Wording * mutant.Cost)
+    public static Change Of(Mutation mutation) => new([[.. mutation.Beside.Append(mutation.Step).Select(step => new StepChange.Mutated(step))]],
+        mutation.Label is null ? Priors.Unknown + Priors.PerCost * (mutation.Cost - 0.8) : Priors.Known + Priors.Wording * mutation.Cost)
     {
-        Mutant = mutant,
+        Mutation = mutation,
     };
 
     /// <summary>Other right styles, which show beside a mistake.</summary>
     public static IEnumerable<Change> Styles(Scene scene)
     {
         var slides = FormulaProgram.For(scene.Camera);
-        return from section in SectionsOf(scene)
-               where section.Kind.IsOfShape() || section.Kind is StepKind.Rule or StepKind.Light or StepKind.Pixel
-               orderby Order(section.Kind)
-               where section != slides[section.Kind]
-               select new Change([[new StepChange.OtherStyle(slides[section.Kind], section)]], Priors.Style);
+        return from step in StepsOf(scene)
+               where step.Kind.IsOfShape() || step.Kind is StepKind.Rule or StepKind.Light or StepKind.Pixel
+               orderby Order(step.Kind)
+               where step != slides[step.Kind]
+               select new Change([[new StepChange.OtherStyle(slides[step.Kind], step)]], Priors.Style);
 
         static int Order(StepKind kind) => kind == StepKind.Pixel ? int.MaxValue : (int)kind;
     }
 
-    /// <summary>The sections that a scene shows, in each style.</summary>
-    private static IEnumerable<Step> SectionsOf(Scene scene)
+    /// <summary>The steps that a scene shows, in each style.</summary>
+    private static IEnumerable<Step> StepsOf(Scene scene)
     {
         var shown = scene.Models.Select(model => FormulaEvaluator.KindOf(model)).ToHashSet();
         return from kind in Enum.GetValues<StepKind>()
                where !kind.IsOfShape() || shown.Contains(kind)
-               from section in FormulaBook.Slides.StylesOf(kind)
-               where IsPossible(section, scene)
-               select section;
+               from step in FormulaBook.Slides.StylesOf(kind)
+               where IsPossible(step, scene)
+               select step;
     }
 
-    private static IEnumerable<Mutant> MutantsIn(Scene scene)
+    private static IEnumerable<Mutation> MutationsIn(Scene scene)
     {
-        foreach (var section in SectionsOf(scene))
+        foreach (var step in StepsOf(scene))
         {
-            var mutants = MutantFactory.MutantsOf(section);
-            foreach (var mutant in section.Kind == StepKind.Plane ? [.. mutants, .. shared.Value] : mutants)
+            var mutations = MutationFactory.MutationsOf(step);
+            foreach (var mutation in step.Kind == StepKind.Plane ? [.. mutations, .. shared.Value] : mutations)
             {
-                yield return mutant;
-                if (section.Kind == StepKind.Vectors)
-                    yield return mutant with { Beside = [FormulaBook.Slides[StepKind.Light, "doubled"]], Cost = mutant.Cost + 0.1 };
-                if (section.Kind == StepKind.Camera && mutant.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
-                    yield return mutant with { Beside = [FormulaBook.Slides[StepKind.Rule, "aim"]], Cost = mutant.Cost + 0.1 };
+                yield return mutation;
+                if (step.Kind == StepKind.Vectors)
+                    yield return mutation with { Beside = [FormulaBook.Slides[StepKind.Light, "doubled"]], Cost = mutation.Cost + 0.1 };
+                if (step.Kind == StepKind.Camera && mutation.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
+                    yield return mutation with { Beside = [FormulaBook.Slides[StepKind.Rule, "aim"]], Cost = mutation.Cost + 0.1 };
             }
         }
     }
 
     /// <summary>Slips in the plane's t that circles and triangles share, because it is one method for all of them.</summary>
-    private static readonly Lazy<Mutant[]> shared = new(() =>
+    private static readonly Lazy<Mutation[]> shared = new(() =>
     [
-        .. from mutant in MutantFactory.MutantsOf(FormulaBook.Slides.StylesOf(StepKind.Plane)[0])
-           where mutant.Place is not null
-           let circle = Alike(mutant, FormulaBook.Slides.StylesOf(StepKind.Circle)[0], "C")
-           let triangle = Alike(mutant, FormulaBook.Slides[StepKind.Triangle, "shares"], "A")
+        .. from mutation in MutationFactory.MutationsOf(FormulaBook.Slides.StylesOf(StepKind.Plane)[0])
+           where mutation.Place is not null
+           let circle = Alike(mutation, FormulaBook.Slides.StylesOf(StepKind.Circle)[0], "C")
+           let triangle = Alike(mutation, FormulaBook.Slides[StepKind.Triangle, "shares"], "A")
            where circle is not null
-           from both in triangle is null ? [mutant with { Beside = [circle] }] : (Mutant[])
+           from both in triangle is null ? [mutation with { Beside = [circle] }] : (Mutation[])
            [
-               mutant with { Beside = [circle] }, mutant with { Beside = [circle, triangle] },
-               mutant with { Section = circle, Beside = [triangle] },
+               mutation with { Beside = [circle] }, mutation with { Beside = [circle, triangle] },
+               mutation with { Step = circle, Beside = [triangle] },
            ]
-           select both with { Cost = mutant.Cost + 0.1 },
+           select both with { Cost = mutation.Cost + 0.1 },
     ]);
 
-    /// <summary>A section with the same edit; null if there is none.</summary>
+    /// <summary>A step with the same edit; null if there is none.</summary>
     /// <param name="point">What Q is called there.</param>
-    private static Step? Alike(Mutant mutant, Step section, string point) => MutantFactory.MutantsOf(section).FirstOrDefault(
-        other => other.Operator == mutant.Operator && other.Formula?.Name == mutant.Formula!.Name && other.Meant == mutant.Meant.Replace("Q", point)
-            && other.Written == mutant.Written.Replace("Q", point))?.Section;
+    private static Step? Alike(Mutation mutation, Step step, string point) => MutationFactory.MutationsOf(step).FirstOrDefault(
+        other => other.Operator == mutation.Operator && other.Formula?.Name == mutation.Formula!.Name && other.Meant == mutation.Meant.Replace("Q", point)
+            && other.Written == mutation.Written.Replace("Q", point))?.Step;
 
     /// <summary>Whether a style computes what the scene needs.</summary>
-    private static bool IsPossible(Step section, Scene scene) => section.Kind switch
+    private static bool IsPossible(Step step, Scene scene) => step.Kind switch
     {
-        StepKind.Sample => section == FormulaProgram.For(scene.Camera)[StepKind.Sample],
-        StepKind.Rule => section.Style == "distance" == (scene.Camera.Clip == ClipMode.Distance),
+        StepKind.Sample => step == FormulaProgram.For(scene.Camera)[StepKind.Sample],
+        StepKind.Rule => step.Style == "distance" == (scene.Camera.Clip == ClipMode.Distance),
         _ => true,
     };
 }

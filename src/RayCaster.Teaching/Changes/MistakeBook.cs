@@ -75,7 +75,7 @@ internal static class MistakeBook
         {
             var (step, subjects) = line[..colon].Split(' ', 2) is [var first, var second] ? (first, second) : (line, "");
             return [new(id, (StepChange.Written)ChangeReader.ReadStep(step)[0], [], subjects.Split(" | "),
-                [.. line[(colon + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(name => SlipBook.Slips[name])])];
+                [.. line[(colon + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(name => MutationBook.Slips[name])])];
         }
         return Alternatives(line).SelectMany(ChangeReader.Read).Select(way => new Label(id, null, way, [], []));
     }

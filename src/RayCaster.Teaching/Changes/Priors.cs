@@ -5,12 +5,12 @@ internal static class Priors
 {
     /// <summary>A kind of shape, attenuation or clipping that is not written yet; rays through the other sample point; another right style.
     /// </summary>
-    public const double NotYet = 3, OtherSample = 5, Style = 2;
+    public const double MissingPart = 3, OtherSample = 5, Style = 2;
 
     /// <summary>A known mistake, and what another variant or wording of it costs more; an edit that has no name.</summary>
     public const double Known = 6, Variant = 0.5, Wording = 1.5, Unknown = 11;
 
-    /// <summary>What a unit of <see cref="Mutant.Cost"/> costs.</summary>
+    /// <summary>What a unit of <see cref="Mutation.Cost"/> costs.</summary>
     public const double PerCost = 4;
 
     /// <summary>A known mistake that fewer people make, and one that is unlikely by what else is known of the program.</summary>

@@ -15,7 +15,7 @@ internal abstract class StepChange
     public sealed class Written(
         StepKind kind, string? style, ImmutableArray<StepKind> shapes, ImmutableArray<(string Name, string Right)> formulas) : StepChange
     {
-        /// <summary>Each section with the formulas: a search asks for it thousands of times.</summary>
+        /// <summary>Each step with the formulas: a search asks for it thousands of times.</summary>
         private readonly ConditionalWeakTable<Step, Step> edited = [];
 
         public StepKind Kind => kind;
@@ -34,9 +34,9 @@ internal abstract class StepChange
         public bool IsForAnotherSceneThan(Written other) => IsOfScene && other.Kind == kind && style is not null && other.Style is not null
             && style != other.Style && shapes.SequenceEqual(other.Shapes);
 
-        /// <summary>A section with the formulas.</summary>
-        public Step In(Step section) => formulas.IsEmpty ? section
-            : edited.GetValue(section, own => formulas.Aggregate(own, (all, formula) => all.With(formula.Name, formula.Right)));
+        /// <summary>A step with the formulas.</summary>
+        public Step In(Step step) => formulas.IsEmpty ? step
+            : edited.GetValue(step, own => formulas.Aggregate(own, (all, formula) => all.With(formula.Name, formula.Right)));
 
         public override FormulaProgram? In(FormulaProgram program)
         {
@@ -48,11 +48,11 @@ internal abstract class StepChange
     }
 
     /// <summary>A step with a slip.</summary>
-    public sealed class Mutated(Step section) : StepChange
+    public sealed class Mutated(Step step) : StepChange
     {
-        public override IEnumerable<StepKind> Steps => [section.Kind];
+        public override IEnumerable<StepKind> Steps => [step.Kind];
 
-        public override FormulaProgram? In(FormulaProgram program) => program.With(section, []);
+        public override FormulaProgram? In(FormulaProgram program) => program.With(step, []);
     }
 
     /// <summary>Another right style of a step, where a program has the usual one.</summary>
@@ -73,19 +73,19 @@ internal abstract class StepChange
     }
 
     /// <summary>The camera stands at T and looks at P.</summary>
-    public sealed class SwappedEnds : StepChange
+    public sealed class SwappedEyeAndTarget : StepChange
     {
         public override IEnumerable<StepKind> Steps => [StepKind.Camera];
 
-        public override FormulaProgram? In(FormulaProgram program) => program.SwapsEnds ? null : program with { SwapsEnds = true };
+        public override FormulaProgram? In(FormulaProgram program) => program.SwapsEyeAndTarget ? null : program with { SwapsEyeAndTarget = true };
     }
 
     /// <summary>Last bits decide where a triangle shows.</summary>
-    public sealed class ScatteredTriangles : StepChange
+    public sealed class NoisyTriangles : StepChange
     {
         public override IEnumerable<StepKind> Steps => [StepKind.Triangle];
 
-        public override FormulaProgram? In(FormulaProgram program) => program.Scatters ? null : program with { Scatters = true };
+        public override FormulaProgram? In(FormulaProgram program) => program.HasNoisyTriangles ? null : program with { HasNoisyTriangles = true };
     }
 
     /// <summary>No loop reaches some lines and columns.</summary>
@@ -97,10 +97,10 @@ internal abstract class StepChange
     }
 
     /// <summary>All bytes of the picture are farther on in the file.</summary>
-    public sealed class MovedBytes(int count) : StepChange
+    public sealed class ByteShift(int count) : StepChange
     {
         public override IEnumerable<StepKind> Steps => [StepKind.File];
 
-        public override FormulaProgram? In(FormulaProgram program) => program.MovedBytes != 0 ? null : program with { MovedBytes = count };
+        public override FormulaProgram? In(FormulaProgram program) => program.ByteShift != 0 ? null : program with { ByteShift = count };
     }
 }

@@ -37,7 +37,7 @@ internal static class ModelsText
     public static IEnumerable<string> Sentences(Scene scene, SceneDifference all)
     {
         var meant = Reported(all);
-        if (meant is not [{ IsExplained: true }] && all.WrongKinds is { Sentence: { } certain } kinds)
+        if (meant is not [{ IsExplained: true }] && all.FaultLocalization is { Sentence: { } certain } kinds)
         {
             ModelDifference[] wrong = [.. meant.Where(model => kinds.Has(model.Model) && !(model.IsMissing && kinds.ShowsElsewhere(model.Model)))];
             return OfModels(scene, all, wrong).Prepend(certain + (all.LostPixels is null ? ""

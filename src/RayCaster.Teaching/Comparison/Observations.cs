@@ -50,7 +50,7 @@ internal sealed class Observations
         ? string.Join(", ", missing.Select(model => ModelName.Format(scene!, model))) : null;
 
     /// <summary>Whether what is certain proves that the picture is of this scene.</summary>
-    public bool IsOfScene => ByModels?.WrongKinds.IsCertain == true || Best is not null;
+    public bool IsOfScene => ByModels?.FaultLocalization.IsCertain == true || Best is not null;
 
     /// <summary>What such a picture shows that shows very little, and where to look; null if it shows more, or the right one shows as little.</summary>
     public string? Plain => field ??= FindPlain();
@@ -80,7 +80,7 @@ internal sealed class Observations
             [$"Its colours are those of the scene. {OtherOutlines}"]),
     ];
 
-    private bool IsCertain => ByModels?.WrongKinds.IsCertain == true;
+    private bool IsCertain => ByModels?.FaultLocalization.IsCertain == true;
 
     private string[] KindsOfWrong => field ??= ByModels is null ? [] :
         [.. ModelsText.Reported(ByModels).Where(model => model.Model >= 0).Select(model => scene!.Models[model.Model].Kind).Distinct()];
@@ -96,7 +96,7 @@ internal sealed class Observations
         List<Explanation?> found = [PlaceMap.Find(Mine, Right, judge, difference?.Wrong)];
         if (difference is not null) found.Add(UnreachedLines.Explain(difference, judge));
         // A shape that uncovers what lies behind it changes its own colours into others, too: values that no other shape has.
-        if (difference is not null && ByModels?.WrongKinds.Kinds.Count is not > 0) found.Add(ValueMap.Find(difference, isOfMostValues: ByModels is null));
+        if (difference is not null && ByModels?.FaultLocalization.Kinds.Count is not > 0) found.Add(ValueMap.Find(difference, isOfMostValues: ByModels is null));
         if (ByModels is not null)
         {
             found.Add(ByModels.LostPixels?.Explanation);

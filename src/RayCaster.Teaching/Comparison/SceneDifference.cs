@@ -58,7 +58,7 @@ internal sealed class SceneDifference
     public IReadOnlyList<int> ModelAt => hits.Model;
 
     /// <summary>Which kinds of shape are wrong by themselves, and what proves that the rays are right.</summary>
-    public WrongKinds WrongKinds => field ??= new(scene, hits, difference, threads);
+    public FaultLocalization FaultLocalization => field ??= new(scene, hits, difference, threads);
 
     private ILookup<int, int> PixelsOf => field ??= Enumerable.Range(0, difference.Pixels).ToLookup(i => hits.Model[i]);
 
@@ -116,7 +116,7 @@ internal sealed class SceneDifference
     private bool IsMissing(ModelDifference model)
     {
         var without = Without([model.Model]);
-        return IsExplained(model, pixel => without.BytesAt(others, pixel)) && !WrongKinds.ShowsElsewhere(model.Model);
+        return IsExplained(model, pixel => without.BytesAt(others, pixel)) && !FaultLocalization.ShowsElsewhere(model.Model);
     }
 
     /// <summary>The scene without some models; others are its hits.</summary>
@@ -144,7 +144,7 @@ internal sealed class SceneDifference
             int[] left = [.. Enumerable.Range(0, difference.Pixels).Where(i => !Shows(i, without.BytesAt(others, i)))];
             WrongWithoutMissing = left.Length;
             if (left.Length <= (1 - Mostly) * difference.Wrong)
-                return some.Any(WrongKinds.ShowsElsewhere) ? [] : [.. some.Order()];
+                return some.Any(FaultLocalization.ShowsElsewhere) ? [] : [.. some.Order()];
             int[] kept = [.. Enumerable.Range(0, scene.Models.Count).Except(some)];
             int[] behind = [.. left.Where(i => others.Model[i] >= 0).GroupBy(i => others.Model[i])
                 .Where(model => model.Count() >= Nearly * others.Model.Count(other => other == model.Key)).Select(model => kept[model.Key])];

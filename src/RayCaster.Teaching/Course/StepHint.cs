@@ -14,15 +14,15 @@ public static class StepHint
     /// </param>
     public static string Format(Scene scene, Picture picture, int step, HintLevel level) => Format(scene, Judge(scene, picture, step), step, level);
 
-    internal static string Format(Scene scene, Diagnosis diagnosis, int step, HintLevel level) =>
+    internal static string Format(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 
-    internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
-        ? Diagnosis.Find(scene, picture)
-        : new SceneDiagnosis(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
+    internal static DiagnosisResult Judge(Scene scene, Picture picture, int step) => step == 0
+        ? DiagnosisResult.Find(scene, picture)
+        : new Diagnoser(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
             .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 
-    private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
+    private static IEnumerable<string> Lines(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level)
     {
         if (diagnosis is not { Kind: DiagnosisKind.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
         // light, zNear and zFar may not be written yet
@@ -45,7 +45,7 @@ public static class StepHint
         yield return $"Slide \"{mistake.Slide}\"";
     }
 
-    private static IEnumerable<string> OfPicture(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
+    private static IEnumerable<string> OfPicture(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level)
     {
         string[] missing = diagnosis.Kind == DiagnosisKind.TellsNothing
             ? [.. LabSteps.KindsOf(scene, step)]

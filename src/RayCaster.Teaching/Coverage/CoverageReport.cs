@@ -64,10 +64,10 @@ public static class CoverageReport
                 foreach (var mistake in group) text.AppendLine($"    {mistake.Id,-14} {mistake.Cause}");
             }
         }
-        if (fitness.SurvivingAsUsual.Count > 0)
+        if (fitness.SurvivorsInUsualForm.Count > 0)
         {
             text.AppendLine("These show in one form and are hidden in another:");
-            foreach (var mistake in fitness.SurvivingAsUsual) text.AppendLine($"    {mistake.Id,-14} hidden as: {mistake.Cause}");
+            foreach (var mistake in fitness.SurvivorsInUsualForm) text.AppendLine($"    {mistake.Id,-14} hidden as: {mistake.Cause}");
         }
         if (fitness.WithinRounding.Count > 0)
             text.AppendLine($"Only a comparison of the bytes shows {string.Join(", ", fitness.WithinRounding.Select(mistake => mistake.Id))}: " +

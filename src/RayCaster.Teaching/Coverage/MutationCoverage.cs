@@ -46,7 +46,7 @@ public sealed class MutationCoverage
     public required IReadOnlyList<Mistake> Hidden { get; init; }
 
     /// <summary>The mistakes that show, but not in the usual way: a program with that may draw the right picture.</summary>
-    public required IReadOnlyList<Mistake> SurvivingAsUsual { get; init; }
+    public required IReadOnlyList<Mistake> SurvivorsInUsualForm { get; init; }
 
     /// <summary>The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</summary>
     public required IReadOnlyList<Mistake> WithinRounding { get; init; }
@@ -82,7 +82,7 @@ public sealed class MutationCoverage
             Scenes = judged,
             IsReduced = !judged.SequenceEqual(scenes),
             Hidden = hidden,
-            SurvivingAsUsual = [.. seen.Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))],
+            SurvivorsInUsualForm = [.. seen.Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))],
             WithinRounding = [.. hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))],
             NotTried = [.. tested.Except(known)],
             Twins = Groups(views, [.. seen], budget),

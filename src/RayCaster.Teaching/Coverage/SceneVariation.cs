@@ -68,7 +68,7 @@ public sealed class SceneVariation
     {
         if (!MutationCoverage.CanJudge(scene)) return [];
         var fitness = MutationCoverage.Measure([scene], budget: budget);
-        return [.. fitness.Tested.Except([.. fitness.Hidden, .. fitness.SurvivingAsUsual, .. fitness.NotTried])];
+        return [.. fitness.Tested.Except([.. fitness.Hidden, .. fitness.SurvivorsInUsualForm, .. fitness.NotTried])];
     }
 
     private static bool Shows(Scene scene, Mistake[] mistakes) =>

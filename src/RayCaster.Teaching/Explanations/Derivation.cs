@@ -55,11 +55,11 @@ internal readonly struct Derivation : IReal<Derivation>
     public static Derivation If(Derivation mask, Derivation value) =>
         new(Operation.If, mask.Value != 0 ? value.Value : double.NaN, mask, value);
 
-    public static Derivation Named(Derivation value, string name, string formula) => new(new StepName(name, formula, value.Term).Terms[0]);
+    public static Derivation Named(Derivation value, string name, string formula) => new(new Binding(name, formula, value.Term).Terms[0]);
 
     public static Vector3<Derivation> Named(Vector3<Derivation> value, string name, string formula)
     {
-        var terms = new StepName(name, formula, value.X.Term, value.Y.Term, value.Z.Term).Terms;
+        var terms = new Binding(name, formula, value.X.Term, value.Y.Term, value.Z.Term).Terms;
         return new(new(terms[0]), new(terms[1]), new(terms[2]));
     }
 

@@ -183,7 +183,7 @@ public sealed class ExplanationText
     }
 
     /// <summary>Steps in lines, with the equals signs in one column.</summary>
-    private void Steps(int indent, IReadOnlyList<FormulaStep> steps)
+    private void Steps(int indent, IReadOnlyList<NamedValue> steps)
     {
         var longest = steps.Count == 0 ? 0 : steps.Max(step => step.Name.Length);
         foreach (var step in steps)

@@ -20,7 +20,7 @@ internal sealed class ModelExplanation
             var writer = new TermText(
                 [.. corners.Select(step => step.Value).OfType<Vector3>().SelectMany(v => (double[])[v.X, v.Y, v.Z]),
                  .. Slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
-            Steps = [.. corners, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
+            Steps = [.. corners, .. NamedValue.LeadingTo(writer, derived.Near, derived.Far)];
             Crossings = [.. Find(derived, writer)];
         }
         else if (Shape is not null) Crossings = [OfPlainDoubles()];
@@ -38,7 +38,7 @@ internal sealed class ModelExplanation
     public string Reason { get; }
 
     /// <summary>The steps of its formula; empty for a scalar shape, of which only t is known.</summary>
-    public IReadOnlyList<FormulaStep> Steps { get; } = [];
+    public IReadOnlyList<NamedValue> Steps { get; } = [];
 
     /// <summary>The crossings, nearest first; if there is none, one entry says why.</summary>
     public IReadOnlyList<CrossingExplanation> Crossings { get; } = [];
@@ -102,13 +102,13 @@ internal sealed class ModelExplanation
     }
 
     /// <summary>A triangle's corners as seen along the ray, in which its formula computes w, u and v.</summary>
-    private IReadOnlyList<FormulaStep> Corners()
+    private IReadOnlyList<NamedValue> Corners()
     {
         if (Shape is not Model<Triangle> { Primitive: var triangle }) return [];
         var along = new RaySpace<Scalar>(new(pixel.Ray.Origin, pixel.Ray.Direction));
         return [Corner('A', triangle.A), Corner('B', triangle.B), Corner('C', triangle.C)];
 
-        FormulaStep Corner(char name, Vector3 point)
+        NamedValue Corner(char name, Vector3 point)
         {
             var p = along.Transform(point);
             var seen = new Vector3(p.X, p.Y, p.Z);

@@ -43,10 +43,10 @@ public sealed class PixelExplanation
     internal int Row => Scene.Camera.Height - 1 - Line;
 
     /// <summary>W, U, V, h and w: the same for all pixels.</summary>
-    internal IReadOnlyList<FormulaStep> CameraSteps => PixelSteps.OfCamera(Scene.Camera);
+    internal IReadOnlyList<NamedValue> CameraSteps => PixelSteps.OfCamera(Scene.Camera);
 
     /// <summary>uc, ur, the direction before and after normalising.</summary>
-    internal IReadOnlyList<FormulaStep> RaySteps => PixelSteps.OfRay(Scene.Camera, Column, Row);
+    internal IReadOnlyList<NamedValue> RaySteps => PixelSteps.OfRay(Scene.Camera, Column, Row);
 
     internal Ray Ray { get; }
 
@@ -69,7 +69,7 @@ public sealed class PixelExplanation
     internal Tally Others { get; } = new();
 
     /// <summary>The steps of the attenuation, which the background has not, of each channel and its level, whose whole part is the byte.</summary>
-    internal IReadOnlyList<FormulaStep> ColorSteps { get; }
+    internal IReadOnlyList<NamedValue> ColorSteps { get; }
 
     /// <summary>The colour before it is clamped.</summary>
     internal Color Color { get; }

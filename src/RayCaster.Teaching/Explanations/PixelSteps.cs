@@ -4,7 +4,7 @@ namespace RayCaster.Teaching.Explanations;
 internal static class PixelSteps
 {
     /// <summary>W, U, V, h and w, which are the same for all pixels.</summary>
-    public static IReadOnlyList<FormulaStep> OfCamera(Camera camera)
+    public static IReadOnlyList<NamedValue> OfCamera(Camera camera)
     {
         var P = Digits.Format(camera.Position);
         var T = Digits.Format(camera.Target);
@@ -20,16 +20,16 @@ internal static class PixelSteps
     }
 
     /// <summary>The steps from the pixel to the direction of its ray.</summary>
-    public static IReadOnlyList<FormulaStep> OfRay(Camera camera, int column, int row)
+    public static IReadOnlyList<NamedValue> OfRay(Camera camera, int column, int row)
     {
         var d = camera.Direction(((Derivation)column).As("c", ""), ((Derivation)row).As("r", ""));
-        var steps = FormulaStep.LeadingTo(d.X, d.Y, d.Z);
+        var steps = NamedValue.LeadingTo(d.X, d.Y, d.Z);
         var pixel = steps.FirstOrDefault(step => step.Name == "pixel")?.Formula; // the slide has no name for it
         return [.. steps.Select(step => step with { Formula = step.Formula.Replace("pixel normalised", $"({pixel}) normalised") })];
     }
 
     /// <summary>The steps from the hit to the channels' levels, and the colour before it is clamped.</summary>
-    public static (IReadOnlyList<FormulaStep> Steps, Color Color) OfColor(Scene scene, Hit hit)
+    public static (IReadOnlyList<NamedValue> Steps, Color Color) OfColor(Scene scene, Hit hit)
     {
         if (hit.Model < 0) return OfChannels("background", scene.Background.R, scene.Background.G, scene.Background.B);
         var attenuation = scene.Attenuation(((Derivation)hit.T).As("t", ""));
@@ -37,10 +37,10 @@ internal static class PixelSteps
         return OfChannels("attenuation * color", attenuation * color.R, attenuation * color.G, attenuation * color.B);
     }
 
-    private static (IReadOnlyList<FormulaStep>, Color) OfChannels(string formula, Derivation red, Derivation green, Derivation blue)
+    private static (IReadOnlyList<NamedValue>, Color) OfChannels(string formula, Derivation red, Derivation green, Derivation blue)
     {
         (red, green, blue) = (red.As("red", $"{formula}.R"), green.As("green", $"{formula}.G"), blue.As("blue", $"{formula}.B"));
-        return (FormulaStep.LeadingTo(Level(red, "red"), Level(green, "green"), Level(blue, "blue")), new(red.Value, green.Value, blue.Value));
+        return (NamedValue.LeadingTo(Level(red, "red"), Level(green, "green"), Level(blue, "blue")), new(red.Value, green.Value, blue.Value));
     }
 
     private static Derivation Level(Derivation channel, string name) =>

@@ -21,7 +21,7 @@ internal static class Reasons
     /// <param name="model">The model, or a triangle of a mesh.</param>
     /// <param name="slabs">Those of a box.</param>
     /// <param name="near">The crossing, which is NaN.</param>
-    public static string NoCrossing(Model model, IReadOnlyList<FormulaStep> steps, IReadOnlyList<SlabExplanation> slabs, Term near) =>
+    public static string NoCrossing(Model model, IReadOnlyList<NamedValue> steps, IReadOnlyList<SlabExplanation> slabs, Term near) =>
         model switch
         {
             Model<Plane> => "d·n = 0: the ray runs along the plane",
@@ -35,7 +35,7 @@ internal static class Reasons
         } ?? Why.IsNoNumber(near);
 
     /// <summary>The barycentric numbers w, u, v of a triangle, which add up to 1; null for a triangle seen edge-on.</summary>
-    public static IReadOnlyList<double>? Weights(IReadOnlyList<FormulaStep> steps)
+    public static IReadOnlyList<double>? Weights(IReadOnlyList<NamedValue> steps)
     {
         if ((Find(steps, "w"), Find(steps, "u"), Find(steps, "v")) is not (double w, double u, double v)) return null;
         var sum = w + u + v;
@@ -49,7 +49,7 @@ internal static class Reasons
         return $"{left} = {first} {sign} {right} = {second}";
     }
 
-    private static object? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name)?.Value;
+    private static object? Find(IReadOnlyList<NamedValue> steps, string name) => steps.FirstOrDefault(step => step.Name == name)?.Value;
 
     private static string? Beyond(double R, string name, object? distance, string reason) =>
         distance is Vector3 { Length: var length } && length > R ? $"{Compare(name, length, ">", "R", R)}: {reason}" : null;

@@ -25,7 +25,7 @@ internal sealed record SlabExplanation(char Axis, double Lo, double Hi, double T
     public static IReadOnlyList<SlabExplanation> Create(Model shape, Crossings<Derivation> derived)
     {
         if (shape is not Model<Aabb> { Primitive: var (B0, B1) }) return [];
-        var steps = FormulaStep.LeadingTo(derived.Near).ToLookup(step => step.Name, step => step.Value);
+        var steps = NamedValue.LeadingTo(derived.Near).ToLookup(step => step.Name, step => step.Value);
         if ((steps["t0"].ToArray(), steps["t1"].ToArray()) is not
             ([double x0, double y0, double z0], [double x1, double y1, double z1])) return [];
         SlabExplanation[] slabs = [new('x', B0.X, B1.X, x0, x1), new('y', B0.Y, B1.Y, y0, y1), new('z', B0.Z, B1.Z, z0, z1)];

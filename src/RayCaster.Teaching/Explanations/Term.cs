@@ -28,7 +28,7 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
     public Term C => c!;
 
     /// <summary>The name and the formula of a step; null for other terms.</summary>
-    public StepName? Name { get; init; }
+    public Binding? Name { get; init; }
 
     /// <summary>A step's name in a sentence: L, or L.x for a vector's coordinate; null for other terms.</summary>
     public string? Label => Name is null ? null : Name.Terms.Length == 1 ? Name.Text : $"{Name.Text}.{"xyz"[Array.IndexOf(Name.Terms, this)]}";
@@ -63,14 +63,14 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
 }
 
 /// <summary>The name of a step, shared by the three coordinates of a vector.</summary>
-internal sealed class StepName
+internal sealed class Binding
 {
     private static long count;
 
     /// <param name="name">As on the slide.</param>
     /// <param name="formula">As in the code; empty for given numbers like the ray's.</param>
     /// <param name="values">What gets the name: a number, or the three of a vector.</param>
-    public StepName(string name, string formula, params Term[] values)
+    public Binding(string name, string formula, params Term[] values)
     {
         (Text, Formula) = (name, Notation.Format(formula));
         Terms = Array.ConvertAll(values, value => new Term(Operation.Name, value.Value, value) { Name = this });

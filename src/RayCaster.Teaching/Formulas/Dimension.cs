@@ -13,7 +13,7 @@ internal enum ValueKind
 /// <param name="Measure">What else it counts: pixels or an angle; a point is measured from the origin.</param>
 internal readonly record struct Dimension(ValueKind Kind, double Length = 0, Measure Measure = Measure.None)
 {
-    /// <summary>The words by which a section's text names units.</summary>
+    /// <summary>The words by which a step's text names units.</summary>
     public static IReadOnlyDictionary<string, Dimension> Words { get; } = new Dictionary<string, Dimension>
     {
         ["truth"] = Truth,
@@ -39,8 +39,8 @@ internal readonly record struct Dimension(ValueKind Kind, double Length = 0, Mea
     /// <summary>The word for it; an edit may give it a unit that has none.</summary>
     public override string ToString()
     {
-        foreach (var (word, quantity) in Words)
-            if (quantity == this) return word;
+        foreach (var (word, dimension) in Words)
+            if (dimension == this) return word;
         return FormattableString.Invariant($"{Kind} {Measure} length^{Length}").ToLowerInvariant();
     }
 }

@@ -22,7 +22,7 @@ internal enum Operator
     Multiply,
     Divide,
     Vector, // of three numbers
-    Call, // of dot, cross, length or normalize, which the section of vectors defines
+    Call, // of dot, cross, length or normalize, which the step of vectors defines
     Sqrt,
     Abs,
     Sin,
@@ -41,15 +41,15 @@ internal enum Operator
 /// <summary>A formula's tree; it never changes. Each node has a kind and a unit.</summary>
 internal sealed class Expression
 {
-    private static readonly string[] functions = ["dot", "cross", "length", "normalize", "plus", "minus"]; // as the section has them
+    private static readonly string[] functions = ["dot", "cross", "length", "normalize", "plus", "minus"]; // as the step has them
 
     private string? text; // thousands of edits share their parts, and are told apart by their texts
 
-    private Expression(Operator op, Dimension quantity, ImmutableArray<Expression> operands, Symbol? symbol = null, double number = 0)
+    private Expression(Operator op, Dimension dimension, ImmutableArray<Expression> operands, Symbol? symbol = null, double number = 0)
     {
-        (Operator, Dimension, Operands, Symbol, Value) = (op, quantity, operands, symbol, number);
+        (Operator, Dimension, Operands, Symbol, Value) = (op, dimension, operands, symbol, number);
         if (op == Operator.Number) Constant = PixelValues.From(number);
-        Function = Array.IndexOf(functions, (op, quantity.Kind) switch
+        Function = Array.IndexOf(functions, (op, dimension.Kind) switch
         {
             (Operator.Call, _) => symbol!.Text,
             (Operator.Add, ValueKind.Vector) => "plus",
@@ -69,7 +69,7 @@ internal sealed class Expression
     /// <summary>The name that is read, or the function that is called.</summary>
     public Symbol? Symbol { get; }
 
-    /// <summary>The place in the section of vectors of the function that computes it; −1 if none does.</summary>
+    /// <summary>The place in the step of vectors of the function that computes it; −1 if none does.</summary>
     public int Function { get; }
 
     /// <summary>The number that is written.</summary>
@@ -83,28 +83,28 @@ internal sealed class Expression
 
     public static Expression Number(double value) => new(Operator.Number, Dimension.Number, [], number: value);
 
-    public static Expression Name(Symbol symbol, Dimension quantity) => new(Operator.Name, quantity, [], symbol);
+    public static Expression Name(Symbol symbol, Dimension dimension) => new(Operator.Name, dimension, [], symbol);
 
     /// <summary>A function's parameter: any vector.</summary>
     public static Expression Parameter(Symbol symbol) => Name(symbol, Dimension.Words["displacement"]);
 
     /// <summary>An operation; null if its operands are not of the kinds that it takes.</summary>
     public static Expression? Create(Operator op, params ImmutableArray<Expression> operands) =>
-        QuantityOf(op, operands) is { } quantity ? new(op, quantity, operands) : null;
+        DimensionOf(op, operands) is { } dimension ? new(op, dimension, operands) : null;
 
     /// <summary>The call of a function of vectors; null if its operands are no vectors.</summary>
     public static Expression? Call(string function, params ImmutableArray<Expression> operands)
     {
         if (operands.Any(operand => operand.Dimension.Kind != ValueKind.Vector)) return null;
         var length = operands.Sum(operand => operand.Dimension.Length);
-        Dimension? quantity = (function, operands.Length) switch
+        Dimension? dimension = (function, operands.Length) switch
         {
             ("dot", 2) or ("length", 1) => new(ValueKind.Number, length),
             ("cross", 2) => new(ValueKind.Vector, length),
             ("normalize", 1) => new(ValueKind.Vector),
             _ => null,
         };
-        return quantity is { } known ? new(Operator.Call, known, operands, Symbol.From(function)) : null;
+        return dimension is { } known ? new(Operator.Call, known, operands, Symbol.From(function)) : null;
     }
 
     /// <summary>The same with another operand; null if the kinds do not fit.</summary>
@@ -163,7 +163,7 @@ internal sealed class Expression
 
     public override string ToString() => text ??= FormulaText.Format(this);
 
-    private static Dimension? QuantityOf(Operator op, ImmutableArray<Expression> operands)
+    private static Dimension? DimensionOf(Operator op, ImmutableArray<Expression> operands)
     {
         if (operands.Length != op switch
         {

@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching.Formulas;
 
-/// <summary>A line of a section: a name and what it is.</summary>
+/// <summary>A line of a step: a name and what it is.</summary>
 /// <param name="Parameters">Those of a function.</param>
 internal sealed record Formula(Symbol Name, Expression Right, ImmutableArray<Symbol> Parameters)
 {

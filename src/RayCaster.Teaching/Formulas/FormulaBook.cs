@@ -1,13 +1,13 @@
 namespace RayCaster.Teaching.Formulas;
 
-/// <summary>The slides' formulas, read from the texts beside this file: for each step a section in each right style.</summary>
+/// <summary>The slides' formulas, read from the texts beside this file: each step in each right style.</summary>
 internal sealed class FormulaBook
 {
     private static readonly Lazy<FormulaBook> slides = new(() => new(
         from file in (string[])["Vectors.txt", "Camera.txt", "Shapes.txt", "Hits.txt"]
         select (file, TextOf(file))));
 
-    private readonly Dictionary<StepKind, List<Step>> sections = [];
+    private readonly Dictionary<StepKind, List<Step>> steps = [];
     private readonly Dictionary<StepKind, Dictionary<string, Expression>> givens = [];
 
     /// <param name="texts">The texts, each with the name that an error shows.</param>
@@ -29,9 +29,9 @@ internal sealed class FormulaBook
     private static Dictionary<string, Expression> OfPixel { get; } = Names("x: pixels, y: pixels");
 
     /// <summary>The styles of a step, the slides' own first.</summary>
-    public IReadOnlyList<Step> StylesOf(StepKind kind) => sections[kind];
+    public IReadOnlyList<Step> StylesOf(StepKind kind) => steps[kind];
 
-    public Step this[StepKind kind, string style] => sections[kind].First(section => section.Style == style);
+    public Step this[StepKind kind, string style] => steps[kind].First(step => step.Style == style);
 
     /// <summary>Whether a step is given a name, such as a sphere its R.</summary>
     public bool IsGiven(StepKind kind, Symbol name) => givens.TryGetValue(kind, out var own) && own.ContainsKey(name.Text);
@@ -64,7 +64,7 @@ internal sealed class FormulaBook
     /// <summary>What a step computes for later steps; its other names are its own.</summary>
     private static readonly string[] results = ["W", "U", "V", "h", "w", "column", "row", "c", "r", "d"];
 
-    /// <summary>The names that a section can read besides what it is given: what earlier steps have computed.</summary>
+    /// <summary>The names that a step can read besides what it is given: what earlier steps have computed.</summary>
     private Dictionary<string, Expression> ScopeOf(StepKind kind)
     {
         StepKind[] before = kind switch
@@ -80,7 +80,7 @@ internal sealed class FormulaBook
             var isOfPixel = kind is StepKind.File or StepKind.Pixel;
             foreach (var (name, expression) in isOfPixel ? OfScene.Concat(OfPixel) : OfScene) scope[name] = expression;
         }
-        foreach (var formula in before.SelectMany(step => sections[step][0].Formulas).Where(formula => results.Contains(formula.Name.Text)))
+        foreach (var formula in before.SelectMany(step => steps[step][0].Formulas).Where(formula => results.Contains(formula.Name.Text)))
             scope[formula.Name.Text] = Expression.Name(formula.Name, formula.Right.Dimension);
         if (givens.TryGetValue(kind, out var own))
             foreach (var (name, expression) in own) scope[name] = expression;
@@ -143,7 +143,7 @@ internal sealed class FormulaBook
         private void End()
         {
             if (kind is not { } own) return;
-            if (!book.sections.TryGetValue(own, out var styles)) book.sections[own] = styles = [];
+            if (!book.steps.TryGetValue(own, out var styles)) book.steps[own] = styles = [];
             styles.Add(new(own, style, slide, start, [.. formulas]));
             formulas.Clear();
         }

@@ -66,7 +66,7 @@ internal sealed class FormulaEvaluator
     /// <param name="budget">What is spent; null if it is not counted.</param>
     public static byte[] Draw(Scene scene, FormulaProgram program, IReadOnlyList<(int X, int Y)> pixels, SearchBudget? budget = null) =>
         pixels.Count == 0 ? [] // all bytes of the pixels that are asked for may have moved out of the file
-            : program.MovedBytes != 0 ? DrawMoved(scene, program, pixels, budget) : new FormulaEvaluator(scene, pixels).Draw(program, budget);
+            : program.ByteShift != 0 ? DrawMoved(scene, program, pixels, budget) : new FormulaEvaluator(scene, pixels).Draw(program, budget);
 
     /// <summary>The same where a byte comes from another place in the file; what is before the first or after the last one is a line break.
     /// </summary>
@@ -75,9 +75,9 @@ internal sealed class FormulaEvaluator
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         if (program.IsTurned) (width, height) = (height, width);
         int[] sources = [.. from pixel in pixels from channel in (int[])[0, 1, 2]
-            select 3 * (pixel.Y * width + pixel.X) + channel - program.MovedBytes];
+            select 3 * (pixel.Y * width + pixel.X) + channel - program.ByteShift];
         int[] places = [.. sources.Where(IsInFile).Select(source => source / 3).Distinct()];
-        var drawn = Draw(scene, program with { MovedBytes = 0 }, [.. places.Select(place => (place % width, place / width))], budget);
+        var drawn = Draw(scene, program with { ByteShift = 0 }, [.. places.Select(place => (place % width, place / width))], budget);
         var at = places.Index().ToDictionary(place => place.Item, place => 3 * place.Index);
         return [.. sources.Select(source => IsInFile(source) ? drawn[at[source / 3] + source % 3] : (byte)'\n')];
 
@@ -113,16 +113,16 @@ internal sealed class FormulaEvaluator
         arithmetic.Functions = program[StepKind.Vectors];
         var changed = basis is null ? 0 : arithmetic.Functions.ChangedFrom(basis.Program[StepKind.Vectors]);
         var frame = PixelArithmetic.FrameOf(givens, ofPixel, []);
-        if (program.SwapsEnds)
+        if (program.SwapsEyeAndTarget)
             (frame[pointP.Place], frame[pointT.Place]) = (frame[pointT.Place], frame[pointP.Place]);
-        if (basis is not null && basis.Program.SwapsEnds != program.SwapsEnds) changed |= pointP.Bit | pointT.Bit;
+        if (basis is not null && basis.Program.SwapsEyeAndTarget != program.SwapsEyeAndTarget) changed |= pointP.Bit | pointT.Bit;
         foreach (var kind in (ReadOnlySpan<StepKind>)[StepKind.Camera, StepKind.File, StepKind.Sample, StepKind.Pixel])
             arithmetic.Define(program[kind], frame, basis?.Program[kind], basis?.Frame, ref changed);
 
         var nearestStep = program[StepKind.Nearest];
         var isUsual = nearestStep == FormulaBook.Slides.StylesOf(StepKind.Nearest)[0];
         var sameLoop = basis is not null && nearestStep == basis.Program[StepKind.Nearest];
-        var areNew = !sameLoop || !program.LeftOut.SetEquals(basis!.Program.LeftOut) || program.Scatters != basis.Program.Scatters;
+        var areNew = !sameLoop || !program.LeftOut.SetEquals(basis!.Program.LeftOut) || program.HasNoisyTriangles != basis.Program.HasNoisyTriangles;
         var crossed = new PartHits[parts.Length];
         for (var i = 0; i < parts.Length; i++)
         {

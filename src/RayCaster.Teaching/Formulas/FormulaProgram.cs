@@ -1,14 +1,14 @@
 namespace RayCaster.Teaching.Formulas;
 
-/// <summary>A program: a section for each step, and the few things that no formula says.</summary>
+/// <summary>A program: its formulas for each step, and the few things that no formula says.</summary>
 /// <remarks>It never changes; two programs that differ in a step share the others.</remarks>
 internal sealed record FormulaProgram
 {
-    private FormulaProgram(ImmutableArray<Step> sections) => Sections = sections;
+    private FormulaProgram(ImmutableArray<Step> steps) => Steps = steps;
 
-    private ImmutableArray<Step> Sections { get; init; }
+    private ImmutableArray<Step> Steps { get; init; }
 
-    public Step this[StepKind kind] => Sections[(int)kind];
+    public Step this[StepKind kind] => Steps[(int)kind];
 
     /// <summary>The rule of some kinds of shape, where it is another than that of all.</summary>
     public ImmutableDictionary<StepKind, Step> Rules { get; private init; } = ImmutableDictionary<StepKind, Step>.Empty;
@@ -17,16 +17,16 @@ internal sealed record FormulaProgram
     public ImmutableHashSet<string> LeftOut { get; init; } = [];
 
     /// <summary>By how many bytes all bytes of the picture are farther on in the file.</summary>
-    public int MovedBytes { get; init; }
+    public int ByteShift { get; init; }
 
     /// <summary>Lines and columns that no loop reaches; null for none.</summary>
     public UnreachedLines? Unreached { get; init; }
 
     /// <summary>Whether the camera stands at T and looks at P.</summary>
-    public bool SwapsEnds { get; init; }
+    public bool SwapsEyeAndTarget { get; init; }
 
     /// <summary>Whether last bits decide for each pixel if a triangle shows there.</summary>
-    public bool Scatters { get; init; }
+    public bool HasNoisyTriangles { get; init; }
 
     /// <summary>Whether the file is as wide as the scene's picture is high, and the other way round.</summary>
     public bool IsTurned => this[StepKind.File].Has(Formula.Turned);
@@ -72,19 +72,19 @@ internal sealed record FormulaProgram
 
     public Step RuleOf(StepKind? kind) => kind is { } own && Rules.TryGetValue(own, out var rule) ? rule : this[StepKind.Rule];
 
-    public FormulaProgram With(Step section) => this with { Sections = Sections.SetItem((int)section.Kind, section) };
+    public FormulaProgram With(Step step) => this with { Steps = Steps.SetItem((int)step.Kind, step) };
 
-    /// <summary>With a section in the place of its own; if that has edits, too, with both.</summary>
-    /// <param name="section">A style, or one with edits.</param>
+    /// <summary>With a step in the place of its own; if that has edits, too, with both.</summary>
+    /// <param name="step">A style, or one with edits.</param>
     /// <param name="shapes">The kinds of shape whose rule it is; empty for all.</param>
     /// <returns>Null if both edit the same part of a formula, or have different styles.</returns>
-    public FormulaProgram? With(Step section, ImmutableArray<StepKind> shapes)
+    public FormulaProgram? With(Step step, ImmutableArray<StepKind> shapes)
     {
-        if (shapes.IsEmpty) return this[section.Kind].Merged(section) is { } merged ? With(merged) : null;
+        if (shapes.IsEmpty) return this[step.Kind].Merged(step) is { } merged ? With(merged) : null;
         var rules = Rules;
         foreach (var shape in shapes)
         {
-            if (RuleOf(shape).Merged(section) is not { } rule) return null;
+            if (RuleOf(shape).Merged(step) is not { } rule) return null;
             rules = rules.SetItem(shape, rule);
         }
         return this with { Rules = rules };

@@ -10,7 +10,7 @@ internal sealed class NearestLoop(ImmutableArray<ShapePart> parts, PixelArithmet
     public (int[] Part, double[] T) Nearest(FormulaProgram program, PartHits[] crossed, PixelValues[] camera, bool isUsual)
     {
         int[] drawn = [.. Enumerable.Range(0, parts.Length).Where(k => !program.LeftOut.Contains(parts[k].Model.Kind)
-            && !(program.Scatters && parts[k].Kind == StepKind.Triangle))];
+            && !(program.HasNoisyTriangles && parts[k].Kind == StepKind.Triangle))];
         var nearest = new int[count];
         Array.Fill(nearest, -1);
         var t = arithmetic.New(count);

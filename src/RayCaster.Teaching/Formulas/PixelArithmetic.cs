@@ -35,12 +35,12 @@ internal sealed class PixelArithmetic(int pixels)
         return value;
     }
 
-    /// <summary>Computes a section's formulas, or takes their values from another frame where nothing that they read has changed.</summary>
-    public void Define(Step section, PixelValues[] frame, Step? before, PixelValues[]? old, ref UInt128 changed)
+    /// <summary>Computes a step's formulas, or takes their values from another frame where nothing that they read has changed.</summary>
+    public void Define(Step step, PixelValues[] frame, Step? before, PixelValues[]? old, ref UInt128 changed)
     {
-        for (var i = 0; i < section.Formulas.Length; i++)
+        for (var i = 0; i < step.Formulas.Length; i++)
         {
-            var (name, expression, _) = section.Formulas[i];
+            var (name, expression, _) = step.Formulas[i];
             var known = before is not null && i < before.Formulas.Length && before.Formulas[i].Name == name ? before.Formulas[i] : null;
             if (known is not null && ReferenceEquals(known.Right, expression) && (expression.Reads & changed) == 0)
             {
@@ -55,10 +55,10 @@ internal sealed class PixelArithmetic(int pixels)
         }
     }
 
-    /// <summary>Computes a section's formulas.</summary>
-    public void Define(Step section, PixelValues[] frame)
+    /// <summary>Computes a step's formulas.</summary>
+    public void Define(Step step, PixelValues[] frame)
     {
-        foreach (var (name, expression, _) in section.Formulas) frame[name.Place] = Evaluate(expression, frame);
+        foreach (var (name, expression, _) in step.Formulas) frame[name.Place] = Evaluate(expression, frame);
     }
 
     /// <summary>A frame with other values of some names.</summary>

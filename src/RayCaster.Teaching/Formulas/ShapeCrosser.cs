@@ -12,7 +12,7 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
 
     private static readonly Symbol pointP = Symbol.From("P"), direction = Symbol.From("d"), parameter = Symbol.From("t"), axisW = Symbol.From("W");
 
-    private readonly Dictionary<(int Part, Step Section), PixelValues[]> rightFrames = [];
+    private readonly Dictionary<(int Part, Step Step), PixelValues[]> rightFrames = [];
     private readonly PixelValues[] ofShape = new PixelValues[Symbol.Max], ofRule = new PixelValues[Symbol.Max]; // used again and again
 
     /// <summary>The hits of a part.</summary>
@@ -26,13 +26,13 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
         var (model, kind, numbers) = parts[part];
         if (kind is null) return HitsOf(model, rule, camera);
         var used = arithmetic.Used;
-        var section = program[kind.Value];
-        var before = right is null || rightCamera is null ? null : StyleOf(section, right);
+        var step = program[kind.Value];
+        var before = right is null || rightCamera is null ? null : StyleOf(step, right);
         var old = before is null ? null : RightFrame(part, before, rightCamera!);
         var frame = PixelArithmetic.FrameOf(camera, ofShape, numbers);
         foreach (var (symbol, _) in numbers) changed &= ~symbol.Bit;
-        arithmetic.Define(section, frame, before, old, ref changed);
-        var crossed = Counted(section, rule, frame, camera, withAll);
+        arithmetic.Define(step, frame, before, old, ref changed);
+        var crossed = Counted(step, rule, frame, camera, withAll);
         arithmetic.GiveBack(used, crossed.T, crossed.IsHit, crossed.Far, crossed.Ends?.X);
         return crossed;
     }
@@ -40,12 +40,12 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
     /// <summary>The first crossing of a shape that counts, in each pixel.</summary>
     /// <param name="frame">What the shape's formulas have computed.</param>
     /// <param name="withAll">Whether a t that is no number may be a hit, and the second crossing is needed, too.</param>
-    private PartHits Counted(Step section, Step rule, PixelValues[] frame, PixelValues[] camera, bool withAll)
+    private PartHits Counted(Step step, Step rule, PixelValues[] frame, PixelValues[] camera, bool withAll)
     {
         var one = PixelValues.From(1);
-        var when = section.Has(Formula.When) ? frame[Formula.When.Place] : one;
+        var when = step.Has(Formula.When) ? frame[Formula.When.Place] : one;
         var first = ByRule(frame[Formula.Near.Place], rule, camera);
-        var second = section.Has(Formula.Far) ? ByRule(frame[Formula.Far.Place], rule, camera) : default;
+        var second = step.Has(Formula.Far) ? ByRule(frame[Formula.Far.Place], rule, camera) : default;
         var t = arithmetic.New(count);
         var isHit = withAll ? arithmetic.New(count) : null;
         for (var i = 0; i < count; i++)
@@ -83,23 +83,23 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
         PixelValues? Of(Symbol name) => rule.Has(name) ? frame[name.Place] : null;
     }
 
-    /// <summary>The unedited section in the same style.</summary>
-    private static Step StyleOf(Step section, FormulaProgram program) =>
-        program[section.Kind].Style == section.Style ? program[section.Kind] : FormulaBook.Slides[section.Kind, section.Style];
+    /// <summary>The unedited step in the same style.</summary>
+    private static Step StyleOf(Step step, FormulaProgram program) =>
+        program[step.Kind].Style == step.Style ? program[step.Kind] : FormulaBook.Slides[step.Kind, step.Style];
 
     /// <summary>A shape's frame in a style, as the program that others differ from has it.</summary>
-    private PixelValues[] RightFrame(int part, Step section, PixelValues[] camera)
+    private PixelValues[] RightFrame(int part, Step step, PixelValues[] camera)
     {
-        if (rightFrames.TryGetValue((part, section), out var frame)) return frame;
+        if (rightFrames.TryGetValue((part, step), out var frame)) return frame;
         var (functions, used, work) = (arithmetic.Functions, arithmetic.Used, arithmetic.Work);
         arithmetic.Functions = right![StepKind.Vectors];
         frame = PixelArithmetic.FrameOf(camera, new PixelValues[Symbol.Max], parts[part].Numbers);
-        arithmetic.Define(section, frame);
-        foreach (var formula in section.Formulas) frame[formula.Name.Place] = frame[formula.Name.Place].Copy();
+        arithmetic.Define(step, frame);
+        foreach (var formula in step.Formulas) frame[formula.Name.Place] = frame[formula.Name.Place].Copy();
         arithmetic.Functions = functions;
         arithmetic.GiveBack(used);
         arithmetic.Work = work; // which thread needs the frame first must not matter
-        return rightFrames[(part, section)] = frame;
+        return rightFrames[(part, step)] = frame;
     }
 
     /// <summary>The hits of a model whose own formulas are the definition's: a large mesh, a shape of one's own.</summary>

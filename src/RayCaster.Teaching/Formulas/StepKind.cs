@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching.Formulas;
 
-/// <summary>What a section's formulas are for, in pipeline order.</summary>
+/// <summary>What a step's formulas are for, in pipeline order.</summary>
 internal enum StepKind
 {
     Vectors,

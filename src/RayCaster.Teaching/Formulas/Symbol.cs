@@ -5,12 +5,12 @@ namespace RayCaster.Teaching.Formulas;
 /// <param name="Bit">Its bit in a set of names; 0 for a parameter of a function, which only its own body can read.</param>
 internal sealed record Symbol(string Text, int Place, UInt128 Bit)
 {
-    /// <summary>How many names the sections may have together.</summary>
+    /// <summary>How many names the steps may have together.</summary>
     public const int Max = 128;
 
     private static readonly Dictionary<string, Symbol> known = [];
 
-    /// <summary>The symbol of a name; one for all sections.</summary>
+    /// <summary>The symbol of a name; one for all steps.</summary>
     public static Symbol From(string text)
     {
         lock (known)

@@ -11,7 +11,7 @@ public class MissingPartsTests
     public void AttenuationAloneIsAMistakeOfTheCatalogueToo()
     {
         var first = SceneFolder.Small("first", 8);
-        var diagnosis = Diagnosis.Find(first, EditedLab.Render(first, PlantedMistake.Named("att-none")), new());
+        var diagnosis = DiagnosisResult.Find(first, EditedLab.Render(first, PlantedMistake.Named("att-none")), new());
         Assert.Equal((DiagnosisKind.Mistake, "att-none"), (diagnosis.Kind, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
         Assert.Equal([MissingParts.Attenuation], diagnosis.NotYet);
         var text = DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings("\n");
@@ -24,7 +24,7 @@ public class MissingPartsTests
     {
         var plane = SceneFolder.Small("plane", 8);
         var picture = ProgramInWords.Draw(plane, "formulas w-sign & formulas att-none & formulas no-znear & formulas no-zfar");
-        var text = DiagnosisReport.Text(Diagnosis.Find(plane, picture, new()), "mine.png", "scene.json").ReplaceLineEndings("\n");
+        var text = DiagnosisReport.Text(DiagnosisResult.Find(plane, picture, new()), "mine.png", "scene.json").ReplaceLineEndings("\n");
         Assert.Contains("Not drawn yet: attenuation, clipping.\nMost likely:\n  Symptom:", text);
         Assert.DoesNotContain("zNear", text);
     }
@@ -33,15 +33,15 @@ public class MissingPartsTests
     public void WhatIsDoneIsNotTakenForMissing()
     {
         var picture = ProgramInWords.Draw(scene, "without sphere");
-        Assert.Equal(["sphere"], new SceneDiagnosis(scene).Judge(picture).NotYet);
-        var diagnosis = new SceneDiagnosis(scene).Judge(picture, ["sphere", "plane"]);
+        Assert.Equal(["sphere"], new Diagnoser(scene).Judge(picture).NotYet);
+        var diagnosis = new Diagnoser(scene).Judge(picture, ["sphere", "plane"]);
         Assert.DoesNotContain("sphere", diagnosis.NotYet);
     }
 
     [Fact]
     public void APreparedSceneJudgesManyPicturesLikeOne()
     {
-        var prepared = new SceneDiagnosis(scene);
+        var prepared = new Diagnoser(scene);
         foreach (var id in new[] { "ok", "rows" })
         {
             var picture = ProgramInWords.Draw(scene, id);
@@ -53,7 +53,7 @@ public class MissingPartsTests
     [Fact(Explicit = true)]
     public void AMistakeThatLosesAShapeIsListedBesideAnother()
     {
-        var diagnosis = Diagnosis.Find(scene, ProgramInWords.Draw(scene, "formulas aspect-none & formulas box-size"), new());
+        var diagnosis = DiagnosisResult.Find(scene, ProgramInWords.Draw(scene, "formulas aspect-none & formulas box-size"), new());
         Assert.Equal((DiagnosisKind.Mistake, "aspect-none"), (diagnosis.Kind, diagnosis.Suspects[0].Mistakes[0].Id));
         Assert.Contains(diagnosis.Suspects, suspect => suspect.SamePicture
             && suspect.Mistakes.Select(mistake => mistake.Id).Order().SequenceEqual(["aspect-none", "box-size"]));

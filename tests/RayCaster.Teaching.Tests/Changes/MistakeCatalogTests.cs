@@ -54,7 +54,7 @@ public class MistakeCatalogTests
         if (MistakeCatalog.Named(id)!.Changes.Any(variant =>
             drawn.All(one => IsDrawnBy(one.Picture, MistakeCatalog.Draw(one.Scene, [variant]))))) return;
         Assert.Contains(drawn,
-            one => Diagnosis.Find(one.Scene, one.Picture, new()).Suspects is [var first, ..] && DiagnosisTests.Named(first).Contains(id));
+            one => DiagnosisResult.Find(one.Scene, one.Picture, new()).Suspects is [var first, ..] && DiagnosisTests.Named(first).Contains(id));
     }
 
     [Fact(Explicit = true)]

@@ -56,7 +56,7 @@ public class ObservationsTests
         var scene = generic with { Models = [.. generic.Models, .. small] };
         var mine = Renderer.Render(generic);
         Assert.Contains("All other triangles are larger", ComparisonText.Format(new(mine, Renderer.Render(scene), scene), "mine", "right"));
-        Assert.Contains("All other triangles are larger", Assert.Single(Diagnosis.Find(scene, mine, new()).Likely));
+        Assert.Contains("All other triangles are larger", Assert.Single(DiagnosisResult.Find(scene, mine, new()).Likely));
     }
 
     /// <summary>What must be done to the picture is the opposite of what was done.</summary>
@@ -114,7 +114,7 @@ public class ObservationsTests
     private static void Says(Picture mine, params string[] says)
     {
         var compared = ComparisonText.Format(new(mine, right, generic), "mine", "right");
-        var diagnosed = Assert.Single(Diagnosis.Find(generic, mine, new()).Likely);
+        var diagnosed = Assert.Single(DiagnosisResult.Find(generic, mine, new()).Likely);
         Assert.All(says, sentence => Assert.Contains(sentence, diagnosed, StringComparison.Ordinal));
         Assert.Contains(diagnosed, compared, StringComparison.Ordinal);
     }

@@ -11,7 +11,7 @@ public class MutationCoverageTests
         string[] expected = [
             "aspect-none", "aspect-int", "fov-horiz", "u-unnorm", "znear-t", "no-zfar", "near-root-only", "aspect-inv", "tca-positive"];
         Assert.Empty(expected.Except(hidden));
-        Assert.Contains(fitness.SurvivingAsUsual, mistake => mistake.Id == "plane-cull"); // its planes face us, its disc does not
+        Assert.Contains(fitness.SurvivorsInUsualForm, mistake => mistake.Id == "plane-cull"); // its planes face us, its disc does not
         Assert.Contains("the picture is square", CoverageReport.Text(fitness));
         Assert.Contains(fitness.Twins, group => group.Any(mistake => mistake.Id == "att-depth") && group.Any(mistake => mistake.Id == "dir-unnorm"));
     }

@@ -36,7 +36,7 @@ public class DerivationTests
     {
         var t = new Plane(new(-5, 0, 0), new(1, 0, 0)).Intersect(Along(-1, 0, 0)).Near;
         Assert.Equal(25, t.Value);
-        var step = Assert.Single(FormulaStep.LeadingTo(t));
+        var step = Assert.Single(NamedValue.LeadingTo(t));
         Assert.Equal(("t", "(Q − P) · n / (d · n)"), (step.Name, step.Formula));
         Assert.Equal("((−5, 0, 0) − (20, 0, 0)) · (1, 0, 0) / ((−1, 0, 0) · (1, 0, 0))", step.Numbers);
     }
@@ -49,7 +49,7 @@ public class DerivationTests
         Assert.True(
             (near, far) == (16, 24),
             $"P = (20, 0, 0), d = (−1, 0, 0), sphere C = (0, 0, 0), R = 4: expected t = 16 and 24, but got {near} and {far}");
-        var steps = FormulaStep.LeadingTo(crossings.Near, crossings.Far);
+        var steps = NamedValue.LeadingTo(crossings.Near, crossings.Far);
         Assert.Equal(["L", "t_ca", "D", "t_hc"], steps.Select(step => step.Name));
         Assert.Equal("√(16 − (0, 0, 0) · (0, 0, 0))", steps[3].Numbers);
         Assert.Equal("20 − 4", new TermText().Of(crossings.Near.Term));

@@ -14,7 +14,7 @@ public class FormulaProgramTests
     {
         var slides = FormulaProgram.For(generic.Camera);
         var evaluator = new FormulaEvaluator(generic, [(1, 2), (30, 20), (70, 40)], slides);
-        foreach (var edit in Enum.GetValues<StepKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(MutantFactory.MutantsOf)
+        foreach (var edit in Enum.GetValues<StepKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(MutationFactory.MutationsOf)
             .Where((_, i) => i % step == 0)) Assert.Null(Record.Exception(() => evaluator.Draw(ChangeSource.Of(edit).In(slides)!)));
     }
 
@@ -37,7 +37,7 @@ public class FormulaProgramTests
             var whole = program.Draw(generic);
             byte[] expected = [.. pixels.SelectMany<(int X, int Y), byte>(pixel => whole[pixel.X, pixel.Y] is var (r, g, b) ? [r, g, b] : [])];
             Assert.Equal(expected, FormulaEvaluator.Draw(generic, program, pixels));
-            if (program.MovedBytes == 0) Assert.Equal(expected, new FormulaEvaluator(generic, pixels, slides).Draw(program));
+            if (program.ByteShift == 0) Assert.Equal(expected, new FormulaEvaluator(generic, pixels, slides).Draw(program));
         }
     }
 

@@ -13,19 +13,19 @@ public class UnseenSlipsTests
     public void ASlipIsNamedInItsStepOrNotAtAll(string section, string formulas, string whether, string program)
     {
         var (scene, picture) = Shown(program, Array.FindIndex(Rows, row => row.GetData()[3] is string other && other == program));
-        var diagnosis = Diagnosis.Find(scene, picture, new());
+        var diagnosis = DiagnosisResult.Find(scene, picture, new());
         Change[] named = diagnosis.Kind == DiagnosisKind.Mistake ? [.. diagnosis.Suspects[0].Mistakes] : [];
         Assert.Equal((whether, named.Length), (named.Length > 0 ? "named" : "-", Math.Min(1, named.Length)));
         var step = Enum.Parse<StepKind>(section, ignoreCase: true);
         Assert.All(named, mistake => Assert.True(mistake.Steps.Any(own => own == step || (own.IsOfRays() && step.IsOfRays())
             || (own.IsOfHits() && step.IsOfHits()) || (own.IsOfColors() && step.IsOfColors())) && (mistake.Place is not { } place
-            || formulas.Split(' ').Contains(place.Step)), $"{mistake.Id}: {mistake.Place} {mistake.Cause}"));
+            || formulas.Split(' ').Contains(place.Name)), $"{mistake.Id}: {mistake.Place} {mistake.Cause}"));
     }
 
     [Fact]
     public void ThePageSaysHowManyAreNamed()
     {
-        var page = File.ReadAllText(ProjectFolder.PathOf("src/RayCaster.Teaching/Hypotheses/README.md")).ReplaceLineEndings(" ");
+        var page = File.ReadAllText(ProjectFolder.PathOf("src/RayCaster.Teaching/Diagnosis/README.md")).ReplaceLineEndings(" ");
         var named = Rows.Count(row => row.GetData()[2] is "named");
         Assert.Equal(60, Rows.Length);
         Assert.Contains($"{named} are named by their formula or their mistake, none by another, {60 - named} not at all", page);
@@ -37,9 +37,9 @@ public class UnseenSlipsTests
     public void OnlyTheAnswerTellsTheFormulaOfASlip(string name, string program, string section, string step, string formula)
     {
         var scene = SceneFolder.Small(name, 16);
-        var diagnosis = Diagnosis.Find(scene, ProgramInWords.Draw(scene, program), new());
+        var diagnosis = DiagnosisResult.Find(scene, ProgramInWords.Draw(scene, program), new());
         var mistake = Assert.Single(Assert.Single(diagnosis.Suspects).Mistakes);
-        Assert.Equal(("edit", section, step, formula), (mistake.Id, mistake.Place?.Section, mistake.Place?.Step, mistake.Place?.Formula));
+        Assert.Equal(("edit", section, step, formula), (mistake.Id, mistake.Place?.Step, mistake.Place?.Name, mistake.Place?.Formula));
         Assert.DoesNotContain(formula, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"), StringComparison.Ordinal);
         Assert.Contains(formula, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json", HintLevel.Answer), StringComparison.Ordinal);
     }

@@ -3,7 +3,7 @@ using RayCaster;
 using RayCaster.Files;
 using RayCaster.Teaching.Comparison;
 using RayCaster.Teaching.Course;
-using RayCaster.Teaching.Hypotheses;
+using RayCaster.Teaching.Diagnosis;
 
 namespace Lab.Tests;
 

@@ -1,4 +1,4 @@
-using RayCaster.Teaching.Hypotheses;
+using RayCaster.Teaching.Diagnosis;
 
 namespace Lab.Tests;
 

@@ -1,0 +1,128 @@
+namespace RayCaster.Teaching.Changes;
+
+/// <summary>The place of an edit in the slides' formulas, as far as the picture shows it.</summary>
+public sealed record FormulaPlace
+{
+    internal FormulaPlace(IReadOnlyList<StepKind> steps, string? name, string? formula) => (Steps, Name, Formula) = (steps, name, formula);
+
+    internal IReadOnlyList<StepKind> Steps { get; }
+
+    /// <summary>The step, as its formulas' text calls it; several with commas.</summary>
+    public string Step => string.Join(", ", Steps.Select(MutationNaming.StepOf));
+
+    /// <summary>The name that the edited formula computes; null if several do.</summary>
+    public string? Name { get; }
+
+    /// <summary>That formula as the slides have it; null if there are several.</summary>
+    public string? Formula { get; }
+}
+
+/// <summary>Gives small edits of formulas hints like those of known mistakes: first the symptom, at last what was written.</summary>
+internal static class MutationNaming
+{
+    /// <summary>Of edits that draw the same, those that cost more than the likeliest by this are ignored.</summary>
+    private const double Likely = 0.25;
+
+    /// <summary>Most names that are listed where a picture cannot tell formulas apart.</summary>
+    private const int MaxNames = 5;
+
+    /// <summary>What the names mean that stand on no slide.</summary>
+    private static readonly Dictionary<string, string> words = new()
+    {
+        ["den"] = "the divisor of t",
+        ["D2"] = "D²",
+        ["O"] = "the vector between C and P",
+        ["S"] = "the sum of the areas",
+        ["e1"] = "the edge at A and B",
+        ["e2"] = "the edge at A and C",
+        ["v0"] = "the edge at A and B",
+        ["v1"] = "the edge at A and C",
+        ["lo"] = "where the ray enters each slab",
+        ["hi"] = "where the ray leaves each slab",
+        ["det"] = "the determinant",
+        ["tmin"] = "t_min",
+        ["tmax"] = "t_max",
+        ["tmin1"] = "t_min of two slabs",
+        ["tmax1"] = "t_max of two slabs",
+        ["start"] = "the t with which the first hit is compared",
+        ["better"] = "the test whether a hit is nearer",
+        ["replaces"] = "the place where a nearer hit is kept",
+        ["lights"] = "the place where a hit gets its colour",
+        ["kept"] = "the test whether a hit counts",
+        ["both"] = "which of two hits shows",
+        ["hit"] = "the test for a hit",
+        ["att"] = "the attenuation",
+        ["level"] = "the way from a colour to its bytes",
+        ["rgb"] = "the order of the bytes",
+    };
+
+    /// <summary>The likeliest slip, with the known mistake whose label it has, or with words of its own.</summary>
+    /// <param name="slips">All that draw the same, the likeliest first.</param>
+    public static Change Named(IReadOnlyList<Change> slips)
+    {
+        var first = slips[0];
+        var likely = LikelyOf(slips);
+        if (Array.Find(likely, other => other.Label is not null) is { } known)
+            return first with { Mistake = MistakeCatalog.Named(known.Label!), Cause = $"{StepOf(known.Step.Kind)}: {Describe(known)}" };
+        return InOwnWords(first, likely);
+    }
+
+    /// <summary>A slip with a mistake's name, in words of its own.</summary>
+    public static Change Unnamed(Change slip)
+    {
+        var mutation = slip.Mutation! with { Label = null };
+        return InOwnWords(slip with { Mutation = mutation, Mistake = null, Similar = slip.Mistake }, [mutation]);
+    }
+
+    private static Mutation[] LikelyOf(IReadOnlyList<Change> slips) =>
+        [.. slips.Select(change => change.Mutation!).Where(mutation => mutation.Cost <= slips[0].Mutation!.Cost + Likely)];
+
+    private static Change InOwnWords(Change first, Mutation[] likely)
+    {
+        var mutation = likely[0];
+        StepKind[] kinds = [.. likely.Select(other => other.Step.Kind).Distinct()];
+        var isOneStep = kinds.Length == 1;
+        // Other styles have other formulas: the texts use those of the likeliest style.
+        Formula?[] formulas = [.. likely.Where(other => other.Right == mutation.Right).Select(other => other.Formula).Distinct()];
+        var formula = isOneStep && formulas.Length == 1 ? formulas[0] : null;
+        var place = new FormulaPlace(kinds, formula?.Computed, formula?.ToString());
+        return first with
+        {
+            Place = place,
+            Cause = $"{place.Step}: {Describe(mutation)}",
+            Hint = new(
+                isOneStep ? SymptomOf(kinds[0]) : "",
+                formula is not null ? $"Look at {InWords(formula.Computed)}. {mutation.Operator.Question}"
+                    : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Step}\"; " +
+                        $"this scene cannot tell {NamesOf(formulas)} apart."
+                    : $"Something is wrong in one of these steps: {place.Step}. This scene cannot tell them apart.",
+                $"{(formula is null ? "For example, it" : "It")} looks as if {Describe(mutation)}."),
+        };
+    }
+
+    internal static string InWords(string name) => words.GetValueOrDefault(name, name);
+
+    /// <summary>What texts call a step.</summary>
+    internal static string StepOf(StepKind kind) => kind.ToString().ToLowerInvariant();
+
+    private static string Describe(Mutation mutation) => mutation.Operator.Tell(mutation.Meant, mutation.Written)
+        + (mutation.Formula is { } formula ? $" in {formula}" : " in the whole formula");
+
+    private static string NamesOf(IEnumerable<Formula?> formulas)
+    {
+        string[] names = [.. formulas.Select(formula => formula is null ? "all of them" : InWords(formula.Computed)).Distinct()];
+        return names.Length > MaxNames ? "its formulas" : string.Join(names.Length == 2 ? " and " : ", ", names);
+    }
+
+    private static string SymptomOf(StepKind kind) => kind switch
+    {
+        StepKind.Vectors => "Everything that is computed with products and lengths of vectors is wrong.",
+        StepKind.Camera or StepKind.File or StepKind.Sample or StepKind.Pixel =>
+            "Everything stands elsewhere or is deformed: the rays are wrong.",
+        StepKind.Rule or StepKind.Nearest =>
+            "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
+        StepKind.Light => "All outlines are right, only the light is not.",
+        StepKind.Bytes => "All outlines are right, only the colours are not.",
+        _ => $"Only {ShapeKind.Find(kind).Many} are wrong; everything else is right.",
+    };
+}

@@ -1,0 +1,88 @@
+namespace RayCaster.Teaching.Diagnosis;
+
+/// <summary>
+/// A scene prepared for judging many pictures: what all of them need is drawn once, so a right picture takes some milliseconds. Several threads may
+/// judge pictures at the same time.
+/// </summary>
+/// <remarks>For a single picture <see cref="DiagnosisResult.Find"/> does.</remarks>
+public sealed class Diagnoser
+{
+    private readonly Lazy<(IReadOnlyList<Mistake> Hidden, int Tried)> hidden;
+    private readonly (int Width, int Height)? size;
+
+    /// <summary>Draws the scene.</summary>
+    /// <param name="scene">The scene that the pictures should show, at their size.</param>
+    /// <param name="threads">How many threads draw, and judge each picture; one per core if left out.</param>
+    /// <param name="possible">Which mistakes are tried, for example those of the code written so far; all if left out.</param>
+    /// <param name="budget">How much all searches together may do; any amount if left out.</param>
+    /// <param name="size">The size that the scene's picture should have, if the pictures have another.</param>
+    public Diagnoser(Scene scene, int? threads = null, Predicate<Change>? possible = null, SearchBudget? budget = null,
+        (int Width, int Height)? size = null)
+    {
+        this.size = size;
+        Scene = scene;
+        Threads = threads;
+        Possible = possible;
+        Budget = budget;
+        Right = Renderer.Render(scene, threads);
+        var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
+            && possible?.Invoke(mistake.Usual) != false).ToArray();
+        Known = [.. visible.Where(mistake => mistake.Changes.All(change => MutationCoverage.CanTry(scene, change)))];
+        NotTried = [.. visible.Except(Known)];
+        hidden = new(() => TooManyModels ? ([], 0) : MutationCoverage.HiddenIn(scene, threads, budget));
+    }
+
+    /// <summary>The scene.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>Its picture.</summary>
+    public Picture Right { get; }
+
+    /// <summary>The mistakes of the catalogue that the scene's picture cannot show. The first use takes longer than a diagnosis.</summary>
+    public IReadOnlyList<Mistake> Hidden => hidden.Value.Hidden;
+
+    /// <summary>How many mistakes were tried for <see cref="Hidden"/>: all that change a pixel, unless the work was limited.</summary>
+    public int TriedForHidden => hidden.Value.Tried;
+
+    /// <summary>Whether it has too many models for mistakes to be tried.</summary>
+    public bool TooManyModels => Scene.Models.Count > MutationCoverage.MaxModels;
+
+    internal int? Threads { get; }
+
+    internal Predicate<Change>? Possible { get; }
+
+    internal SearchBudget? Budget { get; }
+
+    /// <summary>The mistakes that can show in this scene at all.</summary>
+    public IReadOnlyList<Mistake> Known { get; }
+
+    /// <summary>The mistakes of triangles, if the scene has a mesh of many.</summary>
+    public IReadOnlyList<Mistake> NotTried { get; }
+
+    /// <summary>The scene's picture in the size that it should have, if another picture may be a part of it.</summary>
+    internal Picture? Whole(Picture picture) => size is var (width, height) && Crop.IsPossible(picture, width, height)
+        ? Renderer.Render(Scene.WithSize(width, height), Threads) : null;
+
+    /// <summary>Whether a picture has the scene's size, or the scene's with width and height swapped, as some mistakes do.</summary>
+    public static bool CanJudge(Scene scene, Picture picture) =>
+        (picture.Width, picture.Height) == (scene.Camera.Width, scene.Camera.Height)
+        || (picture.Height, picture.Width) == (scene.Camera.Width, scene.Camera.Height);
+
+    /// <summary>In how many pixels a picture differs by more than rounding. A few on outlines do not count.</summary>
+    public int WrongPixels(Picture picture) => ProgramDiagnosis.SampleOf(this, picture).WrongCount;
+
+    /// <summary>Judges a picture.</summary>
+    /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
+    /// <param name="done">
+    /// What the program certainly does: kinds of shape by their names in scene files, "attenuation", "clipping". Everything else may be missing.
+    /// </param>
+    /// <param name="likely">Which mistakes are likelier than others, for example those of the code written last; none if left out.</param>
+    /// <exception cref="ArgumentException">The picture has another size.</exception>
+    public DiagnosisResult Judge(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Change>? likely = null)
+    {
+        if (!CanJudge(Scene, picture))
+            throw new ArgumentException(
+                $"a picture of {picture.Width} x {picture.Height} for a scene of {Scene.Camera.Width} x {Scene.Camera.Height}", nameof(picture));
+        return new Decision(this, picture, done ?? [], likely).Decide();
+    }
+}

@@ -1,0 +1,288 @@
+using System.Collections.Concurrent;
+
+namespace RayCaster.Teaching.Diagnosis;
+
+/// <summary>
+/// The pixels of a picture by which mistakes are judged. In half of them the picture differs from the right one, in half it does not, and they are
+/// spread evenly. So a small fault counts although most of the picture is right.
+/// </summary>
+internal sealed class PictureSample
+{
+    /// <summary>How many wrong pixels, and how many others, tell most programs apart.</summary>
+    private const int FewPixelsAlike = 32;
+
+    /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
+    private const double Chance = 0.05;
+
+    /// <summary>The share of a picture's pixels that last bits may change.</summary>
+    private const double LastBits = 0.002;
+
+    /// <summary>If a greater share of the pixels is wrong, those on outlines do not matter.</summary>
+    private const double FewPixels = 0.03;
+
+    private readonly ConcurrentDictionary<(int Wrong, int Other), ConcurrentBag<FormulaEvaluator>> evaluators = []; // that no thread uses now
+    private readonly SearchBudget? budget;
+    private readonly FormulaProgram? basis; // that others differ from; the slides' if null
+    private readonly int most;
+    private readonly int allWrong; // also those that a first mistake explains
+    private readonly Lazy<Dictionary<string, (int X, int Y)[]>> shownKinds;
+    private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
+
+    /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
+    /// <param name="pixels">The most pixels that are compared; fewer in a scene of many models.</param>
+    /// <param name="budget">What drawing spends; null if it is not counted.</param>
+    public PictureSample(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true, SearchBudget? budget = null)
+    {
+        (Scene, Picture, Right, this.budget) = (scene, picture, right, budget);
+        (Colors, shownKinds) = (new(scene), new(FindShownKinds));
+        most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
+        var difference = Difference = HasRightSize ? new PictureDifference(picture, right) : null;
+        var judge = new PictureJudge(right, scene);
+        List<int> wrong = [], other = [];
+        for (var i = 0; i < PixelCount; i++)
+            (difference is null || difference.IsWrong(i) ? wrong : other).Add(i);
+        DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
+        if (forgiveOutlines && difference is not null && wrong.Count <= FewPixels * PixelCount)
+        {
+            OutlineCount = wrong.Count;
+            wrong = [.. judge.WrongPixels(difference)];
+            OutlineCount -= wrong.Count;
+        }
+        WrongCount = allWrong = wrong.Count;
+        IsOnlyOutlines = difference is not null && judge.AreStray(difference, wrong);
+        wrongPixels = Spread(wrong, most);
+        otherPixels = Spread(other, most);
+    }
+
+    /// <summary>The same pixels as evidence for a second mistake: those that a first one does not explain count as wrong.</summary>
+    public PictureSample(PictureSample whole, FormulaProgram first)
+    {
+        (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
+        (shownKinds, Colors) = (whole.shownKinds, whole.Colors);
+        basis = first with { ByteShift = 0 };
+        var drawn = whole.Draw(first);
+        var isExplained = whole.wrongPixels[..drawn.Wrong].Concat(whole.otherPixels[..drawn.Other]).Index()
+            .ToLookup(pixel => PictureJudge.IsNear(drawn.ColorAt(pixel.Index), Picture.At(pixel.Item)), pixel => pixel.Item);
+        wrongPixels = [.. isExplained[false]];
+        otherPixels = [.. isExplained[true]];
+        WrongCount = (int)whole.Residual(first).Unexplained;
+        allWrong = whole.allWrong;
+    }
+
+    private PictureSample(PictureSample whole, int[] pixels)
+    {
+        (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
+        (shownKinds, Colors) = (whole.shownKinds, whole.Colors);
+        (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
+    }
+
+    /// <summary>The same pixels in another order, all of them taken for wrong, in which each colour that the picture shows counts alike: a mistake
+    /// that draws most models right is near, even if a second one changes most of the picture.</summary>
+    public PictureSample ByColors()
+    {
+        int[][] alike = [.. wrongPixels.Concat(otherPixels).GroupBy(pixel => ColorOf(Picture.At(pixel))).Select(same => same.ToArray())];
+        return new(this, [.. Enumerable.Range(0, 2 * most).SelectMany(k => alike.Where(color => k < color.Length).Select(color => color[k]))]);
+
+        int ColorOf((byte, byte, byte) shown) => shown == Scene.Background.ToBytes() ? -1
+            : Scene.Models.TakeWhile(model => !Shade.IsOf(shown, model.Color)).Count();
+    }
+
+    public Scene Scene { get; }
+
+    /// <summary>Which models have a colour.</summary>
+    public ColorMap Colors { get; }
+
+    public Picture Right { get; }
+
+    public Picture Picture { get; }
+
+    public int PixelCount => Picture.Width * Picture.Height;
+
+    public int WrongCount { get; }
+
+    /// <summary>
+    /// In how many more pixels the picture shows what the scene shows a thousandth of a pixel away. There the last bits of doubles or floats decide.
+    /// That is not wrong, and must not be evidence: a mistake that changes a camera's number by its last bit would explain it.
+    /// </summary>
+    public int OutlineCount { get; }
+
+    /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
+    public double DarkerShare { get; }
+
+    /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
+    public bool IsOnlyOutlines { get; }
+
+    /// <summary>How the picture differs from the right one; null if it has another size, and for a second mistake.</summary>
+    public PictureDifference? Difference { get; }
+
+    /// <summary>What the whole picture shows.</summary>
+    public Observations Observe(int? threads) => new(Picture, Right, Difference,
+        Difference is null ? null : new(Scene, Difference, threads), Scene, new(Right, Scene));
+
+    /// <summary>Whether the picture has the size of the scene's own.</summary>
+    public bool HasRightSize => (Right.Width, Right.Height) == (Picture.Width, Picture.Height);
+
+    /// <summary>Whether it is the scene's picture, but for rounding and single pixels on outlines.</summary>
+    public bool IsRight => WrongCount == 0 || IsOnlyOutlines;
+
+    /// <summary>The fewest pixels that count: as many as a visible mistake changes, or as one compared pixel represents.</summary>
+    public double LeastPixels => Math.Max(MutationCoverage.LeastPixels, (double)WrongCount / most);
+
+    /// <summary>What a program draws in the pixels of the evidence.</summary>
+    public Drawn Draw(FormulaProgram program) => Draw(program, int.MaxValue);
+
+    private Drawn Draw(FormulaProgram program, int pixels)
+    {
+        var (wrong, other) = (Math.Min(pixels, wrongPixels.Length), Math.Min(pixels, otherPixels.Length));
+        return new(program.SizeOf(Scene.Camera), wrong, other, Draw(program, wrong, other));
+    }
+
+    /// <summary>Whether a program draws the same picture as another, but for one pixel in two thousand. Most differ in the first pixels.</summary>
+    public bool AreAlike(Drawn one, FormulaProgram program) =>
+        one.Size == program.SizeOf(Scene.Camera) && AreAlike(one, Draw(program, FewPixelsAlike)) && AreAlike(one, Draw(program));
+
+    private static bool AreAlike(Drawn one, Drawn other)
+    {
+        var left = (other.Wrong + other.Other) / 2000;
+        return Differing(0, 0, Math.Min(one.Wrong, other.Wrong)) + Differing(one.Wrong, other.Wrong, Math.Min(one.Other, other.Other)) <= left;
+
+        int Differing(int ofOne, int ofOther, int count) =>
+            Enumerable.Range(0, count).Count(i => !PictureJudge.IsNear(one.ColorAt(ofOne + i), other.ColorAt(ofOther + i)));
+    }
+
+    /// <summary>What a program draws.</summary>
+    /// <param name="Wrong">In how many of the first wrong pixels.</param>
+    /// <param name="Other">In how many of the first others.</param>
+    /// <param name="Rgb">The bytes of the wrong pixels, then those of the others.</param>
+    public sealed record Drawn((int Width, int Height) Size, int Wrong, int Other, byte[] Rgb)
+    {
+        public (byte, byte, byte) ColorAt(int i) => (Rgb[3 * i], Rgb[3 * i + 1], Rgb[3 * i + 2]);
+    }
+
+    /// <summary>The bits of the pixels that are left unexplained.</summary>
+    public double BitsOf(Residual residual) => Priors.BitsOf(residual.Weight, allWrong);
+
+    /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
+    public bool IsExplainedBy(FormulaProgram program) => Residual(program).Weight <= Math.Min(0.5 * WrongCount,
+        Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LastBits * PixelCount, 3 * LastBits * PixelCount)));
+
+    /// <summary>
+    /// Whether the picture proves that another program drew it: it shows the colour of a kind of shape, but the program draws nothing of this kind,
+    /// or nothing at these places although its mistake is one of this kind.
+    /// </summary>
+    /// <param name="isAbout">Whether a mistake of the program is one of a kind of shape alone.</param>
+    public bool Contradicts(FormulaProgram program, Predicate<string> isAbout)
+    {
+        if (!CanDraw(program)) return false;
+        return Lost(Scene, program).Any(kind =>
+            isAbout(kind) || ColorsOf(Draw(program)).All(color => Colors.KindOf(color) != kind));
+
+        static IEnumerable<(byte, byte, byte)> ColorsOf(Drawn drawn) => Enumerable.Range(0, drawn.Wrong + drawn.Other).Select(drawn.ColorAt);
+    }
+
+    /// <summary>The kinds of shape that the picture shows, but a program does not draw at any of these places, of this scene or a similar one.
+    /// </summary>
+    public IEnumerable<string> Lost(Scene scene, FormulaProgram program) =>
+        from shown in shownKinds.Value
+        let places = shown.Value
+        let drawn = FormulaEvaluator.Draw(scene, program with { HasNoisyTriangles = false }, places, budget)
+        where !places.Index().Any(place => PictureJudge.IsNear(At(drawn, place.Index), Picture[place.Item.X, place.Item.Y]))
+        select shown.Key;
+
+    /// <summary>The share that a program explains of those wrong pixels that show certain colours; 0 if none does.</summary>
+    public double ShareExplained(FormulaProgram program, Predicate<(byte, byte, byte)> ofColor)
+    {
+        if (!CanDraw(program)) return 0;
+        var drawn = Draw(program);
+        int[] places = [.. Enumerable.Range(0, drawn.Wrong).Where(i => ofColor(Picture.At(wrongPixels[i])))];
+        return places.Length == 0 ? 0 : (double)places.Count(i => PictureJudge.IsNear(drawn.ColorAt(i), Picture.At(wrongPixels[i]))) / places.Length;
+    }
+
+    /// <summary>An estimate of how many pixels a program leaves unexplained; all of them for none.</summary>
+    /// <param name="share">The share of the chosen pixels that is compared; few show that a mistake is far off.</param>
+    public Residual Residual(FormulaProgram? program, double share = 1)
+    {
+        if (program is null || !CanDraw(program)) return new(PixelCount, PixelCount); // nothing is explained
+        var (wrong, other) = Compared(share);
+        return ResidualOf(wrong, other, Draw(program, wrong, other),
+            program.HasNoisyTriangles ? Draw(program with { HasNoisyTriangles = false }, wrong, other) : null);
+    }
+
+    /// <summary>The same of a program that draws another scene than the one that is meant.</summary>
+    public Residual Residual(Scene scene, FormulaProgram program, double share = 1)
+    {
+        var (wrong, other) = Compared(share);
+        return ResidualOf(wrong, other, FormulaEvaluator.Draw(scene, program, PixelsOf(wrong, other), budget), null);
+    }
+
+    /// <summary>How many of the wrong pixels, and of the others, are a share of those that are compared.</summary>
+    private (int Wrong, int Other) Compared(double share)
+    {
+        var count = (int)Math.Ceiling(most * share);
+        return (Math.Min(wrongPixels.Length, count), Math.Min(otherPixels.Length, count));
+    }
+
+    /// <param name="rgb">What is drawn in the first wrong pixels and the first others.</param>
+    /// <param name="unaffected">What is drawn there if last bits spare a pixel; null if they do not matter.</param>
+    private Residual ResidualOf(int wrong, int other, byte[] rgb, byte[]? unaffected)
+    {
+        return Of(wrongPixels, 0, wrong, WrongCount) + Of(otherPixels, wrong, other, PixelCount - WrongCount);
+
+        Residual Of(int[] pixels, int first, int count, int stoodFor)
+        {
+            if (count == 0) return default;
+            var unexplained = 0.0;
+            var error = 0.0;
+            for (var k = 0; k < count; k++)
+            {
+                var shown = Picture.At(pixels[k]);
+                var difference = PictureDifference.Levels(At(rgb, first + k), shown);
+                if (unaffected is not null)
+                {
+                    var spared = PictureDifference.Levels(At(unaffected, first + k), shown);
+                    if (spared > PictureJudge.Tolerance && difference <= PictureJudge.Tolerance) unexplained += Chance;
+                    difference = Math.Min(difference, spared);
+                }
+                if (difference > PictureJudge.Tolerance) unexplained++;
+                error += difference / 255.0;
+            }
+            return new Residual(unexplained, error) * ((double)stoodFor / count);
+        }
+    }
+
+    private static (byte, byte, byte) At(byte[] rgb, int i) => (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+
+    /// <summary>Some of the pixels that show a colour that only one kind of shape has, for each kind that shows.</summary>
+    private Dictionary<string, (int X, int Y)[]> FindShownKinds() => Enumerable.Range(0, Picture.Count)
+        .ToLookup(i => Colors.KindOf(Picture.At(i)) ?? "", i => (i % Picture.Width, i / Picture.Width))
+        .Where(kind => kind.Key != "" && kind.Count() >= FaultLocalization.LeastShown).ToDictionary(kind => kind.Key, kind =>
+        {
+            (int, int)[] all = [.. kind];
+            var places = new GoldenRatioSequence(all.Length);
+            return Enumerable.Range(0, Math.Min(all.Length, FewPixelsAlike)).Select(k => all[places[k]]).ToArray();
+        });
+
+    /// <summary>What a program draws in the first wrong pixels and in the first others.</summary>
+    private byte[] Draw(FormulaProgram program, int wrong, int other)
+    {
+        if (wrong + other == 0) return [];
+        if (program.ByteShift != 0) return FormulaEvaluator.Draw(Scene, program, PixelsOf(wrong, other), budget);
+        var idle = evaluators.GetOrAdd((wrong, other), _ => []);
+        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), basis ?? FormulaProgram.For(Scene.Camera));
+        var rgb = evaluator.Draw(program, budget);
+        idle.Add(evaluator);
+        return rgb;
+    }
+
+    private (int X, int Y)[] PixelsOf(int wrong, int other) =>
+        [.. wrongPixels[..wrong].Concat(otherPixels[..other]).Select(pixel => (pixel % Picture.Width, pixel / Picture.Width))];
+
+    private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height);
+
+    /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
+    private static int[] Spread(List<int> all, int most)
+    {
+        var place = new GoldenRatioSequence(Math.Max(1, all.Count));
+        return [.. Enumerable.Range(0, Math.Min(all.Count, most)).Select(k => all[place[k]])];
+    }
+}

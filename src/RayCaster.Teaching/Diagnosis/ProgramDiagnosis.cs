@@ -1,0 +1,194 @@
+namespace RayCaster.Teaching.Diagnosis;
+
+/// <summary>What is wrong with a program, by its pictures of several scenes together: a mistake that one of them proves explains the others, too.
+/// </summary>
+public sealed record ProgramDiagnosis
+{
+    /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
+    private const double MayLeave = 0.5;
+
+    /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
+    private const double OneKind = 0.9;
+
+    /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
+    private const double Slight = 0.05;
+
+    /// <summary>How many pixels of each picture are compared with each mistake, at most.</summary>
+    private const int Pixels = 3000;
+
+    /// <summary>The steps of which one must be wrong, where nothing explains the pictures but only the light is wrong; otherwise null.</summary>
+    private readonly IReadOnlyCollection<StepKind>? stepsOfLight;
+
+    private ProgramDiagnosis(IReadOnlyCollection<StepKind>? stepsOfLight = null) => this.stepsOfLight = stepsOfLight;
+
+    /// <summary>The mistakes; none if nothing is wrong, or if nothing explains most of the wrong pictures.</summary>
+    public Suspect Verdict { get; private init; } = Suspect.None;
+
+    /// <summary>Other mistakes that explain the pictures as well as the verdict.</summary>
+    public IReadOnlyList<Suspect> Alternatives { get; private init; } = [];
+
+    /// <summary>The mistakes that draw the same pictures, if the verdict is that shapes are missing: the shapes may be written, and lost.</summary>
+    public IReadOnlyList<Change> HidingMistakes { get; private init; } = [];
+
+    /// <summary>The places of the wrong pictures among all.</summary>
+    public IReadOnlyList<int> Wrong { get; private init; } = [];
+
+    /// <summary>The places of the wrong pictures that the verdict does not explain.</summary>
+    public IReadOnlyList<int> Unexplained { get; private init; } = [];
+
+    /// <summary>Whether the verdict changes a picture and leaves more than half of its wrong pixels unexplained. Then it is only a guess in the
+    /// other pictures, too.</summary>
+    public bool IsGuess { get; private init; }
+
+    /// <summary>Whether the verdict explains all pictures.</summary>
+    public bool IsCertain => Unexplained.Count == 0;
+
+    /// <summary>The mistakes that come nearest where none explains the pictures; null where some do.</summary>
+    public Suspect? Nearest { get; private init; }
+
+    /// <summary>The kinds of shape that show in the pictures that the verdict draws, if the verdict has mistakes.</summary>
+    public IReadOnlyList<string> Drawn { get; private init; } = [];
+
+    /// <summary>Whether nothing explains the pictures, but only the light is wrong.</summary>
+    public bool IsOnlyLight => stepsOfLight is not null;
+
+    /// <summary>What the teacher should know where nothing explains the pictures; null for nothing.</summary>
+    public string? Note { get; private init; }
+
+    /// <summary>What the wrong pictures show that is no mistake of the formulas, a sentence for each, by their places; none if one shows nothing of
+    /// the kind.</summary>
+    public IReadOnlyDictionary<int, string> Causes { get; private init; } = new Dictionary<int, string>();
+
+    /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
+    public bool TellsNothing { get; private init; }
+
+    /// <summary>Slips in formulas that explain the pictures and have no name.</summary>
+    public IEnumerable<Change> Slips =>
+        Alternatives.Prepend(Verdict).SelectMany(suspect => suspect.AllMistakes).Where(mistake => mistake.Place is not null);
+
+    /// <summary>Finds what is wrong.</summary>
+    /// <param name="pictures">A program's pictures, each with its scene; their sizes pass <see cref="Diagnoser.CanJudge"/>.</param>
+    /// <param name="known">The mistakes that it may have.</param>
+    public static ProgramDiagnosis Find(IReadOnlyList<(Diagnoser Scene, Picture Picture)> pictures, IReadOnlyList<Mistake> known)
+    {
+        PictureSample[] samples = [.. pictures.Select(picture => SampleOf(picture.Scene, picture.Picture))];
+        int[] wrong = [.. Enumerable.Range(0, samples.Length).Where(i => !samples[i].IsRight)];
+        if (wrong.Length == 0) return new();
+        PictureSample[] wrongSamples = [.. wrong.Select(i => samples[i])];
+        var none = new ProgramDiagnosis { Wrong = wrong, Unexplained = wrong };
+        if (samples.All(sample => sample.Picture.IsNearlyOneColor)) return none with { TellsNothing = true };
+        Observations[] observed = [.. wrongSamples.Select(sample => sample.Observe(1))];
+        var without = new Lazy<double>(() =>
+            observed.Index().Sum(of => of.Item.Best?.Total(wrongSamples[of.Index].WrongCount) ?? Priors.OtherProgram));
+        var ranked = new HypothesisSearch(samples, known, [], 1, null, null, null, null, without).Run();
+        var verdict = ranked[0];
+        int[] unexplained = [.. wrong.Where(i => !samples[i].IsExplainedBy(verdict.Programs[i]))];
+        if (verdict.Total >= Priors.LeastWithoutFormulas && without.Value < verdict.Total && observed.All(of => of.Best is not null))
+            return none with { Causes = wrong.Zip(observed.Select(of => of.Best!.Sentence)).ToDictionary() };
+        if (2 * unexplained.Length >= wrong.Length)
+        {
+            var (steps, note) = OnlyLight(observed);
+            return new(steps)
+            {
+                Wrong = wrong,
+                Unexplained = wrong,
+                Nearest = verdict.Reported.Count > 0 && verdict.Total < Decision.Mentioned * wrong.Length ? Find(verdict) : null,
+                Note = note ?? OnlyKind(observed),
+            };
+        }
+        Hypothesis?[] less = [WithoutSlight(verdict, samples, wrongSamples)];
+        return none with
+        {
+            Unexplained = unexplained,
+            Verdict = Find(verdict),
+            Alternatives = [.. AsGood(verdict, ranked).Concat(less.OfType<Hypothesis>()).Select(Find)],
+            HidingMistakes = verdict.MissingShapes.Count > 0 ? [.. Hiding(verdict, ranked)] : [],
+            Drawn = verdict.Mistakes.Count > 0 ? [.. KindsIn(samples).Where(kind => Draws(verdict, kind, samples))] : [],
+            IsGuess = unexplained.Any(i => IsHardlyExplained(verdict.Programs[i], samples[i])),
+        };
+    }
+
+    /// <summary>Whether something unnamed may be wrong in the formulas of a part of a program (<see cref="MissingParts.All"/>).</summary>
+    public bool MayBeIn(string part) =>
+        OpenSteps.Any(step => part == (step is StepKind.Light ? MissingParts.Attenuation : step.ToString().ToLowerInvariant()));
+
+    /// <summary>Whether something unnamed may be wrong in the formulas that a mistake changes.</summary>
+    public bool MayBeIn(Mistake mistake) => OpenSteps.Any(step => step.IsOfColors() ? mistake.Steps.Any(touched => touched.IsOfColors())
+        : mistake.Slide == FormulaBook.Slides.StylesOf(step)[0].Slide);
+
+    private IEnumerable<StepKind> OpenSteps => Slips.SelectMany(slip => slip.Place!.Steps).Concat(stepsOfLight ?? []);
+
+    internal static PictureSample SampleOf(Diagnoser scene, Picture picture) =>
+        new(scene.Scene, scene.Right, picture, Pixels, !scene.TooManyModels);
+
+    private static Suspect Find(Hypothesis hypothesis) => new(
+        hypothesis.Mistakes, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, [], hypothesis.Missing, false, false, hypothesis.IsUsual);
+
+    /// <summary>Programs of as many mistakes as the verdict that are about as short.</summary>
+    private static IEnumerable<Hypothesis> AsGood(Hypothesis verdict, List<Hypothesis> ranked) =>
+        ranked.TakeWhile(other => other.Total < verdict.Total + Priors.AsLikely)
+            .Where(other => other.Count == verdict.Count && other.Key != verdict.Key).DistinctBy(other => other.Key);
+
+    private static IEnumerable<Change> Hiding(Hypothesis verdict, List<Hypothesis> ranked) =>
+        ranked.TakeWhile(other => other.Total < verdict.Total + Priors.Known)
+            .Where(other => other is { Missing.Count: 0, HasOtherSample: false, Mistakes.Count: 1 })
+            .Select(other => other.Mistakes[0]).DistinctBy(mistake => mistake.Id);
+
+    private static IEnumerable<string> KindsIn(PictureSample[] samples) =>
+        samples.SelectMany(sample => sample.Scene.Models.Select(model => model.Kind)).Distinct();
+
+    /// <summary>Whether a kind of shape shows in the pictures that a program draws.</summary>
+    private static bool Draws(Hypothesis program, string kind, PictureSample[] samples)
+    {
+        if (program.Plus(ChangeSource.Missing(kind)) is not { } without) return false; // it is missing
+        return samples.Index().Any(sample => sample.Item.Scene.Models.Any(model => model.Kind == kind)
+            && Weight(without.Programs[sample.Index], sample.Item)
+                > Weight(program.Programs[sample.Index], sample.Item) + sample.Item.LeastPixels);
+    }
+
+    /// <summary>A program without one of its mistakes or missing parts, if this explains only a few pixels; otherwise null.</summary>
+    private static Hypothesis? WithoutSlight(Hypothesis program, PictureSample[] samples, PictureSample[] wrong)
+    {
+        var (missing, mistakes) = program.Count;
+        return missing + mistakes < 2 ? null : program.Changes
+            .Where(change => change.Missing is not null).Concat(program.Mistakes)
+            .Select(change => Hypothesis.Create(samples.Select(sample => sample.Scene), program.Changes.Remove(change)))
+            .FirstOrDefault(less => samples.Index().Where(sample => wrong.Contains(sample.Item)).All(sample =>
+                Weight(less!.Programs[sample.Index], sample.Item) - Weight(program.Programs[sample.Index], sample.Item)
+                    < Slight * Weight(Right(sample.Item), sample.Item)));
+    }
+
+    private static FormulaProgram Right(PictureSample sample) => FormulaProgram.For(sample.Scene.Camera);
+
+    private static double Weight(FormulaProgram program, PictureSample sample) => sample.Residual(program).Weight;
+
+    private static bool IsHardlyExplained(FormulaProgram program, PictureSample sample)
+    {
+        var left = sample.Residual(program);
+        var all = sample.Residual(Right(sample));
+        return left != all && left.Weight > MayLeave * all.Weight;
+    }
+
+    /// <summary>
+    /// The steps where all outlines are right and only the light is not. If it is wrong on one kind of shape, this one's formula may be the reason.
+    /// </summary>
+    private static (IReadOnlyCollection<StepKind>? Steps, string? Note) OnlyLight(Observations[] wrong)
+    {
+        var kinds = wrong.Select(of => of.OtherLight).TakeWhile(kinds => kinds.Count > 0).ToList();
+        if (kinds.Count < wrong.Length) return default;
+        var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value)
+            .ToDictionary(kind => kind.Key, kind => kind.Sum());
+        var most = counts.MaxBy(kind => kind.Value);
+        var isOneKind = most.Value >= OneKind * counts.Values.Sum();
+        return (isOneKind && ShapeKind.Find(most.Key) is { } shape ? [StepKind.Light, StepKind.Bytes, shape.Step] : [StepKind.Light, StepKind.Bytes],
+            isOneKind && most.Key == "background" ? "only the background is wrong" : "all outlines are right, only the light is not");
+    }
+
+    /// <summary>What the teacher should know where all pictures prove that one kind of shape is wrong and all else is right.</summary>
+    private static string? OnlyKind(Observations[] wrong)
+    {
+        var kinds = wrong.Select(of => of.ByModels?.FaultLocalization.Kinds ?? []).ToArray();
+        return kinds.All(kind => kind.Count == 1) && kinds.Select(kind => kind[0]).Distinct().ToArray() is [var only]
+            ? $"only {MissingParts.Many(only)} are wrong" : null;
+    }
+}

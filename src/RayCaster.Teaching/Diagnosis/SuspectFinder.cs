@@ -1,0 +1,92 @@
+namespace RayCaster.Teaching.Diagnosis;
+
+/// <summary>Finds which of a hypothesis's mistakes show, and which other mistakes draw the same picture.</summary>
+internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
+{
+    /// <summary>How many other formulas are named.</summary>
+    private const int MaxFormulas = 3;
+
+    /// <param name="likeliest">The first suspect.</param>
+    public Suspect Of(Hypothesis hypothesis, Hypothesis likeliest)
+    {
+        Mistake[] twins = [];
+        string[] others = [];
+        var own = hypothesis.Programs[0];
+        var drawn = sample.Draw(own);
+        var shown = Visible(hypothesis, drawn);
+        if (shown is [var named] && !own.HasNoisyTriangles && prepared.Budget?.IsSpent() != true)
+        {
+            var rest = With(hypothesis.Changes.Where(change => hypothesis.HasOtherSample && change.IsOtherSample
+                || (change.Missing is not null && hypothesis.Mistakes.Count > 0)))!;
+            twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
+                .Where(other => other.Id != named.Id && other.Changes.Any(change => AreAlike(drawn, rest.Plus(change))))];
+            if (ReferenceEquals(hypothesis, likeliest)) others = OtherFormulas(named, own, rest, drawn);
+        }
+        var isSame = own.HasNoisyTriangles == likeliest.Programs[0].HasNoisyTriangles && sample.AreAlike(drawn, likeliest.Programs[0]);
+        var isTypical = hypothesis.Residual.Unexplained <= Decision.Explained * sample.WrongCount && hypothesis.IsUsual;
+        shown = [.. shown.Select(mistake => Fits(mistake, hypothesis, drawn) ? mistake : MutationNaming.Unnamed(mistake))];
+        return new(shown, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.Missing, isSame,
+            isSame || hypothesis.Total - likeliest.Total < Priors.AsLikely, isTypical) { OtherFormulas = others };
+    }
+
+    /// <summary>The formulas of the step that a mistake changes in which a slip draws the same, but for its own, in words: the scene cannot tell them
+    /// apart.</summary>
+    private string[] OtherFormulas(Change named, FormulaProgram own, Hypothesis rest, PictureSample.Drawn drawn)
+    {
+        if (named.OwnSteps.Distinct().ToArray() is not [var step] || !step.IsOfShape() && !step.IsOfRays()) return [];
+        var right = FormulaBook.Slides[step, own[step].Style];
+        var changed = right.Formulas.Where(formula => !own[step].Formulas.Contains(formula)).Select(formula => formula.Computed);
+        Mutation[] slips = [.. MutationFactory.MutationsOf(right).Where(mutation => mutation.Formula is not null && mutation.Label != named.Id)];
+        return
+        [
+            .. slips.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
+                .Where(mutation => AreAlike(drawn, rest.Plus(ChangeSource.Of(mutation)))).AsEnumerable()
+                .Select(mutation => mutation.Formula!.Computed).Distinct().Except(changed).Select(MutationNaming.InWords).Take(MaxFormulas),
+        ];
+    }
+
+    /// <summary>The mistakes that would also make a program lose the missing shapes.</summary>
+    public IEnumerable<Hypothesis> HidingMistakes(Hypothesis best)
+    {
+        var shapes = best.MissingShapes;
+        var without = sample.Draw(best.Programs[0]);
+        var rest = With(best.Changes.Where(change => change.Missing is null || !shapes.Contains(change.Missing)))!;
+        return from mistake in prepared.Known
+               where shapes.All(mistake.Touches)
+               let hiding = mistake.Changes.Select(rest.Plus).FirstOrDefault(other => AreAlike(without, other))
+               where hiding is not null
+               orderby !hiding.Changes[^1].IsUsual, mistake.Steps.Count // the commonest, then those of few shapes
+               select hiding with { Residuals = best.Residuals, Total = best.Total };
+    }
+
+    /// <summary>Whether the question of a mistake fits a slip that has its name. A question about a size fits only if the picture is also that of
+    /// what people write who make the mistake: "half of the height" is no question about one that is twice too large.</summary>
+    private bool Fits(Change slip, Hypothesis hypothesis, PictureSample.Drawn drawn) => slip is not { Mutation: { } mutation, Mistake: { } mistake }
+        || IsAbout(mistake, mutation) && (!IsOfSize(mutation)
+            || mistake.Changes.Any(change => AreAlike(drawn, With(hypothesis.Changes.Select(own => own == slip ? change : own)))));
+
+    /// <summary>Whether a mistake is made in the formula that is edited. Only the slides' own style has its names.</summary>
+    private static bool IsAbout(Mistake mistake, Mutation mutation)
+    {
+        if (mutation.Formula is not { } formula || mutation.Right != FormulaBook.Slides.StylesOf(mutation.Step.Kind)[0]) return true;
+        string[] names = [.. mistake.Changes.SelectMany(change => change.Ways[0]).OfType<StepChange.Written>()
+            .Where(step => step.Kind == mutation.Step.Kind && step.Style is null).SelectMany(step => step.Formulas).Select(written => written.Name)];
+        return names.Length == 0 || names.Contains(formula.Name == Formula.Near || formula.Name == Formula.Far ? "hits" : formula.Name.Text);
+    }
+
+    private static bool IsOfSize(Mutation mutation) => mutation.Operator.IsOfSize
+        || mutation is { Step.Kind: StepKind.Camera, Formula.Right.Dimension.Kind: ValueKind.Number };
+
+    private bool AreAlike(PictureSample.Drawn drawn, Hypothesis? other) => other is not null && sample.AreAlike(drawn, other.Programs[0]);
+
+    private Hypothesis? With(IEnumerable<Change> changes) => Hypothesis.Create([prepared.Scene], changes);
+
+    /// <summary>The mistakes that show. Of zNear and zFar, which are not written yet, the picture may show only one.</summary>
+    private Change[] Visible(Hypothesis hypothesis, PictureSample.Drawn drawn)
+    {
+        var reported = hypothesis.Reported;
+        var hidden = reported.Count < 2 ? null : reported.Except(hypothesis.Mistakes).FirstOrDefault(part => AreAlike(drawn, With(
+            hypothesis.Changes.Where(change => change.Missing is null).Concat(reported.Except(hypothesis.Mistakes).Where(other => other != part)))));
+        return [.. reported.Where(mistake => mistake != hidden)];
+    }
+}

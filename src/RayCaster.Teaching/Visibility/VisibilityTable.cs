@@ -1,0 +1,45 @@
+namespace RayCaster.Teaching.Visibility;
+
+/// <summary>The ledger as a table: a line for each model, a column for each outcome that occurs.</summary>
+internal static class VisibilityTable
+{
+    /// <summary>If there are more models, only those with the most hits have a line.</summary>
+    private const int MaxLines = 30;
+
+    /// <summary>The titles of the columns, and for outcomes without a hit what a model, and what several models do.</summary>
+    public static readonly (Outcome Outcome, string Title, string One, string Many)[] Columns =
+    [
+        (Outcome.Shows, "shows", "", ""),
+        (Outcome.Hidden, "hidden", "", ""),
+        (Outcome.Behind, "behind", "lies behind the camera", "lie behind the camera"),
+        (Outcome.UnderBias, "t <= bias", "is crossed only at t <= bias", "are crossed only at t <= bias"),
+        (Outcome.BeforeNear, "z < zNear", "lies nearer than zNear", "lie nearer than zNear"),
+        (Outcome.BeyondFar, "z > zFar", "lies beyond zFar", "lie beyond zFar"),
+        (Outcome.Misses, "misses", "is missed by every ray", "are missed by every ray"),
+    ];
+
+    public static string Format(SceneVisibility ledger)
+    {
+        var camera = ledger.Scene.Camera;
+        var pixels = (long)camera.Width * camera.Height;
+        var title = ledger.Rays == pixels
+            ? $"What became of {Digits.Count(pixels, "ray")}, model by model:\n"
+            : $"What became of the rays, model by model, judged from {Digits.Number(ledger.Rays)} of {Digits.Number(pixels)}:\n";
+        if (ledger.Models.Count == 0) return title;
+
+        var byHits = Enumerable.Range(0, ledger.Models.Count).OrderByDescending(i => ledger.Models[i].Hits);
+        var shown = byHits.Take(MaxLines).Order().Select(i => ledger.Models[i]).ToArray();
+        var columns = Array.FindAll(Columns,
+            column => column.Outcome == Outcome.Shows || ledger.Models.Any(entry => entry[column.Outcome] > 0));
+        var labels = Math.Max("model".Length, shown.Max(entry => entry.Label.Length));
+        var width = Math.Max(9, Number(ledger.Rays).Length);
+        var lines = shown.Select(entry => Line(entry.Label, columns.Select(column => Number(entry[column.Outcome]))));
+        return title + Line("model", columns.Select(column => column.Title)) + string.Concat(lines)
+            + (ledger.Models.Count > MaxLines ? $"  and {Digits.Number(ledger.Models.Count - MaxLines)} models with fewer hits\n" : "");
+
+        string Line(string label, IEnumerable<string> cells) =>
+            $"  {label.PadRight(labels)}{string.Concat(cells.Select(cell => "  " + cell.PadLeft(width)))}\n";
+    }
+
+    private static string Number(long count) => count == 0 ? "-" : Digits.Number(count);
+}
