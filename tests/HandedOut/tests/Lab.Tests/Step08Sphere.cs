@@ -50,6 +50,12 @@ public class Step08Sphere : StepTests
     [Theory]
     [InlineData(Geometric)]
     [InlineData(Analytical)]
+    public void WhereZNearCutsOffTheNearSideTheFarSideShows(string way) =>
+        RayAssert.Hits(way, SphereOf(default, 3), new(5, 0, 0), new(-1, 0, 0), 8, By(way), zNear: 5);
+
+    [Theory]
+    [InlineData(Geometric)]
+    [InlineData(Analytical)]
     public void ASphereBehindIsNotHit(string way) => RayAssert.Hits(way, SphereOf(default, 3), new(5, 0, 0), new(1, 0, 0), null, By(way));
 
     [Theory]
@@ -65,5 +71,5 @@ public class Step08Sphere : StepTests
     }
 
     [Fact]
-    public void ThePictures() => PictureAssert.EqualAt(8, "sphere", "inside-sphere", "first", "mistakes/generic");
+    public void ThePictures() => PictureAssert.EqualAt(8, "sphere", "inside-sphere", "first", "near-plane", "mistakes/generic");
 }
