@@ -18,9 +18,6 @@ public sealed class PixelNumbers
 
     private const string Endless = "no end: probably your code has an endless loop";
 
-    private static readonly (double B0, double B1, double P, double d)[] slabs = // from each side, from inside, parallel: inside, outside, on a face
-        [(1, 3, 0, 0.5), (1, 3, 5, -1), (1, 3, 2, 0.5), (1, 3, 2, 0), (1, 3, 0, 0), (1, 3, 4, 0), (1, 3, 1, 0), (1, 3, 3, 0)];
-
     private readonly Scene scene;
     private readonly int column, row;
     private readonly Dictionary<string, object> yours = [];
@@ -159,12 +156,8 @@ public sealed class PixelNumbers
             yield return OfCounts($"isAhead of Counts({Digits.Format(t)}) for Bias = {bias}", Slides.Bias, new(bias, -1e9, 1e9), t, 1);
         foreach (var t in (double[])[4, 16, 10, 6, 14])
             yield return OfCounts($"isBetween of Counts({t}) for ZNear = 3, ZFar = 7, DepthPerT = 0.5", Slides.ClipPlanes, new(-1e9, 3, 7), t, 0.5);
-        foreach (var (calls, t, hit) in ((string, double, string)[])[("Hit(5), Hit(3), Hit(4)", 3, "that of Hit(3)"),
-            ("Hit(3), Hit(3)", 3, "that of the first Hit(3)"), ("Hit(−3), Hit(NaN)", double.PositiveInfinity, "null")])
-        {
-            yield return Of($"HitParameter after {calls}", Slides.Ray, t);
-            yield return Of($"HitModel after {calls}", Slides.Ray, hit);
-        }
+        foreach (var (calls, hit) in ((string, string)[])[("Hit(5), Hit(3), Hit(4)", "3, that of call 2"), ("Hit(3), Hit(3)", "3, that of call 1"),
+            ("Hit(−3), Hit(NaN)", "Infinity, null")]) yield return Of($"HitParameter and HitModel after {calls}", Slides.Ray, hit);
         var plane = new Plane(new(3, 3, -1), new(1, 2, -1));
         var example = Of("plane", Slides.RayPlane, 0); // where it is not written
         if (example.Yours != null) example = OfCalls("", "plane", Model.Of(plane), Slides.RayPlane, new(P, d));
@@ -189,48 +182,38 @@ public sealed class PixelNumbers
             yield return Of(step.Name == "d" ? "d" : FromD(step.Name), Slides.PixelTranslation, step.Value);
         if (unwritten.Contains(Slides.PixelTranslation) || yours.GetValueOrDefault("d") is Exception) yield break;
 
-        foreach (var (B0, B1, P, slope) in slabs)
+        foreach (var name in yours.Keys.Where(name => name.StartsWith("Slab(", StringComparison.Ordinal)))
         {
-            var (first, second) = BodyNumbers.Slab(B0, B1, P, slope);
-            var slab = Of(FormattableString.Invariant($"Slab({B0}, {B1}, {P}, {slope})"), Slides.BoxParameters, new Pair(first, second));
-            if (slab.Yours != null) yield return slab with { IsTold = slab.Right != null };
+            double[] of = [.. name[5..^1].Split(", ").Select(number => double.Parse(number, CultureInfo.InvariantCulture))];
+            if (Of(name, Slides.BoxParameters, BodyNumbers.Slab(of[0], of[1], of[2], of[3])) is { Right: not null } wrong) yield return wrong;
         }
         foreach (var (i, model) in scene.Models.Index())
         {
-            foreach (var line in OfModel(model, i)) yield return line;
+            var name = $"t of {ModelName.Typed(scene, i)}";
+            foreach (var line in OfModel(name, model, i)) yield return line;
             if (!yours.ContainsKey($"{i} {Analytical}") || unwritten.Contains(Slides.SphereAnalytical)) continue;
-            var other = OfCalls($"t of {ModelName.Typed(scene, i)} by AnalyticalSolution", $"{i} {Analytical}", model, Slides.SphereAnalytical, right);
+            var other = OfCalls($"{name} by AnalyticalSolution", $"{i} {Analytical}", model, Slides.SphereAnalytical, right);
             yield return other with { IsTold = other.Right != null }; // it draws nothing
         }
         yield return Of("hit", Slides.Ray, new ModelAndT(nearest.Model, nearest.T));
+        var lit = scene.Shade(nearest); // or the background
         if (nearest.Model >= 0)
         {
-            var attenuation = scene.Attenuation<Scalar>(nearest.T).Value;
-            yield return Of("attenuation", Slides.Shading, attenuation);
-            var lit = attenuation * scene.Models[nearest.Model].Color;
-            var shade = Of("Shade", Slides.Shading, new Vector3(lit.R, lit.G, lit.B));
-            if (shade.Yours != null) yield return shade with { Name = "red, green and blue of Shade" };
+            yield return Of("attenuation", Slides.Shading, scene.Attenuation<Scalar>(nearest.T).Value);
+            yield return Of("Shade", Slides.Shading, new Vector3(lit.R, lit.G, lit.B)) with { Name = "red, green and blue of Shade" };
         }
         var isUnlit = nearest.Model >= 0 && unwritten.Contains(Slides.Shading);
-        var color = isUnlit ? scene.Models[nearest.Model].Color : scene.Shade(nearest);
-        yield return Of("bytes", Slides.RayCasting, color.ToBytes());
+        yield return Of("bytes", Slides.RayCasting, (isUnlit ? scene.Models[nearest.Model].Color : lit).ToBytes());
     }
 
     /// <summary>Which t the model has, and whether one counts that should not, or the other way.</summary>
-    private IEnumerable<Line> OfModel(Model model, int index)
+    private IEnumerable<Line> OfModel(string name, Model model, int index)
     {
-        var name = $"t of {ModelName.Typed(scene, index)}";
         var slide = model is Model<Aabb> ? Slides.BoxTest : ShapeKind.Find(model.Kind)?.Slide ?? model.Kind;
-        var rightly = model.Intersect(right) ?? double.PositiveInfinity;
-        if (!IsWritten(model) || yours.GetValueOrDefault($"{index}") is not (double T, bool Counts)[] calls)
-        {
-            yield return IsWritten(model)
-                ? Of($"{index}", slide, rightly) with { Name = name, Right = HitText(rightly) } : new(name, slide, null, null);
-            yield break;
-        }
-        var line = OfCalls(name, $"{index}", model, slide, right);
+        var line = IsWritten(model) ? OfCalls(name, $"{index}", model, slide, right) : new(name, slide, null, null);
         if (scene.Models.Count <= ManyModels || line.Yours != HitText(double.PositiveInfinity) || line.Right != null) yield return line;
-        foreach (var (t, counts) in calls.Where(call => call.Counts != right.Counts(call.T)).Take(1))
+        var calls = IsWritten(model) ? yours.GetValueOrDefault($"{index}") as (double T, bool Counts)[] : null;
+        foreach (var (t, counts) in (calls ?? []).Where(call => call.Counts != right.Counts(call.T)).Take(1))
             yield return new($"Counts({Digits.Format(t)})", $"{Slides.Bias}\" or \"{Slides.ClipPlanes}", $"{counts}", $"{!counts}");
     }
 
@@ -239,20 +222,22 @@ public sealed class PixelNumbers
     {
         var rightly = model.Intersect(ray) ?? double.PositiveInfinity;
         if (yours.GetValueOrDefault(key) is not (double T, bool Counts)[] calls)
-            return Of(key, slide, rightly) is { Yours: not null } wrong ? wrong with { Name = name, Right = HitText(rightly) } : new(name, slide, null, null);
+            return Of(key, slide, rightly) is { Yours: not null } wrong ? wrong with { Name = name, Right = HitText(rightly) }
+                : new(name, slide, null, null);
         double[] ts = [.. calls.Select(call => call.T)];
         var mine = ts.Where(ray.Counts).DefaultIfEmpty(double.PositiveInfinity).Min();
         var refused = !double.IsInfinity(mine) ? ""
             : ts.Length > 0 ? $" (Hit was called with t = {string.Join(" and t = ", ts.Select(Digits.Format))})"
             : double.IsInfinity(rightly) ? "" : " (Hit was not called)";
         var numbers = BodyNumbers.Of(model, ray.Origin, ray.Direction, slide == Slides.SphereAnalytical);
-        var between = Between(numbers, BodyNumbers.Yours(numbers, ts, yours.GetValueOrDefault($"{key} slabs") as double[]), slide);
+        var slabs = yours.GetValueOrDefault($"{key} slabs") as double[] ?? [];
+        if (slabs.Take(6).Zip(numbers).Any(slab => !IsSame(slab.First, slab.Second.Value))) slide = Slides.BoxParameters;
+        var between = Between(numbers, BodyNumbers.Yours(numbers, ts, slabs), slide);
         if (!IsSame(mine, rightly)) return new(name, slide, HitText(mine) + refused, HitText(rightly)) { Between = between };
-        if (BodyNumbers.RootsOf(numbers) is var (near, far) && ts is [var a, var b] && !(IsSame(Math.Min(a, b), near) && IsSame(Math.Max(a, b), far)))
-            return new($"both {name}", slide, $"{Digits.Format(a)} and {Digits.Format(b)}", $"{Digits.Format(near)} and {Digits.Format(far)}")
-                { Between = between };
-        return between.FirstOrDefault(number => number is { Yours: not null, Right: not null }) is { } unseen ? unseen with { Name = $"{unseen.Name}, on the way to {name}" }
-            : new(name, slide, HitText(mine) + refused, null);
+        if (BodyNumbers.RootsOf(numbers) is var (near, far) && ts is [var a, var b] && !IsSame(new Pair(ts.Min(), ts.Max()), new Pair(near, far)))
+            return new($"both {name}", slide, Text(new Pair(a, b)), Text(new Pair(near, far))) { Between = between };
+        return between.FirstOrDefault(number => number is { Yours: not null, Right: not null }) is { } unseen
+            ? unseen with { Name = $"{unseen.Name}, on the way to {name}" } : new(name, slide, HitText(mine) + refused, null);
     }
 
     private static IEnumerable<Line> Between(

@@ -43,7 +43,7 @@ public class PixelNumbersTests
         "t of a plane with Q = (3, 3, −1), n = (1, 2, −1) for P = (1, 2, 3), d = (0.48, 0.6, −0.64)", "Ray – Plane Intersection")]
     [InlineData("Sphere", "R * R - D * D", "R - D * D", "t of ball", "Sphere – Geometric Solution", Explicit = true)]
     [InlineData("Circle", ".Length <= R", ".Length >= 0", "t of disc", "Circle")] // no hit is right
-    [InlineData("Ray", "t >= HitParameter", "t <= HitParameter", "HitParameter after Hit(5), Hit(3), Hit(4)", "Ray", Explicit = true)]
+    [InlineData("Ray", "t >= HitParameter", "t <= HitParameter", "HitParameter and HitModel after Hit(5), Hit(3), Hit(4)", "Ray", Explicit = true)]
     [InlineData("Ray", "t > Bias", "t < Bias", "isAhead of Counts(1) for Bias = 2", "Bias")]
     [InlineData("Ray", "z <= ZFar", "z <= ZNear", "isBetween of Counts(10) for ZNear = 3, ZFar = 7, DepthPerT = 0.5", "zNear & zFar")]
     [InlineData("Ray", "var z = t * DepthPerT", "var z = t / DepthPerT",
@@ -99,7 +99,7 @@ public class PixelNumbersTests
     {
         var lines = Numbers("Camera", "W = -(", "Todo.Note(\"Camera\"); W = (");
         AssertHas("  X(5) for P = (1, 2, 3), d = (0.48, 0.6, −0.64): (3.4, 5, −0.2)", lines);
-        AssertHas("  HitModel after Hit(5), Hit(3), Hit(4): that of Hit(3)", lines);
+        AssertHas("  HitParameter and HitModel after Hit(5), Hit(3), Hit(4): 3, that of call 2", lines);
         AssertHas("  t of a plane with Q = (3, 3, −1), n = (1, 2, −1) for P = (1, 2, 3), d = (0.48, 0.6, −0.64): 3.44828", lines);
         Assert.Equal("  W: not written yet. Step 4, slide \"Camera\"", lines[^2]);
         Assert.Equal("Your numbers of the steps 1, 2, 3, 6 are right for this pixel. The tests of step 6 ask more.", lines[^1]);

@@ -94,7 +94,7 @@ public class Step04Camera : StepTests
             var untouched = new Untouched(("this", mine));
             var myD = mine.Direction(c, r);
             untouched.Check(PixelSlide);
-            RayAssert.Equal(FormattableString.Invariant($"d for c = {c:0.##}, r = {r:0.##} {which}"), PixelSlide, new(d.X, d.Y, d.Z), myD, isUnit: true);
+            RayAssert.Equal($"d for c = {RayAssert.Text(c)}, r = {RayAssert.Text(r)} {which}", PixelSlide, new(d.X, d.Y, d.Z), myD, isUnit: true);
         }
     }
 

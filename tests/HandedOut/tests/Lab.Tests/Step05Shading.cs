@@ -8,8 +8,6 @@ public class Step05Shading : StepTests
 
     private readonly Chance chance = new();
 
-    private static RayCaster.Vector3 White => new(1, 1, 1);
-
     /// <summary>Checks red, green and blue, which differ where the model's colour does.</summary>
     private static void AssertShade(string which, double attenuation, RayCaster.Vector3 P, RayCaster.Vector3 T, double t, RayCaster.Vector3 rgb)
     {
@@ -25,13 +23,13 @@ public class Step05Shading : StepTests
     }
 
     [Fact]
-    public void TheTargetHasHalfItsColour() => AssertShade("at t = 20 of the target at 20", 0.5, new(20, 0, 0), default, 20, White);
+    public void TheTargetHasHalfItsColour() => AssertShade("at t = 20 of the target at 20", 0.5, new(20, 0, 0), default, 20, new(1, 1, 1));
 
     [Fact]
     public void FromTwiceTheTargetsDistanceOnAllIsBlack()
     {
-        AssertShade("at t = 40 of the target at 20", 0, new(20, 0, 0), default, 40, White);
-        AssertShade("at t = 50 of the target at 20, which is not less than 0", 0, new(20, 0, 0), default, 50, White);
+        AssertShade("at t = 40 of the target at 20", 0, new(20, 0, 0), default, 40, new(1, 1, 1));
+        AssertShade("at t = 50 of the target at 20, which is not less than 0", 0, new(20, 0, 0), default, 50, new(1, 1, 1));
     }
 
     [Fact]
@@ -41,7 +39,7 @@ public class Step05Shading : StepTests
         {
             var (P, T, t) = (chance.Point(), chance.Point(), chance.Length(40));
             var rgb = new RayCaster.Vector3(chance.Length(1), chance.Length(1), chance.Length(1));
-            AssertShade(FormattableString.Invariant($"of {RayAssert.Text(rgb)} at t = {t:0.####} for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}"),
+            AssertShade($"of {RayAssert.Text(rgb)} at t = {RayAssert.Text(t)} for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}",
                 Math.Max(0, 1 - t / (2 * (T - P).Length)), P, T, t, rgb);
         }
     }

@@ -7,14 +7,13 @@ namespace Lab.Tests;
 public class Step07Box : StepTests
 {
     private const string SlabSlide = "AABB – intersection parameters";
-
     private const double Endless = double.PositiveInfinity;
 
     private static readonly (double B0, double B1, double P, double d, double t0, double t1)[] slabs =
     [
         (1, 3, 0, 1, 1, 3), // along the axis
         (1, 3, 5, -1, 2, 4), // against it: B1 comes first
-        (1, 3, 2, 0.5, -2, 2), // from inside
+        (1, 3, 2.5, 0.5, -3, 1), (1, 3, 5, 1, -4, -2), // from inside, behind
         (1, 3, 2, 0, -Endless, Endless), // parallel to the slab, all of the ray in it
         (1, 3, 1, 0, -Endless, Endless), (1, 3, 3, 0, -Endless, Endless), // on a face, where (B0 - P) / d is 0 / 0
         (1, 3, 0, 0, Endless, -Endless), (1, 3, 4, 0, Endless, -Endless), // parallel to it, outside

@@ -79,16 +79,15 @@ public static class RayAssert
                 $"\n  {Cite(slide)}");
         double? actual = ray.HitModel == null ? null : ray.HitParameter;
         if (expected is { } a && actual is { } b ? AreEqual(a, b) : expected == actual) return;
-        var isAnalytical = slide == "Sphere – Analytical Solution";
         var limits = depthPerT == 1 && bias == 0 && zNear == 0 ? "" // the ray is not clipped
             : $", Bias = {Text(bias)}, ZNear = {Text(zNear)}, ZFar = {(zFar == double.MaxValue ? "∞" : Text(zFar))}, DepthPerT = {Text(depthPerT)}";
-        if (ray.Miscounts(new(bias, zNear, zFar))) slide = "zNear & zFar";
+        var cited = ray.Miscounts(new(bias, zNear, zFar)) ? "zNear & zFar" : slide;
         Assert.Fail($"""
             expected {Hit(expected)}, but got {Hit(actual)}{ray.Calls(actual)}{(expected is { } x && actual is { } y ? Precision((x, y)) : "")}.
               Ray    P = {Text(P)}, d = {Text(d)}{limits}
               {Letters(model)}
-              Right  {BodyNumbers.Line(model, P, d, isAnalytical)}
-              {Cite(slide)}{Chance.Again}
+              Right  {BodyNumbers.Line(model, P, d, slide == "Sphere – Analytical Solution")}
+              {Cite(cited)}{Chance.Again}
             """);
     }
 
@@ -141,7 +140,7 @@ public static class RayAssert
 
     /// <summary>Whether two numbers are equal except in their last bits.</summary>
     public static bool AreEqual(double a, double b) =>
-        a == b || Math.Abs(a - b) <= 1e-7 * (1 + Math.Min(Math.Abs(a), Math.Abs(b))) || (double.IsNaN(a) && double.IsNaN(b));
+        a.Equals(b) || a == b || (double.IsFinite(a - b) && Math.Abs(a - b) <= 1e-7 * (1 + Math.Min(Math.Abs(a), Math.Abs(b)))); // NaN equals NaN
 
     /// <summary>The same coordinate by coordinate.</summary>
     public static bool AreEqual(RayCaster.Vector3 a, Vector3 b) => AreEqual(a.X, b.X) && AreEqual(a.Y, b.Y) && AreEqual(a.Z, b.Z);
