@@ -60,6 +60,7 @@ public class RayAssertTests
     {
         Assert.False(RayAssert.AreEqual(double.PositiveInfinity, 5));
         Assert.False(RayAssert.AreEqual(5, double.PositiveInfinity));
+        Assert.False(RayAssert.AreEqual(double.PositiveInfinity, double.NegativeInfinity));
         Assert.True(RayAssert.AreEqual(double.PositiveInfinity, double.PositiveInfinity));
     }
 

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using Bytes = (byte R, byte G, byte B);
 using ModelAndT = (int Model, double T);
+using Pair = (double First, double Second);
 
 namespace RayCaster.Teaching.Course;
 
@@ -76,22 +77,34 @@ public sealed class PixelNumbers
         output.WriteLine($"Column {column}, line {line} from the top: c = {column}, r = {row}");
         var foundWrong = false;
         var last = "";
-        foreach (var (name, slide, mine, rightly) in new PixelNumbers(scene, column, row, bodies(column, row), notes,
-            limit ?? longest).Lines())
+        var shown = new SortedSet<int>(); // the steps
+        foreach (var part in new PixelNumbers(scene, column, row, bodies(column, row), notes, limit ?? longest).Lines())
         {
+            var (name, slide, mine, rightly) = part;
             if (mine == null && slide == last) continue;
             last = slide;
-            var text = mine == null ? $"not written yet. Step {Slides.StepOf(slide)}, slide \"{slide}\""
-                : rightly == null ? mine
-                : level == "answer" ? $"yours {mine}, right {rightly}"
-                : $"yours {mine}, not right";
+            if (mine != null) shown.Add(Slides.StepOf(slide));
+            if (!part.IsTold) continue;
+            var text = mine == null ? $"not written yet. Step {Slides.StepOf(slide)}, slide \"{slide}\"" : Compared(mine, rightly);
             if (rightly != null && !foundWrong) text += ": the first wrong value" + (level == "symptom" ? "" : $". Slide \"{slide}\"");
             output.WriteLine($"  {name}: {text}");
+            if (rightly != null && !foundWrong)
+                foreach (var between in part.Between.Where(between => between.Yours != null || level == "answer"))
+                    output.WriteLine($"    {between.Name}: {Compared(between.Yours, between.Right)}");
             foundWrong |= rightly != null;
             if (mine == Endless) break;
         }
-        output.WriteLine(foundWrong ? "Numbers after the first wrong one may be wrong because of it." : "None of these numbers is wrong.");
+        var steps = shown.Where(step => step > 0);
+        output.WriteLine(foundWrong ? "Numbers after the first wrong one may be wrong because of it."
+            : !steps.Any() ? "No number is yours: what this pixel asks for is not written yet."
+            : $"Your numbers of {(steps.Count() == 1 ? "step" : "the steps")} {string.Join(", ", steps)} are right for this pixel. " +
+                $"The tests of step {steps.Last()} ask more.");
         return foundWrong ? 1 : 0;
+
+        string? Compared(string? mine, string? rightly) => mine == null ? $"right {rightly}"
+            : rightly == null ? mine
+            : level == "answer" ? $"yours {mine}, right {rightly}"
+            : $"yours {mine}, not right";
     }
 
     private static object Result(Func<object> compute, TimeSpan limit)
@@ -115,77 +128,127 @@ public sealed class PixelNumbers
     /// <summary>The text for each number.</summary>
     /// <param name="Yours">Null if it is not written yet.</param>
     /// <param name="Right">Null if yours is right.</param>
-    private sealed record Line(string Name, string Slide, string? Yours, string? Right);
+    private sealed record Line(string Name, string Slide, string? Yours, string? Right)
+    {
+        /// <summary>The numbers on the way to it, told if it is the first wrong one; yours is null where it cannot be had.</summary>
+        public IEnumerable<Line> Between { get; init; } = [];
 
-    private IEnumerable<Line> Lines()
+        /// <summary>Whether it is shown: an example that is right need not be, once there are rays.</summary>
+        public bool IsTold { get; init; } = true;
+    }
+
+    /// <summary>What is asked of each program, whatever its scene.</summary>
+    private IEnumerable<Line> Examples()
     {
         Vector3 a = new(1, 2, 3), b = new(4, -5, 6);
         foreach (var (name, result) in ((string, object)[])
             [("a + b", a + b), ("a − b", a - b), ("2 a", 2 * a), ("a × b", a % b), ("a · b", a * b), ("|a|", a.Length)])
         {
-            if (Of(name, Slides.Vectors, result) is { Right: not null } wrong)
-                yield return wrong with { Name = $"{name} for a = {Digits.Format(a)}, b = {Digits.Format(b)}" };
+            yield return Of(name, Slides.Vectors, result) with { Name = $"{name} for a = {Digits.Format(a)}, b = {Digits.Format(b)}" };
             foreach (var (operand, value) in ((string, object)[])[($"a after {name}", a), ($"b after {name}", b)])
                 if (yours.GetValueOrDefault(operand) is Vector3 && Of(operand, Slides.Vectors, value) is { Right: not null } changed)
                     yield return changed;
         }
+        Vector3 P = new(1, 2, 3), d = new(0.48, 0.6, -0.64);
+        var which = $"for P = {Digits.Format(P)}, d = {Digits.Format(d)}";
+        yield return Of("X(5)", Slides.Ray, P + 5 * d) with { Name = $"X(5) {which}" };
+        foreach (var (t, bias) in ((double, double)[])[(1, 2), (2, 2), (3, 2), (-1, 0), (0, 0)])
+            yield return OfCounts($"isAhead of Counts({Digits.Format(t)}) for Bias = {bias}", Slides.Bias, new(bias, -1e9, 1e9), t, 1);
+        foreach (var t in (double[])[4, 16, 10, 6, 14])
+            yield return OfCounts($"isBetween of Counts({t}) for ZNear = 3, ZFar = 7, DepthPerT = 0.5", Slides.ClipPlanes, new(-1e9, 3, 7), t, 0.5);
+        foreach (var (calls, hit) in ((string, string)[])[("Hit(5), Hit(3), Hit(4)", "3, that of call 2"), ("Hit(3), Hit(3)", "3, that of call 1"),
+            ("Hit(−3), Hit(NaN)", "Infinity, null")]) yield return Of($"HitParameter and HitModel after {calls}", Slides.Ray, hit);
+        var plane = new Plane(new(3, 3, -1), new(1, 2, -1));
+        var example = Of("plane", Slides.RayPlane, 0); // where it is not written
+        if (example.Yours != null) example = OfCalls("", "plane", Model.Of(plane), Slides.RayPlane, new(P, d));
+        yield return example with { Name = $"t of a plane with Q = {Digits.Format(plane.Point)}, n = {Digits.Format(plane.Normal)} {which}" };
 
+        Line OfCounts(string name, string slide, ClipRange range, double t, double depthPerT) =>
+            Of(name, slide, range.CountsMask<Scalar>(t, depthPerT) != 0);
+    }
+
+    private IEnumerable<Line> Lines()
+    {
+        var hasRays = !unwritten.Overlaps([Slides.Vectors, Slides.Camera]);
+        foreach (var example in Examples())
+            if (example.Yours != null || !hasRays) yield return example with { IsTold = !hasRays || example.Right != null };
         foreach (var step in PixelSteps.OfCamera(scene.Camera))
         {
             yield return Of(step.Name, Slides.Camera, step.Value);
             if (yours.GetValueOrDefault("W") is Exception) yield break; // there is no camera
         }
+        if (!hasRays) yield break;
         foreach (var step in PixelSteps.OfRay(scene.Camera, column, row).Where(step => step.Name != "pixel"))
             yield return Of(step.Name == "d" ? "d" : FromD(step.Name), Slides.PixelTranslation, step.Value);
-        if (unwritten.Overlaps([Slides.Vectors, Slides.Camera, Slides.PixelTranslation]) || yours.GetValueOrDefault("d") is Exception) yield break;
+        if (unwritten.Contains(Slides.PixelTranslation) || yours.GetValueOrDefault("d") is Exception) yield break;
 
+        foreach (var name in yours.Keys.Where(name => name.StartsWith("Slab(", StringComparison.Ordinal)))
+        {
+            double[] of = [.. name[5..^1].Split(", ").Select(number => double.Parse(number, CultureInfo.InvariantCulture))];
+            if (Of(name, Slides.BoxParameters, BodyNumbers.Slab(of[0], of[1], of[2], of[3])) is { Right: not null } wrong) yield return wrong;
+        }
         foreach (var (i, model) in scene.Models.Index())
         {
-            foreach (var line in OfModel(model, i)) yield return line;
-            if (OfAnalytical(model, i) is { } analytical) yield return analytical;
+            var name = $"t of {ModelName.Typed(scene, i)}";
+            foreach (var line in OfModel(name, model, i)) yield return line;
+            if (!yours.ContainsKey($"{i} {Analytical}") || unwritten.Contains(Slides.SphereAnalytical)) continue;
+            var other = OfCalls($"{name} by AnalyticalSolution", $"{i} {Analytical}", model, Slides.SphereAnalytical, right);
+            yield return other with { IsTold = other.Right != null }; // it draws nothing
         }
         yield return Of("hit", Slides.Ray, new ModelAndT(nearest.Model, nearest.T));
-        if (nearest.Model >= 0) yield return Of("attenuation", Slides.Shading, scene.Attenuation<Scalar>(nearest.T).Value);
+        var lit = scene.Shade(nearest); // or the background
+        if (nearest.Model >= 0)
+        {
+            yield return Of("attenuation", Slides.Shading, scene.Attenuation<Scalar>(nearest.T).Value);
+            yield return Of("Shade", Slides.Shading, new Vector3(lit.R, lit.G, lit.B)) with { Name = "red, green and blue of Shade" };
+        }
         var isUnlit = nearest.Model >= 0 && unwritten.Contains(Slides.Shading);
-        var color = isUnlit ? scene.Models[nearest.Model].Color : scene.Shade(nearest);
-        yield return Of("bytes", Slides.RayCasting, color.ToBytes());
+        yield return Of("bytes", Slides.RayCasting, (isUnlit ? scene.Models[nearest.Model].Color : lit).ToBytes());
     }
 
     /// <summary>Which t the model has, and whether one counts that should not, or the other way.</summary>
-    private IEnumerable<Line> OfModel(Model model, int index)
+    private IEnumerable<Line> OfModel(string name, Model model, int index)
     {
-        var name = $"t of {ModelName.Typed(scene, index)}";
-        var slide = ShapeKind.Find(model.Kind)?.Slide ?? model.Kind;
-        var rightly = model.Intersect(right) ?? double.PositiveInfinity;
-        if (!IsWritten(model) || yours.GetValueOrDefault($"{index}") is not (double T, bool Counts)[] calls)
-        {
-            yield return IsWritten(model)
-                ? Of($"{index}", slide, rightly) with { Name = name, Right = HitText(rightly) } : new(name, slide, null, null);
-            yield break;
-        }
-        var mine = NearestOf(calls);
-        var refused = double.IsInfinity(mine) && calls.Length > 0 ? $" (Hit was called with t = {Digits.Format(calls[0].T)})" : "";
-        if (scene.Models.Count <= ManyModels || double.IsFinite(mine) || !IsSame(mine, rightly))
-            yield return new(name, slide, HitText(mine) + refused, IsSame(mine, rightly) ? null : HitText(rightly));
-        foreach (var (t, counts) in calls.Where(call => call.Counts != right.Counts(call.T)).Take(1))
+        var slide = model is Model<Aabb> ? Slides.BoxTest : ShapeKind.Find(model.Kind)?.Slide ?? model.Kind;
+        var line = IsWritten(model) ? OfCalls(name, $"{index}", model, slide, right) : new(name, slide, null, null);
+        if (scene.Models.Count <= ManyModels || line.Yours != HitText(double.PositiveInfinity) || line.Right != null) yield return line;
+        var calls = IsWritten(model) ? yours.GetValueOrDefault($"{index}") as (double T, bool Counts)[] : null;
+        foreach (var (t, counts) in (calls ?? []).Where(call => call.Counts != right.Counts(call.T)).Take(1))
             yield return new($"Counts({Digits.Format(t)})", $"{Slides.Bias}\" or \"{Slides.ClipPlanes}", $"{counts}", $"{!counts}");
     }
 
-    /// <summary>The other solution of a sphere, which draws nothing; null where it is right or not written.</summary>
-    private Line? OfAnalytical(Model model, int index)
+    /// <summary>The least t that counts by the right rule of those with which a body calls Hit, or the second where only that is wrong.</summary>
+    private Line OfCalls(string name, string key, Model model, string slide, Ray ray)
     {
-        var slide = Slides.SphereAnalytical;
-        if (unwritten.Contains(slide) || !yours.TryGetValue($"{index} {Analytical}", out var mine)) return null;
-        var name = $"t of {ModelName.Typed(scene, index)} by AnalyticalSolution";
-        var rightly = model.Intersect(right) ?? double.PositiveInfinity;
-        if (mine is not (double T, bool Counts)[] calls) return new(name, slide, Text(mine), HitText(rightly));
-        var t = NearestOf(calls);
-        return IsSame(t, rightly) ? null : new(name, slide, HitText(t), HitText(rightly));
+        var rightly = model.Intersect(ray) ?? double.PositiveInfinity;
+        if (yours.GetValueOrDefault(key) is not (double T, bool Counts)[] calls)
+            return Of(key, slide, rightly) is { Yours: not null } wrong ? wrong with { Name = name, Right = HitText(rightly) }
+                : new(name, slide, null, null);
+        double[] ts = [.. calls.Select(call => call.T)];
+        var mine = ts.Where(ray.Counts).DefaultIfEmpty(double.PositiveInfinity).Min();
+        var refused = !double.IsInfinity(mine) ? ""
+            : ts.Length > 0 ? $" (Hit was called with t = {string.Join(" and t = ", ts.Select(Digits.Format))})"
+            : double.IsInfinity(rightly) ? "" : " (Hit was not called)";
+        var numbers = BodyNumbers.Of(model, ray.Origin, ray.Direction, slide == Slides.SphereAnalytical);
+        var slabs = yours.GetValueOrDefault($"{key} slabs") as double[] ?? [];
+        if (slabs.Take(6).Zip(numbers).Any(slab => !IsSame(slab.First, slab.Second.Value))) slide = Slides.BoxParameters;
+        var between = Between(numbers, BodyNumbers.Yours(numbers, ts, slabs), slide);
+        if (!IsSame(mine, rightly)) return new(name, slide, HitText(mine) + refused, HitText(rightly)) { Between = between };
+        if (BodyNumbers.RootsOf(numbers) is var (near, far) && ts is [var a, var b] && !IsSame(new Pair(ts.Min(), ts.Max()), new Pair(near, far)))
+            return new($"both {name}", slide, Text(new Pair(a, b)), Text(new Pair(near, far))) { Between = between };
+        return between.FirstOrDefault(number => number is { Yours: not null, Right: not null }) is { } unseen
+            ? unseen with { Name = $"{unseen.Name}, on the way to {name}" } : new(name, slide, HitText(mine) + refused, null);
     }
 
-    /// <summary>The least t that counts by the right rule; infinite for none.</summary>
-    private double NearestOf((double T, bool Counts)[] calls) =>
-        calls.Select(call => call.T).Where(right.Counts).DefaultIfEmpty(double.PositiveInfinity).Min();
+    private static IEnumerable<Line> Between(
+        IReadOnlyList<(string Name, object Value)> right, IEnumerable<(string Name, object Value)> yours, string slide)
+    {
+        var mine = yours.ToLookup(number => number.Name, number => number.Value);
+        foreach (var (name, value) in right)
+            if (mine[name].FirstOrDefault() is not { } own) yield return new(name, slide, null, BodyNumbers.Text(value));
+            else if (BodyNumbers.IsSame(own, value)) yield return new(name, slide, BodyNumbers.Text(own), null);
+            else yield return new(name, slide, BodyNumbers.Text(own) + BodyNumbers.Which(right, name, own), BodyNumbers.Text(value));
+    }
 
     private Line Of(string name, string slide, object rightly) =>
         unwritten.Contains(Slides.Vectors) ? new(name, Slides.Vectors, null, null)
@@ -195,17 +258,18 @@ public sealed class PixelNumbers
 
     private static bool IsSame(object a, object b) => (a, b) switch
     {
-        (double x, double y) => x == y || Math.Abs(x - y) <= 1e-6 * (1 + Math.Min(Math.Abs(x), Math.Abs(y))),
-        (Vector3 v, Vector3 w) => IsSame(v.X, w.X) && IsSame(v.Y, w.Y) && IsSame(v.Z, w.Z),
         (ModelAndT v, ModelAndT w) => v.Model == w.Model && IsSame(v.T, w.T),
+        (Pair v, Pair w) => IsSame(v.First, w.First) && IsSame(v.Second, w.Second),
         (Bytes v, Bytes w) => PictureJudge.IsNear(v, w),
-        _ => false,
+        (bool or string, bool or string) => a.Equals(b),
+        _ => BodyNumbers.IsSame(a, b),
     };
 
     private string Text(object value) => value switch
     {
         double number => Digits.Format(number),
         Vector3 vector => Digits.Format(vector),
+        Pair pair => $"({Digits.Format(pair.First)}, {Digits.Format(pair.Second)})",
         ModelAndT hit => hit.Model < 0 ? "none" : $"{ModelName.Typed(scene, hit.Model)} at t = {Digits.Format(hit.T)}",
         Bytes bytes => $"({bytes.R}, {bytes.G}, {bytes.B})",
         TimeoutException => Endless,

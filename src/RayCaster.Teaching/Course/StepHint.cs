@@ -14,6 +14,11 @@ public static class StepHint
     /// </param>
     public static string Format(Scene scene, Picture picture, int step, HintLevel level) => Format(scene, Judge(scene, picture, step), step, level);
 
+    /// <summary>The same, on a new line, where a mistake in a step's code explains all wrong pixels; otherwise empty.</summary>
+    public static string OfAllPixels(Scene scene, Picture picture, int step, HintLevel level) =>
+        Judge(scene, picture, step) is { Kind: DiagnosisKind.Mistake, Suspects: [{ Unexplained: 0, Mistakes: [var mistake] }, ..] } diagnosis
+            && LabSteps.IsOf(mistake, step) ? "\n" + Format(scene, diagnosis, step, level) : "";
+
     internal static string Format(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 

@@ -24,7 +24,7 @@ public class PixelNumbersTests
         AssertHas("  uc (from your d): 0.124264", lines);
         AssertHas("  t of ball: 17.0344", lines);
         AssertHas("  bytes: (146, 146, 0)", lines);
-        Assert.Equal("None of these numbers is wrong.", lines[^1]);
+        Assert.Equal("Your numbers of the steps 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 are right for this pixel. The tests of step 10 ask more.", lines[^1]);
     }
 
     [Theory]
@@ -39,12 +39,21 @@ public class PixelNumbersTests
     [InlineData("Camera", "r / Height - h / 2", "c / Height - h / 2", "ur (from your d)", "Camera Pixel Translation", Explicit = true)]
     [InlineData("Camera", "(uc * U + ur * V - W).Normalized", "uc * U + ur * V - W", "d", "Camera Pixel Translation", Explicit = true)]
     [InlineData("Camera", "ur * V - W", "ur * V + W", "d", "Camera Pixel Translation", Explicit = true)]
-    [InlineData("Plane", "(Q - ray.Origin)", "(ray.Origin - Q)", "t of back", "Ray – Plane Intersection")]
+    [InlineData("Plane", "(Q - ray.Origin)", "(ray.Origin - Q)",
+        "t of a plane with Q = (3, 3, −1), n = (1, 2, −1) for P = (1, 2, 3), d = (0.48, 0.6, −0.64)", "Ray – Plane Intersection")]
     [InlineData("Sphere", "R * R - D * D", "R - D * D", "t of ball", "Sphere – Geometric Solution", Explicit = true)]
     [InlineData("Circle", ".Length <= R", ".Length >= 0", "t of disc", "Circle")] // no hit is right
-    [InlineData("Ray", "t >= HitParameter", "t <= HitParameter", "hit", "Ray", Explicit = true)]
-    [InlineData("Ray", "t > Bias", "t < Bias", "Counts(25.601)", "Bias\" or \"zNear & zFar", Explicit = true)]
-    [InlineData("Ray", "z <= ZFar", "z <= ZNear", "Counts(25.601)", "Bias\" or \"zNear & zFar", Explicit = true)]
+    [InlineData("Ray", "t >= HitParameter", "t <= HitParameter", "HitParameter and HitModel after Hit(5), Hit(3), Hit(4)", "Ray", Explicit = true)]
+    [InlineData("Ray", "t > Bias", "t < Bias", "isAhead of Counts(1) for Bias = 2", "Bias")]
+    [InlineData("Ray", "z <= ZFar", "z <= ZNear", "isBetween of Counts(10) for ZNear = 3, ZFar = 7, DepthPerT = 0.5", "zNear & zFar")]
+    [InlineData("Ray", "var z = t * DepthPerT", "var z = t / DepthPerT",
+        "isBetween of Counts(10) for ZNear = 3, ZFar = 7, DepthPerT = 0.5", "zNear & zFar", Explicit = true)]
+    [InlineData("Ray", "Origin + t * Direction", "t * Origin + Direction", "X(5) for P = (1, 2, 3), d = (0.48, 0.6, −0.64)", "Ray")]
+    [InlineData("Aabb", "B0 <= P && P <= B1", "true", "Slab(1, 3, 0, 0)", "AABB – intersection parameters")]
+    [InlineData("Aabb", "Slab(B0.Y, B1.Y, P.Y, d.Y)", "Slab(B0.Y, B1.Y, P.Y, d.X)", "y0, on the way to t of box", "AABB checking for intersection")]
+    [InlineData("Camera", "* ray.HitModel.Color", "* new Color(ray.HitModel.Color.B, ray.HitModel.Color.G, ray.HitModel.Color.R)",
+        "red, green and blue of Shade", "Primitive Shading")]
+    [InlineData("Camera", "ray.HitParameter / (2", "ray.HitParameter * ray.DepthPerT / (2", "attenuation", "Primitive Shading")]
     [InlineData("Camera", "(2 * (Target", "((Target", "attenuation", "Primitive Shading")]
     [InlineData("Sphere", "2 * (ray.Direction * CP)", "ray.Direction * CP", "t of ball by AnalyticalSolution",
         "Sphere – Analytical Solution", Explicit = true)]
@@ -76,14 +85,44 @@ public class PixelNumbersTests
         var lines = Numbers("Sphere", "var L = C - ray.Origin;", "Todo.Note(\"Sphere – Geometric Solution\"); return; var L = C - ray.Origin;");
         AssertHas("  t of ball: not written yet. Step 8, slide \"Sphere – Geometric Solution\"", lines);
         AssertHas("  hit: back at t = 25.601", lines);
-        Assert.Equal("None of these numbers is wrong.", lines[^1]);
-        lines = Numbers("Camera", "W = -(", "Todo.Note(\"Camera\"); W = (");
-        Assert.Equal(["  W: not written yet. Step 4, slide \"Camera\""], lines[1..2]);
+        Assert.Equal("Your numbers of the steps 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 are right for this pixel. The tests of step 10 ask more.", lines[^1]);
         lines = Numbers("Vector3", "return new(a.X - b.X", "return Todo.Note(\"IDE & Vectors\", Zero); return new(a.X - b.X");
-        Assert.Equal(["  W: not written yet. Step 1, slide \"IDE & Vectors\"", "None of these numbers is wrong."], lines[1..]);
+        Assert.Equal(["  a + b for a = (1, 2, 3), b = (4, −5, 6): not written yet. Step 1, slide \"IDE & Vectors\"",
+            "No number is yours: what this pixel asks for is not written yet."], lines[1..]);
         lines = Numbers("Camera", "var attenuation =", "return Todo.Note(\"Primitive Shading\", ray.HitModel.Color); var attenuation =");
         AssertHas("  bytes: (255, 255, 0)", lines);
-        Assert.Equal("None of these numbers is wrong.", lines[^1]);
+        Assert.Equal("Your numbers of the steps 1, 2, 3, 4, 6, 7, 8, 9, 10 are right for this pixel. The tests of step 10 ask more.", lines[^1]);
+    }
+
+    [Fact]
+    public void BeforeThereIsACameraExamplesAreShown()
+    {
+        var lines = Numbers("Camera", "W = -(", "Todo.Note(\"Camera\"); W = (");
+        AssertHas("  X(5) for P = (1, 2, 3), d = (0.48, 0.6, −0.64): (3.4, 5, −0.2)", lines);
+        AssertHas("  HitParameter and HitModel after Hit(5), Hit(3), Hit(4): 3, that of call 2", lines);
+        AssertHas("  t of a plane with Q = (3, 3, −1), n = (1, 2, −1) for P = (1, 2, 3), d = (0.48, 0.6, −0.64): 3.44828", lines);
+        Assert.Equal("  W: not written yet. Step 4, slide \"Camera\"", lines[^2]);
+        Assert.Equal("Your numbers of the steps 1, 2, 3, 6 are right for this pixel. The tests of step 6 ask more.", lines[^1]);
+    }
+
+    /// <summary>The right ones, and one's own where the calls of Hit and Slab tell them.</summary>
+    [Theory]
+    [InlineData("Sphere", "(R * R - D * D)", "(R - D * D)", "t_ca: 20.", "D²: right 2.", "t_hc: yours 1.")]
+    [InlineData("Sphere", "ray.Hit(t_ca + t_hc", "ray.Hit(t_ca", "t_ca: right 20.", "t_hc: right 3.", "t_ca + t_hc: yours 20.")]
+    [InlineData("Sphere", "CP * CP - R * R", "CP * CP - R", "b: right −", "c: right 416", "−b / (2a): 20.", "√(b² − 4ac) / (2a): yours ")]
+    [InlineData("Aabb", "Slab(B0.X, B1.X, P.X, d.X)", "Slab(B0.X, B1.X, P.X, d.Y)", "x1: yours ", "y1: ", "z1: ")]
+    [InlineData("Aabb", "Math.Min(x1, Math.Min", "Math.Max(x1, Math.Min", "t_min: ", "t_max: yours ")]
+    [InlineData("Circle", "<= R", "<= R * R * R", "t: ", "|X − C|: right ")]
+    [InlineData("Triangle", "u / sum >= 0 && ", "u / sum < 0 && ", "t: ", "u: right ", "v: right ", "u + v: right ")]
+    public void BelowTheFirstWrongTAreTheNumbersOnTheWay(string file, string old, string @new, params string[] between)
+    {
+        var scene = room with { Models = [.. room.Models.Where(model => model.Kind == file.ToLowerInvariant())] };
+        var (column, line) = file switch { "Sphere" => (325, 359), "Aabb" => (170, 330), "Circle" => (350, 190), _ => (150, 190) };
+        var lines = EditedLab.PixelOf(scene, column, line, "answer", file, old, @new, null).Split('\n');
+        var first = Array.FindIndex(lines, text => text.Contains("the first wrong value"));
+        Assert.True(first >= 0, string.Join('\n', lines));
+        var below = lines[(first + 1)..].TakeWhile(text => text.StartsWith("    ", StringComparison.Ordinal)).ToList();
+        Assert.All(between, start => Assert.Contains(below, text => text.StartsWith("    " + start, StringComparison.Ordinal)));
     }
 
     [Fact]

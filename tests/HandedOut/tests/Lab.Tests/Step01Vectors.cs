@@ -37,7 +37,7 @@ public class Step01Vectors : StepTests
         RayAssert.Equal("(1, 2, 3) * (4, -5, 6), the dot product", Slide, 12, new Vector3(1, 2, 3) * new Vector3(4, -5, 6));
         RayAssert.Equal("(1, 0, 0) % (0, 1, 0), the cross product", Slide, new(0, 0, 1), new Vector3(1, 0, 0) % new Vector3(0, 1, 0));
         RayAssert.Equal("the length of (1, 2, 2)", Slide, 3, new Vector3(1, 2, 2).Length);
-        RayAssert.Equal("(0, 0, -2) normalised", Slide, new(0, 0, -1), new Vector3(0, 0, -2).Normalized);
+        RayAssert.Equal("(0, 0, -2) normalised", Slide, new(0, 0, -1), new Vector3(0, 0, -2).Normalized, isUnit: true);
     }
 
     [Fact]

@@ -66,6 +66,7 @@ public class Step02Ray : StepTests
     [StackTraceHidden]
     private void AssertHit(double t, Model model, string when)
     {
+        Assert.True(ray.Counts(t), $"Counts({t}) of a ray that is not clipped: expected True, but got False.\n  {RayAssert.Cite("zNear & zFar")}");
         RayAssert.Equal($"HitParameter {when}", Slide, t, ray.HitParameter);
         var got = ray.HitModel == null ? "null" : "the model of another hit";
         Assert.True(ray.HitModel == model, $"HitModel {when}: expected the model of the hit at {t}, but got {got}.\n  {RayAssert.Cite(Slide)}");

@@ -14,12 +14,12 @@ public class Step04Camera : StepTests
     public void TheCoursesCameraLooksAlongTheXAxis()
     {
         var camera = new Camera(new(20, 0, 0), Vector3.Zero, new(0, 0, 1), 45, 500, 500);
-        RayAssert.Equal("W", Slide, new(1, 0, 0), camera.W);
-        RayAssert.Equal("U", Slide, new(0, 1, 0), camera.U);
-        RayAssert.Equal("V", Slide, new(0, 0, 1), camera.V);
+        RayAssert.Equal("W", Slide, new(1, 0, 0), camera.W, isUnit: true);
+        RayAssert.Equal("U", Slide, new(0, 1, 0), camera.U, isUnit: true);
+        RayAssert.Equal("V", Slide, new(0, 0, 1), camera.V, isUnit: true);
         RayAssert.Equal("h for fovY = 45 (degrees)", Slide, 0.8284271247, camera.h);
         RayAssert.Equal("w for 500 x 500 pixels", Slide, 0.8284271247, camera.w);
-        RayAssert.Equal("d through the middle of the picture", PixelSlide, new(-1, 0, 0), camera.Direction(250, 250));
+        RayAssert.Equal("d through the middle of the picture", PixelSlide, new(-1, 0, 0), camera.Direction(250, 250), isUnit: true);
     }
 
     [Fact]
@@ -38,17 +38,17 @@ public class Step04Camera : StepTests
         Assert.True(
             ray.HitModel == scene.Models[1],
             $"the ray through the middle of the picture hits no plane: let the tests of W, U, V, h, w and d pass first.\n  {RayAssert.Cite(Slide)}");
-        var color = scene.CastRay(5, 5);
-        var wrong = color.B == 1
+        var shown = scene.CastRay(5, 5).ToBytes();
+        var wrong = shown == (0, 0, 255)
             ? "the ray to three planes has no hit, so the pixel shows the background: call Intersect of each model with the pixel's ray"
-            : color.R > 0 ? "of three planes behind each other the nearest shows, not the first or the last: all models get the same ray"
-            : color.G > 0 ? null
-            : "the pixel has no light, though a plane is hit: CastRay returns what Shade makes of the hit; look at Shade";
+            : shown == camera.Shade(ray).ToBytes() ? null
+            : "of three planes behind each other the nearest shows, not the first or the last, in the colour that Shade makes of its hit: " +
+                "all models get the same ray";
         Assert.True(wrong == null, $"{wrong}.\n  {RayAssert.Cite("Ray Casting")}");
 
         bool IsBackground()
         {
-            try { return scene.CastRay(5, 5).B == 1; }
+            try { return scene.CastRay(5, 5).ToBytes() == (0, 0, 255); }
             catch (NullReferenceException) { return false; } // the colour of a HitModel that is null
         }
     }
@@ -64,7 +64,7 @@ public class Step04Camera : StepTests
             var ray = camera.RayThrough(c, r);
             floor.Intersect(ray);
             var expected = ray.HitModel == floor ? "the floor" : "the background";
-            var got = scene.CastRay(c, r).B == 0 ? "the floor" : "the background";
+            var got = scene.CastRay(c, r).ToBytes() == (0, 0, 255) ? "the background" : "the floor"; // whatever its light is
             Assert.True(expected == got, $"CastRay(c = {c}, r = {r}): expected {expected}, but got {got}.\n  {RayAssert.Cite("Ray Casting")}");
         }
     }
@@ -84,9 +84,9 @@ public class Step04Camera : StepTests
             given.Check(Slide);
             var which = FormattableString.Invariant(
                 $"for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}, up = {RayAssert.Text(up)}, fovY = {fovY:0.##}, {width} x {height} pixels");
-            RayAssert.Equal($"W {which}", Slide, right.W, mine.W);
-            RayAssert.Equal($"U {which}", Slide, right.U, mine.U);
-            RayAssert.Equal($"V {which}", Slide, right.V, mine.V);
+            RayAssert.Equal($"W {which}", Slide, right.W, mine.W, isUnit: true);
+            RayAssert.Equal($"U {which}", Slide, right.U, mine.U, isUnit: true);
+            RayAssert.Equal($"V {which}", Slide, right.V, mine.V, isUnit: true);
             RayAssert.Equal($"h {which}", Slide, right.PlaneHeight, mine.h);
             RayAssert.Equal($"w {which}", Slide, right.PlaneWidth, mine.w);
             var (c, r) = (chance.Length() * width / 4, chance.Length() * height / 4);
@@ -94,7 +94,7 @@ public class Step04Camera : StepTests
             var untouched = new Untouched(("this", mine));
             var myD = mine.Direction(c, r);
             untouched.Check(PixelSlide);
-            RayAssert.Equal(FormattableString.Invariant($"d for c = {c:0.##}, r = {r:0.##} {which}"), PixelSlide, new(d.X, d.Y, d.Z), myD);
+            RayAssert.Equal($"d for c = {RayAssert.Text(c)}, r = {RayAssert.Text(r)} {which}", PixelSlide, new(d.X, d.Y, d.Z), myD, isUnit: true);
         }
     }
 

@@ -41,10 +41,11 @@ public class Step08Sphere : StepTests
     [Theory]
     [InlineData(Geometric)]
     [InlineData(Analytical)]
-    public void FromInsideTheFarSideShowsAlsoWhereTheCentreIsBehind(string way)
+    public void FromInsideAndCutOpenByZNearTheFarSideShows(string way)
     {
         RayAssert.Hits(way, SphereOf(default, 3), new(1, 0, 0), new(-1, 0, 0), 4, By(way));
         RayAssert.Hits(way, SphereOf(default, 3), new(1, 0, 0), new(1, 0, 0), 2, By(way)); // t_ca is negative here
+        RayAssert.Hits(way, SphereOf(default, 3), new(5, 0, 0), new(-1, 0, 0), 8, By(way), zNear: 5);
     }
 
     [Theory]
@@ -65,5 +66,5 @@ public class Step08Sphere : StepTests
     }
 
     [Fact]
-    public void ThePictures() => PictureAssert.EqualAt(8, "sphere", "inside-sphere", "first", "mistakes/generic");
+    public void ThePictures() => PictureAssert.EqualAt(8, "sphere", "inside-sphere", "first", "near-plane", "mistakes/generic");
 }

@@ -5,18 +5,17 @@ namespace Lab.Tests;
 /// <summary>The tests of formulas: all of the steps but those of pictures.</summary>
 public static class FormulaTests
 {
-    /// <summary>What the first test that fails says, of the first steps; null if all pass.</summary>
+    /// <summary>What the first test that fails says, of the first steps, of the last of them before the others; null if all pass.</summary>
     public static string FirstFailure(int steps) => FirstFailure(
         from type in typeof(FormulaTests).Assembly.GetTypes()
         where type.IsSubclassOf(typeof(StepTests)) && type.Name.StartsWith("Step") && int.Parse(type.Name[4..6]) <= steps
-        orderby type.Name
+        orderby type.Name.StartsWith($"Step{steps:00}") descending, type.Name
         select type);
 
     internal static string FirstFailure(IEnumerable<Type> steps) => (
         from step in steps
-        from test in step.GetMethods(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly)
-        where test.IsDefined(typeof(FactAttribute)) && test.Name != "ThePictures"
-        orderby step.Name, test.MetadataToken // as the file has them
+        from test in step.GetMethods(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly).OrderBy(test => test.MetadataToken)
+        where test.IsDefined(typeof(FactAttribute)) && test.Name != "ThePictures" // as the file has them
         from arguments in ArgumentsOf(test)
         let message = Failure(step, test, arguments)
         where message != null

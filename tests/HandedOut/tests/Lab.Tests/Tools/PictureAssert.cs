@@ -63,9 +63,9 @@ public static class PictureAssert
         Directory.CreateDirectory(Path.GetDirectoryName(received));
         PictureFile.Write(received, mine);
         PictureFile.Write(expected, nearest);
-        // What wrong formulas draw tells less than their own tests.
+        // What wrong formulas draw tells less than their own tests, unless one mistake explains all of it.
         var hint = FormulaTests.FirstFailure(step > 0 ? step : LabSteps.Count) is { } failure
-            ? $"  First let the formulas' tests pass: {failure}"
+            ? $"  First let the formulas' tests pass: {failure}{StepHint.OfAllPixels(scene, mine, int.Parse(failure[4..6]), Teacher.Hints)}"
             : StepHint.Format(scene, mine, step, Teacher.Hints);
         var difference = new PictureDifference(mine, nearest);
         Assert.Fail($"{Text(difference, nearest)}\n  yours:    {received}\n  expected: {expected}\n{hint}{OwnNumbers(sceneFile, difference)}");

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 using RayCaster;
+using RayCaster.Teaching.Course;
 
 namespace Lab.Tests;
 
@@ -19,13 +20,14 @@ public static class RayAssert
         var d = (aim - P).Normalized;
         var expected = model.Intersect(new RayCaster.Ray(P, d));
         if (IsOnOutline(model, P, d, expected)) return;
-        Check(slide, model, P, d, expected, intersect);
+        Hits(slide, model, P, d, expected, intersect);
+        if (expected is not { } near) return;
+        if (model.Intersect(new RayCaster.Ray(P, d) { ClipRange = new(near + 1e-3, 0, double.MaxValue) }) is not { } far) return;
+        var between = (near + far) / 2; // where the near side is cut off, the far side shows; where the far side is, the near one still does
+        Hits(slide, model, P, d, far, intersect, bias: between);
+        Hits(slide, model, P, d, far, intersect, zNear: between / 2, depthPerT: 0.5);
+        Hits(slide, model, P, d, near, intersect, zFar: between / 2, depthPerT: 0.5);
     }
-
-    /// <summary>Casts one ray whose hit is known: t, or null for none.</summary>
-    public static void Hits(
-        string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? t, Action<Model, Ray> intersect = null) =>
-        Check(slide, model, P, d, t, intersect);
 
     /// <summary>Numbers that are equal except in their last bits.</summary>
     public static void Equal(string what, string slide, double expected, double actual)
@@ -35,11 +37,12 @@ public static class RayAssert
     }
 
     /// <summary>The same coordinate by coordinate.</summary>
-    public static void Equal(string what, string slide, RayCaster.Vector3 expected, Vector3 actual)
+    /// <param name="isUnit">Whether its length is to be 1.</param>
+    public static void Equal(string what, string slide, RayCaster.Vector3 expected, Vector3 actual, bool isUnit = false)
     {
         if (AreEqual(expected, actual)) return;
         var got = new RayCaster.Vector3(actual.X, actual.Y, actual.Z);
-        var length = AreEqual(1, expected.Length) && !AreEqual(1, got.Length) ? $", whose length is {Text(got.Length)}, not 1" : "";
+        var length = isUnit && !AreEqual(1, got.Length) ? $", whose length is {Text(got.Length)}, not 1" : "";
         var precision = Precision((expected.X, got.X), (expected.Y, got.Y), (expected.Z, got.Z));
         Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(got)}{precision}{length}.\n  {Cite(slide)}{Chance.Again}");
     }
@@ -60,11 +63,13 @@ public static class RayAssert
     /// <summary>A vector as messages have it.</summary>
     public static string Text(RayCaster.Vector3 v) => $"({Text(v.X)}, {Text(v.Y)}, {Text(v.Z)})";
 
-    private static void Check(
-        string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? expected, Action<Model, Ray> intersect)
+    /// <summary>Casts one ray whose hit is known: t, or null for none.</summary>
+    public static void Hits(
+        string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? expected, Action<Model, Ray> intersect = null,
+        double bias = 0, double zNear = 0, double zFar = double.MaxValue, double depthPerT = 1)
     {
         var mine = SceneFile.PartsOf(model).Single();
-        var ray = new WatchedRay(Mine(P), Mine(d));
+        var ray = new WatchedRay(Mine(P), Mine(d)) { Bias = bias, ZNear = zNear, ZFar = zFar, DepthPerT = depthPerT };
         var untouched = new Untouched(("ray", ray), ("this", mine));
         if (intersect == null) mine.Intersect(ray);
         else intersect(mine, ray);
@@ -74,11 +79,15 @@ public static class RayAssert
                 $"\n  {Cite(slide)}");
         double? actual = ray.HitModel == null ? null : ray.HitParameter;
         if (expected is { } a && actual is { } b ? AreEqual(a, b) : expected == actual) return;
+        var limits = depthPerT == 1 && bias == 0 && zNear == 0 ? "" // the ray is not clipped
+            : $", Bias = {Text(bias)}, ZNear = {Text(zNear)}, ZFar = {(zFar == double.MaxValue ? "∞" : Text(zFar))}, DepthPerT = {Text(depthPerT)}";
+        var cited = ray.Miscounts(new(bias, zNear, zFar)) ? "zNear & zFar" : slide;
         Assert.Fail($"""
             expected {Hit(expected)}, but got {Hit(actual)}{ray.Calls(actual)}{(expected is { } x && actual is { } y ? Precision((x, y)) : "")}.
-              Ray    P = {Text(P)}, d = {Text(d)}
+              Ray    P = {Text(P)}, d = {Text(d)}{limits}
               {Letters(model)}
-              {Cite(slide)}{Chance.Again}
+              Right  {BodyNumbers.Line(model, P, d, slide == "Sphere – Analytical Solution")}
+              {Cite(cited)}{Chance.Again}
             """);
     }
 
@@ -97,6 +106,9 @@ public static class RayAssert
             base.Hit(t, model);
             kept = (HitParameter, HitModel);
         }
+
+        /// <summary>Whether Counts is wrong of a t with which Hit was called.</summary>
+        public bool Miscounts(ClipRange range) => called.Exists(t => Counts(t) != (range.CountsMask<Scalar>(t, DepthPerT) != 0));
 
         public string Calls(double? hit) => hit != null ? ""
             : called.Count == 0 ? ": Hit was not called"
@@ -128,7 +140,7 @@ public static class RayAssert
 
     /// <summary>Whether two numbers are equal except in their last bits.</summary>
     public static bool AreEqual(double a, double b) =>
-        a == b || Math.Abs(a - b) <= 1e-7 * (1 + Math.Min(Math.Abs(a), Math.Abs(b))) || (double.IsNaN(a) && double.IsNaN(b));
+        a.Equals(b) || a == b || (double.IsFinite(a - b) && Math.Abs(a - b) <= 1e-7 * (1 + Math.Min(Math.Abs(a), Math.Abs(b)))); // NaN equals NaN
 
     /// <summary>The same coordinate by coordinate.</summary>
     public static bool AreEqual(RayCaster.Vector3 a, Vector3 b) => AreEqual(a.X, b.X) && AreEqual(a.Y, b.Y) && AreEqual(a.Z, b.Z);
