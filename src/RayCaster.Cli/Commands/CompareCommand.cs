@@ -15,7 +15,7 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         "while diagnose and explain begin with it.";
 
     public override IReadOnlyList<(string, string)> Arguments =>
-        [("<mine>", "The picture in question: PNG, PPM, PGM or PBM."), ("<reference>", "The picture that it should be.")];
+        [("<mine>", "The picture in question: PNG, PGM or PPM."), ("<reference>", "The picture that it should be.")];
 
     public override IReadOnlyList<Option> Options => [sceneFile, output, Option.Threads];
 

@@ -16,7 +16,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         "and with pairs of mistakes, and names the one whose picture is most similar.";
 
     public override IReadOnlyList<(string, string)> Arguments =>
-        [("<scene>", "The scene file."), ("<mine>", "The picture that your program drew of it: PNG, PBM, PGM or PPM.")];
+        [("<scene>", "The scene file."), ("<mine>", "The picture that your program drew of it: PNG, PGM or PPM.")];
 
     public override IReadOnlyList<Option> Options => [hint, parts, Option.Everything, asJson, Option.Threads];
 
