@@ -49,3 +49,6 @@ internal static class Failure
     private static bool IsOutOfMemory(Exception? e) =>
         e is OutOfMemoryException || (e is AggregateException or TypeInitializationException && IsOutOfMemory(e.InnerException));
 }
+
+/// <summary>Ends a command whose errors are printed already.</summary>
+internal sealed class ReportedException(string message) : Exception(message);

@@ -9,56 +9,49 @@ internal static class Interruption
     /// and macOS.</summary>
     private const PosixSignal TooMuchTime = (PosixSignal)24, FileTooLarge = (PosixSignal)25;
 
-    private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50);
-    private static readonly TimeSpan WorkGracePeriod = TimeSpan.FromMilliseconds(200), MessageGracePeriod = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan MessageGracePeriod = TimeSpan.FromSeconds(0.5);
 
     private static PosixSignalRegistration? tooLarge; // until the end: the signal may come at any time
 
-    /// <summary>Runs a command's work on a thread of its own, so that work that does not end soon after a signal can be left unfinished.</summary>
+    /// <summary>Runs a command's work. A signal ends the process wherever the work is.</summary>
     /// <param name="work">Returns the exit code.</param>
-    public static int Run(Command command, Func<CancellationToken, int> work)
+    /// <param name="report">Tells why the work failed, and returns the exit code.</param>
+    public static int Run(Command command, Func<int> work, Func<Exception, int> report)
     {
-        using var cancellation = new CancellationTokenSource();
-        var codeOfSignal = ExitCode.Interrupted;
-        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
-        using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Cancel); // the terminal window was closed
-        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
-        using var tooMuchTime = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(TooMuchTime, Cancel);
+        var end = 0; // 1 when the work is done, or when a signal has come: only the first of them ends the process
+        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, End);
+        using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, End); // the terminal window was closed
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, End);
+        using var tooMuchTime = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(TooMuchTime, End);
         // By default it ends the process. Ignored, the write fails with a message.
         if (!OperatingSystem.IsWindows()) tooLarge ??= PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
 
-        int? exitCode = null;
-        var thread = new Thread(Work) { IsBackground = true };
-        thread.Start();
-        while (!cancellation.IsCancellationRequested && !thread.Join(PollInterval)) ;
-        thread.Join(WorkGracePeriod);
-        if (exitCode is { } code) return code;
-        WrittenFiles.Abort(); // deletes unfinished files
-        Tell(command);
-        return codeOfSignal;
-
-        void Work()
+        int exitCode;
+        try
         {
-            try
-            {
-                exitCode = work(cancellation.Token);
-            }
-            catch (Exception) when (cancellation.IsCancellationRequested)
-            {
-            }
+            exitCode = work();
         }
-
-        void Cancel(PosixSignalContext context)
+        catch (Exception e)
         {
-            context.Cancel = true; // the default would end the process and leave the temporary file
-            codeOfSignal = context.Signal switch
+            // After a signal no file can be finished, and the terminal may be gone.
+            exitCode = Volatile.Read(ref end) == 0 ? report(e) : ExitCode.Interrupted;
+        }
+        if (Interlocked.Exchange(ref end, 1) != 0) Thread.Sleep(Timeout.Infinite);
+        return exitCode;
+
+        void End(PosixSignalContext context)
+        {
+            context.Cancel = true; // the default would leave the temporary file
+            if (Interlocked.Exchange(ref end, 1) != 0) return;
+            WrittenFiles.Abort(); // deletes unfinished files
+            Tell(command);
+            Environment.Exit(context.Signal switch
             {
                 PosixSignal.SIGHUP => ExitCode.HungUp,
                 PosixSignal.SIGTERM => ExitCode.Terminated,
                 TooMuchTime => ExitCode.OutOfTime,
                 _ => ExitCode.Interrupted,
-            };
-            cancellation.Cancel();
+            });
         }
     }
 
@@ -67,7 +60,11 @@ internal static class Interruption
     {
         var resumes = WrittenFiles.Count > 0 && command.Options.Contains(PartCommand.Resume);
         var end = command is LiveCommand ? "the page's server has stopped" : $"{Written()}{(resumes ? "; --resume continues" : "")}";
-        var telling = new Thread(() => StandardStreams.WriteError($"raycaster: interrupted; {end}")) { IsBackground = true };
+        var telling = new Thread(() =>
+        {
+            ProgressLine.Wipe();
+            StandardStreams.WriteError($"raycaster: interrupted; {end}");
+        }) { IsBackground = true };
         telling.Start();
         telling.Join(MessageGracePeriod);
     }

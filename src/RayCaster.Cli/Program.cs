@@ -15,7 +15,7 @@ internal static class Program
         var command = commands.Find(arguments, out var words);
         try
         {
-            return Interruption.Run(command, cancellation => Run(command, words, cancellation));
+            return Interruption.Run(command, () => Run(command, words), e => Failure.Report(e, HelpPage.HintAfter(command)));
         }
         catch (Exception e) // of the handling of signals
         {
@@ -23,23 +23,16 @@ internal static class Program
         }
     }
 
-    private static int Run(Command command, string[] words, CancellationToken cancellation)
+    private static int Run(Command command, string[] words)
     {
-        try
-        {
-            if (command is DrawCommand) commands.ThrowIfMisspelled(words);
-            var line = CommandLine.Parse(command.Name, [.. command.Options, Option.Help], words);
-            if (line.Get(Option.Help))
-                StandardStreams.WriteOutput(commands.HelpOf(command));
-            else if (line.Get(Option.Version))
-                StandardStreams.WriteOutput(typeof(Program).Assembly.GetName().Version!.ToString(3));
-            else
-                return command.Run(line, cancellation);
-            return ExitCode.Done;
-        }
-        catch (Exception e) when (!cancellation.IsCancellationRequested) // after a signal, writing may fail because the terminal is gone
-        {
-            return Failure.Report(e, HelpPage.HintAfter(command));
-        }
+        if (command is DrawCommand) commands.ThrowIfMisspelled(words);
+        var line = CommandLine.Parse(command.Name, [.. command.Options, Option.Help], words);
+        if (line.Get(Option.Help))
+            StandardStreams.WriteOutput(commands.HelpOf(command));
+        else if (line.Get(Option.Version))
+            StandardStreams.WriteOutput(typeof(Program).Assembly.GetName().Version!.ToString(3));
+        else
+            return command.Run(line);
+        return ExitCode.Done;
     }
 }

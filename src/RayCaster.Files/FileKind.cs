@@ -17,6 +17,7 @@ internal static class FileKind
         ([0xFF, 0xD8, 0xFF], "a JPEG, whose colours are not exact"), ([0x89, .. "PNG"u8], "a PNG"), ([.. "GIF8"u8], "a GIF"),
         ([.. "BM"u8], "a BMP"), ([.. "II*\0"u8], "a TIFF"), ([.. "MM\0*"u8], "a TIFF"), ([.. "8BPS"u8], "a picture of Photoshop (PSD)"),
         ([.. "PF\n"u8], "a picture of floats (PFM)"), ([.. "Pf\n"u8], "a picture of floats (PFM)"), ([.. "P7\n"u8], "a PAM (P7)"),
+        ([.. "P1"u8], "a bitmap (PBM), which has no colours"), ([.. "P4"u8], "a bitmap (PBM), which has no colours"),
         ([0x1F, 0x8B], "compressed (gzip); unpack it first"), ([.. "PK"u8, 3, 4], "a zip archive; unpack it first"),
         ([.. "7z"u8, 0xBC, 0xAF], "a 7z archive; unpack it first"), ([.. "Rar!"u8], "a RAR archive; unpack it first"),
         ([.. "%PDF"u8], "a PDF"), ([0xD0, 0xCF, 0x11, 0xE0], "a document of Office"), ([.. "MZ"u8], "a program of Windows"),

@@ -165,7 +165,7 @@ internal sealed partial class Tab(
     {
         bool diagnoses;
         CancellationTokenSource diagnosis;
-        lock (sync) (diagnoses, diagnosis) = (Takes(Pending.DiagnosisResult), diagnosing); // "Cancel" may come before the diagnosis begins
+        lock (sync) (diagnoses, diagnosis) = (Takes(Pending.Diagnosis), diagnosing); // "Cancel" may come before the diagnosis begins
         if (!Takes(Pending.Comparison) && !diagnoses) return;
         var comparison = mine.CompareWith(state, live.Path);
         if (!ReferenceEquals(comparison, compared))

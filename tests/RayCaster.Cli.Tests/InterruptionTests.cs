@@ -81,25 +81,25 @@ public sealed class InterruptionTests : CommandTests
     }
 
     [Theory(Explicit = true, Skip = "no kill command there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
-    [InlineData("compare large.pbm other.pbm")]
+    [InlineData("compare large.pgm other.pgm")]
     [InlineData("map ROOM t -s 10000x10000 -o room.ppm")]
     [InlineData("ROOM -s 30000x30000 -o room.ppm")]
     [InlineData("part ROOM 0..9999 -s 30000x30000 -o a.png")]
     public void ASignalEndsLongWork(string arguments)
     {
         var comparesFiles = arguments.StartsWith("compare", StringComparison.Ordinal);
-        foreach (var (name, last) in comparesFiles ? ((string, byte)[])[("large.pbm", 0), ("other.pbm", 1)] : [])
+        foreach (var (name, last) in comparesFiles ? ((string, byte)[])[("large.pgm", 0), ("other.pgm", 1)] : [])
         {
             using var file = File.Create(raycaster.PathOf(name));
-            file.Write("P4 20000 20000\n"u8);
-            file.SetLength(file.Length + 2500 * 20000 - 1);
+            file.Write("P5 20000 20000 255\n"u8);
+            file.SetLength(file.Length + 20000 * 20000 - 1);
             file.Position = file.Length;
             file.WriteByte(last);
         }
         using var process = raycaster.Start(Words(arguments));
         WaitFor("a second of work", process, () => !process.HasExited && process.TotalProcessorTime.TotalSeconds > 1);
         IsInterrupted(process, "INT", 130);
-        Assert.Equal(comparesFiles ? ["large.pbm", "other.pbm"] : [], raycaster.Files);
+        Assert.Equal(comparesFiles ? ["large.pgm", "other.pgm"] : [], raycaster.Files);
     }
 
     /// <summary>From before its first instruction to after its last: whenever a signal comes, there is the old picture or the new one, and

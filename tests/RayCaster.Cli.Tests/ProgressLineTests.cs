@@ -10,10 +10,10 @@ public class ProgressLineTests
     [Fact]
     public void AShortRunDrawsNothing()
     {
-        using (var line = new ProgressLine(terminal, 10, 100, 80, clock))
+        using (var line = new ProgressLine(terminal, "lines", 80, clock))
         {
             clock.Now += TimeSpan.FromSeconds(0.49);
-            for (var i = 0; i < 100; i++) line.LinesDone(1);
+            for (var i = 0; i < 100; i++) line.LinesDone(1, 100);
         }
         Assert.Empty(terminal.ToString());
     }
@@ -21,13 +21,13 @@ public class ProgressLineTests
     [Fact]
     public void ALongRunTellsHowFarItIsAndWipesItsLine()
     {
-        using (var line = new ProgressLine(terminal, 1_000_000, 4, 80, clock))
+        using (var line = new ProgressLine(terminal, "lines", 80, clock))
         {
-            line.LinesDone(1);
+            line.LinesDone(1, 4);
             clock.Now += TimeSpan.FromSeconds(2);
-            line.LinesDone(1);
+            line.LinesDone(1, 4);
         }
-        Assert.Equal(" 50 %  2 of 4 lines  1.0 million rays per second  00:00:02 left", Drawn[0]);
+        Assert.Equal(" 50 %  2 of 4 lines  00:00:02 left", Drawn[0]);
         Assert.Equal([Drawn[0], new string(' ', Drawn[0].Length)], Drawn);
         Assert.EndsWith("\r", terminal.ToString());
     }

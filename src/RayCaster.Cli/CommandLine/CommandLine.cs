@@ -18,7 +18,7 @@ internal sealed class CommandLine(string command)
     /// <param name="options">The command's options.</param>
     public static CommandLine Parse(string command, IReadOnlyList<Option> options, ReadOnlySpan<string> words)
     {
-        foreach (var word in words) FileWord.Check(word);
+        foreach (var word in words) RefuseInvisible(word);
         var line = new CommandLine(command) { Words = words.ToArray() };
         while (words is [var word, .. var rest])
         {
@@ -61,6 +61,18 @@ internal sealed class CommandLine(string command)
     {
         Warning = Warning is null ? text : $"{Warning} {text}";
         StandardStreams.WriteError(text);
+    }
+
+    /// <summary>
+    /// Refuses dangerous characters in file names and other words of messages. A line end could forge a line of output, and a direction mark could
+    /// show a name in reverse. A name that is not UTF-8 arrives here as the name of another file, which does not exist.
+    /// </summary>
+    public static void RefuseInvisible(string word)
+    {
+        if (word.Contains('\uFFFD')) throw new ProblemException($"the name '{PrintableText.From(word)}' is not UTF-8: rename the file");
+        if (word.FirstOrDefault(c => !PrintableText.IsPrintable(c), 'a') is var wrong and not 'a')
+            throw new ProblemException($"'{PrintableText.From(word)}' holds the invisible character U+{(int)wrong:X4}: rename the file, " +
+                "or type the name again if it was copied");
     }
 
     /// <summary>Refuses a list with blanks in it: the words after the first one look like operands.</summary>

@@ -22,7 +22,7 @@ internal sealed class CheckCommand() : Command("check", "<scene>...", "Finds err
 
     public override string ExitCodes => "0 no error, 1 a scene has errors or does not show a required mistake, 2 failed.";
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         if (line.Operands.Count == 0) throw ProblemException.Usage("check takes <scene>..., but nothing is given");
         var quiet = line.Get(Option.Quiet);
@@ -32,8 +32,7 @@ internal sealed class CheckCommand() : Command("check", "<scene>...", "Finds err
         var exitCode = ExitCode.Done;
         foreach (var path in files)
         {
-            cancellation.ThrowIfCancellationRequested();
-            var reading = SceneInput.Read(path, line, judges: true);
+            var reading = SceneInput.TryRead(path, line, judges: true);
             StandardStreams.WriteOutput(reading.Report());
             if (reading.Scene is { } scene) scenes.Add(scene);
             else exitCode = Math.Max(exitCode, reading.IsUnread ? ExitCode.Failed : ExitCode.No);

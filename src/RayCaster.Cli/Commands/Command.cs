@@ -31,5 +31,5 @@ internal abstract class Command(string name, string operands, string summary)
 
     /// <summary>Runs the command; returns the exit code.</summary>
     /// <exception cref="ProblemException">The command failed; the message is for the user.</exception>
-    public abstract int Run(CommandLine line, CancellationToken cancellation);
+    public abstract int Run(CommandLine line);
 }

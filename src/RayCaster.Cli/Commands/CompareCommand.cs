@@ -15,7 +15,7 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         "while diagnose and explain begin with it.";
 
     public override IReadOnlyList<(string, string)> Arguments =>
-        [("<mine>", "The picture in question: PNG, PPM, PGM or PBM."), ("<reference>", "The picture that it should be.")];
+        [("<mine>", "The picture in question: PNG, PGM or PPM."), ("<reference>", "The picture that it should be.")];
 
     public override IReadOnlyList<Option> Options => [sceneFile, output, Option.Threads];
 
@@ -23,20 +23,20 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
 
     public override string ExitCodes => "0 same, 1 different, 2 failed.";
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         var files = line.Exactly("<mine>", "<reference>");
         var mineFile = files[0];
         var referenceFile = files[1];
         var file = line.Get(output);
-        InputFiles.Note(files);
+        OutputFile.Protect(files);
         var format = file is null ? PictureFormat.Png : PictureFormats.ByExtension(file);
         Action<string> warn = StandardStreams.WriteError;
         var mine = PictureFile.Read(mineFile, warn);
         var reference = PictureFile.Read(referenceFile, warn);
-        var scene = line.Get(sceneFile) is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
+        var scene = line.Get(sceneFile) is { } path ? SceneInput.Read(path, line, warns: false, judges: true) : null;
         var comparison = new PictureComparison(mine, reference, scene, line.Get(Option.Threads));
-        if (file is not null) PictureOutput.Write(file, SideBySide.Draw(comparison), format, cancellation);
+        if (file is not null) PictureOutput.Write(file, SideBySide.Draw(comparison), format);
         StandardStreams.WriteOutput(Text(comparison, mineFile, referenceFile, file));
         return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
     }

@@ -16,7 +16,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         "and with pairs of mistakes, and names the one whose picture is most similar.";
 
     public override IReadOnlyList<(string, string)> Arguments =>
-        [("<scene>", "The scene file."), ("<mine>", "The picture that your program drew of it: PNG, PBM, PGM or PPM.")];
+        [("<scene>", "The scene file."), ("<mine>", "The picture that your program drew of it: PNG, PGM or PPM.")];
 
     public override IReadOnlyList<Option> Options => [hint, parts, Option.Everything, asJson, Option.Threads];
 
@@ -25,11 +25,11 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
     public override string ExitCodes =>
         "0 the picture is right, 1 it is wrong (or has another size than the scene), 2 failed. All known mistakes, with pictures: docs/mistakes.md.";
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         try
         {
-            return Judge(line, cancellation);
+            return Judge(line);
         }
         catch (Exception e) when (line.Get(asJson) && e is ProblemException or ReportedException)
         {
@@ -38,14 +38,14 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         }
     }
 
-    private static int Judge(CommandLine line, CancellationToken cancellation)
+    private static int Judge(CommandLine line)
     {
         var operands = line.Exactly("<scene>", "<mine>");
         var scenePath = operands[0];
         var picturePath = operands[1];
         var level = line.Get(hint) ?? HintLevel.Question;
         var json = line.Get(asJson);
-        var scene = SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true);
+        var scene = SceneInput.Read(scenePath, line, warns: false, judges: true);
         var picture = PictureFile.Read(picturePath, StandardStreams.WriteError);
         var size = (scene.Camera.Width, scene.Camera.Height);
         var hasOtherSize = !Diagnoser.CanJudge(scene, picture);

@@ -19,19 +19,19 @@ internal sealed class DrawCommand() : Command("draw", "<scene>", "Draws a scene.
         "0 done, 1 the answer is no (pictures differ, parts are missing), 2 failed, 70 internal error, 129 hung up, 130 interrupted, " +
         "143 terminated.";
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         var path = OneScene(line.Operands);
         var file = line.Get(output) ?? SceneInput.NameOf(path) + ".png";
         var format = PictureOutput.FormatOf(file, line.Get(Option.Format));
-        var scene = SceneInput.Read(path, line, cancellation);
+        var scene = SceneInput.Read(path, line);
 
         var start = Stopwatch.GetTimestamp();
         var renderer = new RendererChoice(scene, line.Get(Option.Threads), line.Get(plain));
         var lines = NumberRange.Whole(scene.Camera.Height);
-        var isOdd = PictureOutput.Draw(file, format, renderer, lines, part: null, line, cancellation);
+        var isOdd = PictureOutput.Draw(file, format, renderer, lines, part: null, line);
         line.Tell(PictureOutput.Summary(file, scene, lines, Stopwatch.GetElapsedTime(start)));
-        if (isOdd && !line.Get(Option.Quiet)) StandardStreams.WriteError(ModelsCommand.WhyNothingShows(scene, cancellation));
+        if (isOdd && !line.Get(Option.Quiet)) StandardStreams.WriteError(ModelsCommand.WhyNothingShows(scene));
         return ExitCode.Done;
     }
 

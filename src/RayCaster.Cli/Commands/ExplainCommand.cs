@@ -23,10 +23,10 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
 
     public override string ExitCodes => "0 done, 1 your picture differs there by more than rounding, 2 failed.";
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         var operands = line.Exactly("<scene>", "<column>", "<line>");
-        var scene = SceneInput.Read(operands[0], line, cancellation);
+        var scene = SceneInput.Read(operands[0], line);
 
         var camera = scene.Camera;
         var explanation = new PixelExplanation(scene,

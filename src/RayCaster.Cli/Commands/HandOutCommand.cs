@@ -17,13 +17,13 @@ internal sealed class HandOutCommand() : Command("handout", "<folder>", "Writes 
 
     public override string[] Examples => ["handout ../lab1", "handout ../lab1-boxes --open 7"];
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         var folder = line.Exactly("<folder>")[0];
         if (line.Get(solution) && line.Get(open) is not null)
             throw ProblemException.Usage("with '--solution' no step is open: leave '--open' out");
         var (first, last) = line.Get(solution) ? default : line.Get(open) ?? new(1, LabSteps.Count);
-        HandOutFolder.Write(folder, step => first <= step && step <= last, cancellation);
+        HandOutFolder.Write(folder, step => first <= step && step <= last);
         var steps = last == 0 ? "all steps are done" : first == last ? $"step {first} is open" : $"steps {first} to {last} are open";
         line.Tell($"{folder}: {steps}; README.md says how to begin");
         return ExitCode.Done;

@@ -8,7 +8,7 @@ internal sealed class HelpCommand(CommandList commands) : Command("help", "[comm
 
     public override IReadOnlyList<Option> Options => [];
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         StandardStreams.WriteOutput(commands.HelpOf(line.Operands is [var name, ..] ? name : "help"));
         return ExitCode.Done;

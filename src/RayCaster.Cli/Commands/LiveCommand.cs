@@ -15,18 +15,18 @@ internal sealed class LiveCommand() : Command("live", "<scene>", "Opens a page t
 
     public override string[] Examples => ["live scenes/room.json"];
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         line.Exactly("<scene>");
-        var folder = ProgramFolder(cancellation) ?? throw new ProblemException(
+        var folder = ProgramFolder() ?? throw new ProblemException(
             $"the live page is a program of its own, {Program}, which is not in {AppContext.BaseDirectory}\n" +
             "  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>");
-        return Programs.Run([Path.Combine(folder, Program), LiveOptions.UntilInputEnds.Name, .. line.Words], cancellation);
+        return Programs.Run([Path.Combine(folder, Program), LiveOptions.UntilInputEnds.Name, .. line.Words]);
     }
 
     /// <summary>The folder of the page's program: this one's if it was installed, and in a hand-out; in a clone it is built. Null if there is
     /// none.</summary>
-    internal static string? ProgramFolder(CancellationToken cancellation) =>
+    internal static string? ProgramFolder() =>
         File.Exists(Path.Combine(AppContext.BaseDirectory, Program)) ? AppContext.BaseDirectory
-        : FilePlace.FolderWith("RayCaster.sln") is { } clone ? Programs.Build(Path.Combine(clone, "src", "RayCaster.Live"), cancellation) : null;
+        : FilePlace.FolderWith("RayCaster.sln") is { } clone ? Programs.Build(Path.Combine(clone, "src", "RayCaster.Live")) : null;
 }

@@ -14,16 +14,16 @@ internal sealed class MapCommand() : Command("map", "<scene> <kind>", "Draws t, 
 
     public override string[] Examples => ["map scenes/room.json depth"];
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         var operands = line.Exactly("<scene>", "<kind>");
         if (MapKinds.Named(operands[1]) is not { } kind)
             throw ProblemException.Usage($"'{operands[1]}' is not a map: choose t, depth or model");
         var file = line.Get(output) ?? $"{SceneInput.NameOf(operands[0])}.{kind.Name()}.png";
         var format = PictureOutput.FormatOf(file, line.Get(Option.Format));
-        var scene = SceneInput.Read(operands[0], line, cancellation);
+        var scene = SceneInput.Read(operands[0], line);
         var map = MapPicture.Draw(scene, kind, line.Get(Option.Threads));
-        PictureOutput.Write(file, map.Picture, format, cancellation);
+        PictureOutput.Write(file, map.Picture, format);
         var range = map.Range is var (least, greatest) ? $", {kind.Name()} from {least:G7} to {greatest:G7}" : "";
         line.Tell($"{OutputFile.NameOf(file)}: {map.Picture.Width} x {map.Picture.Height} pixels{range}");
         return ExitCode.Done;

@@ -28,11 +28,11 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
 
     public override string ExitCodes => "0 marked, whatever the marks are; 1 the rubric has errors; 2 failed.";
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         try
         {
-            return Mark(line, cancellation);
+            return Mark(line);
         }
         catch (FileNotFoundException e) when (e.FileName?.StartsWith("RayCaster.Marks,", StringComparison.Ordinal) == true)
         {
@@ -43,7 +43,7 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
 
     /// <summary>A method of its own, because the runtime looks for RayCaster.Marks when it compiles one that uses it.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static int Mark(CommandLine line, CancellationToken cancellation)
+    private static int Mark(CommandLine line)
     {
         if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <pictures>");
         var rubric = RubricReader.Read(line.Operands[0], out var report);
@@ -56,11 +56,11 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
         }
 
         if (line.Get(output) is not { } folder) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
-        using var progress = ProgressLine.For(line, 0, 0, "submissions");
+        using var progress = ProgressLine.For(line, "submissions");
         var start = Stopwatch.GetTimestamp();
         var marks = new ClassMarks(rubric, folder, line.Get(threads) ?? Environment.ProcessorCount,
             (done, all, next) => progress?.Show(done, all, next), StandardStreams.WriteError);
-        var (count, toLookAt) = marks.Mark(line.Operands[1], cancellation);
+        var (count, toLookAt) = marks.Mark(line.Operands[1]);
         progress?.Dispose();
         line.Tell($"{folder}: {Digits.Count(count, "submission")} marked, {toLookAt} to look at yourself, " +
             $"{Stopwatch.GetElapsedTime(start).TotalSeconds:0.0} s");

@@ -10,15 +10,15 @@ internal sealed class ModelsCommand() : Command("models", "<scene>", "Says which
 
     public override string[] Examples => ["models scenes/room.json"];
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
-        var scene = SceneInput.Read(line.Exactly("<scene>")[0], line, cancellation);
-        StandardStreams.WriteOutput(SceneVisibility.Take(scene, cancellation).Report());
+        var scene = SceneInput.Read(line.Exactly("<scene>")[0], line);
+        StandardStreams.WriteOutput(SceneVisibility.Take(scene).Report());
         return ExitCode.Done;
     }
 
     /// <summary>The same, for a picture that looks like a mistake, unless it takes long.</summary>
-    public static string WhyNothingShows(Scene scene, CancellationToken cancellation) =>
-        SceneVisibility.IsQuick(scene) ? SceneVisibility.Take(scene, cancellation).Report()
+    public static string WhyNothingShows(Scene scene) =>
+        SceneVisibility.IsQuick(scene) ? SceneVisibility.Take(scene).Report()
         : "The picture shows nothing, or one colour. The command 'models' says why, which takes a while with so many triangles.";
 }

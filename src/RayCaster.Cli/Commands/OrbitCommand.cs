@@ -19,14 +19,14 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
 
     public override string[] Examples => ["orbit scenes/room.json --frames 48 -o frames"];
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         var path = line.Exactly("<scene>")[0];
         var count = line.Get(frames) ?? throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
         var wanted = NumberRange.Whole(count);
         if (line.Get(only) is { } portion)
             wanted = portion.Of(count) ?? throw new ProblemException($"there are no frames {portion} of {count}, 0..{count - 1}");
-        var scene = SceneInput.Read(path, line, cancellation);
+        var scene = SceneInput.Read(path, line);
 
         var folder = line.Get(output) ?? "";
         var models = SceneDigest.OfModels(scene.Models);
@@ -35,7 +35,6 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
         var drawn = 0;
         for (var frame = wanted.First; frame <= wanted.Last; frame++)
         {
-            cancellation.ThrowIfCancellationRequested();
             var view = scene with { Camera = CameraMotion.Orbit(scene.Camera, frame, count) };
             if (view.Camera.ValidationError is { } flaw) throw new ProblemException($"frame {frame} cannot be drawn: {flaw}");
             var file = Path.Combine(folder, $"{SceneInput.NameOf(path)}-{PictureOutput.Padded(frame, count)}.png");
@@ -43,7 +42,7 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
             // The reason to draw a frame again is printed for the first one only.
             if (line.Get(PartCommand.Resume) && PictureOutput.IsUpToDate(file, part, line.Get(Option.Quiet) || drawn > 0)) continue;
             var renderer = new RendererChoice(view, line.Get(Option.Threads), plain: false, manyFrames: true);
-            PictureOutput.Draw(file, PictureFormat.Png, renderer, whole, part, line, cancellation);
+            PictureOutput.Draw(file, PictureFormat.Png, renderer, whole, part, line);
             drawn++;
         }
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);

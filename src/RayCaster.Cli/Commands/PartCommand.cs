@@ -23,14 +23,14 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
     public override string[] Examples =>
         ["part scenes/room.json 1/2 --size 20000x20000", "part scenes/room.json 2/2 --size 20000x20000", "stitch room.part-*.png -o room.png"];
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         var operands = line.Exactly("<scene>", "<lines>");
         var portion = Portion.Parse(operands[1]) ?? throw ProblemException.Usage($"'{operands[1]}' names no lines: " +
             "write the first and the last as in 0..249, counted from 0 at the top, or 3/8 for the third of eight parts");
         if (line.Get(output) is { } given && PictureOutput.FormatOf(given, null) != PictureFormat.Png)
             throw ProblemException.Usage("a part is a PNG file, which records what it shows; choose another name");
-        var scene = SceneInput.Read(operands[0], line, cancellation);
+        var scene = SceneInput.Read(operands[0], line);
 
         var height = scene.Camera.Height;
         var lines = portion.Of(height) ?? throw new ProblemException($"there is no part {portion} of a picture of {height} lines, 0..{height - 1}");
@@ -44,7 +44,7 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
             return ExitCode.Done;
         }
         var renderer = new RendererChoice(scene, line.Get(Option.Threads), plain: false);
-        PictureOutput.Draw(file, PictureFormat.Png, renderer, lines, part, line, cancellation);
+        PictureOutput.Draw(file, PictureFormat.Png, renderer, lines, part, line);
         line.Tell(PictureOutput.Summary(file, scene, lines, Stopwatch.GetElapsedTime(start)));
         return ExitCode.Done;
     }

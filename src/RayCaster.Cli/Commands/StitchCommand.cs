@@ -28,7 +28,7 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
         "0 done, or with --missing: no line is missing, 1 lines are missing or parts do not belong together, " +
         "2 failed, for example because a part is damaged.";
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         if (line.Operands.Count == 0) throw ProblemException.Usage("no part is given: name files, a pattern or a folder");
         var file = line.Get(output) ?? "";
@@ -54,15 +54,15 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
         if (parts.Missing.Count > 0)
             return No($"of {parts.Size.Height} lines these are missing", [.. parts.Missing.Select(lines => lines.ToString())]);
 
-        InputFiles.Note(parts.Files);
+        OutputFile.Protect(parts.Files);
         var (width, height) = parts.Size;
-        OutputFile.Write(file, cancellation, stream =>
+        OutputFile.Write(file, stream =>
         {
-            using var progress = ProgressLine.For(line, width, height, "pixels");
+            using var progress = ProgressLine.For(line);
             using var writer = PictureWriter.Create(format, stream, width, height);
             try
             {
-                parts.Write(writer, lines => progress?.LinesDone(lines), cancellation);
+                parts.Write(writer, lines => progress?.LinesDone(lines, height));
             }
             catch (ProblemException) when (new PartSet(files, named.Contains, whole: true) is { Unreadable.Count: > 0 } damaged)
             {

@@ -19,12 +19,12 @@ internal sealed class VaryCommand() : Command("vary", "<scene>", "Makes a simila
 
     public override string ExitCodes => "0 done, 1 the scene has errors, or no variation shows the same mistakes, 2 failed.";
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         var path = line.Exactly("<scene>")[0];
         if (line.Get(seed) is not { } text) throw ProblemException.Usage("vary needs a seed, as in --seed 12345");
         if (line.Get(output) is not { } file) throw ProblemException.Usage("vary needs a name for the scene, as in -o mine.json");
-        var reading = SceneInput.Read(path, line, judges: true);
+        var reading = SceneInput.TryRead(path, line, judges: true);
         StandardStreams.WriteError(reading.Report());
         if (reading.Scene is not { } scene) return reading.IsUnread ? ExitCode.Failed : ExitCode.No;
 
@@ -39,7 +39,7 @@ internal sealed class VaryCommand() : Command("vary", "<scene>", "Makes a simila
             StandardStreams.WriteError($"{path}: no variation of it shows all its mistakes; try another seed");
             return ExitCode.No;
         }
-        OutputFile.Write(file, cancellation, stream => stream.Write(varied));
+        OutputFile.Write(file, stream => stream.Write(varied));
         line.Tell($"{OutputFile.NameOf(file)}: {path}, varied; it shows the same mistakes" +
             (budget?.UsedUp is { } limit ? $", of those that were tried within {limit}; --all tries all" : ""));
         return ExitCode.Done;

@@ -18,19 +18,19 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
 
     public override string[] Examples => ["wrong scenes/room.json r-nosq -o mine.png"];
 
-    public override int Run(CommandLine line, CancellationToken cancellation)
+    public override int Run(CommandLine line)
     {
         var operands = line.Exactly("<scene>", "<ids>");
         if (Option.ReadList(operands[1], '+', Ids) is not { } ids) throw ProblemException.Usage("no mistake is named: docs/mistakes.md lists them");
         var file = line.Get(output) ?? $"{SceneInput.NameOf(operands[0])}.{string.Join('+', ids)}.png";
         var format = PictureOutput.FormatOf(file, line.Get(Option.Format));
-        var scene = SceneInput.Read(operands[0], line, cancellation, judges: true);
+        var scene = SceneInput.Read(operands[0], line, judges: true);
         PictureFile.ThrowIfTooLarge(scene.Camera.Width, scene.Camera.Height); // it is in memory at once
 
         foreach (var id in ids.Where(id => !MutationCoverage.CanTry(scene, MistakeCatalog.Named(id)!)))
             line.Warn($"{id}: a large mesh is drawn rightly all the same; draw its triangles as models to see the mistake");
         var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!.Usual);
-        PictureOutput.Write(file, Draw(), format, cancellation);
+        PictureOutput.Write(file, Draw(), format);
         line.Tell($"{OutputFile.NameOf(file)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");
         return ExitCode.Done;
 

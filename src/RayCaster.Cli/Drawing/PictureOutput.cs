@@ -14,17 +14,17 @@ internal static class PictureOutput
             : PictureFormats.ByExtension(output));
     }
 
-    public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
-        OutputFile.Write(output, cancellation, stream => PictureFile.Write(stream, picture, format));
+    public static void Write(string output, Picture picture, PictureFormat format) =>
+        OutputFile.Write(output, stream => PictureFile.Write(stream, picture, format));
 
     /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
     /// <returns>Whether the lines look like a mistake, since they show nothing or one colour.</returns>
     public static bool Draw(string output, PictureFormat format, RendererChoice renderer, NumberRange lines, PartFacts? part,
-        CommandLine line, CancellationToken cancellation)
+        CommandLine line)
     {
         var odd = default(BlankPicture);
-        OutputFile.Write(output, cancellation, stream =>
+        OutputFile.Write(output, stream =>
         {
             if (WriteTo(stream, plain: false) is not { } difference) return;
             StandardStreams.WriteError(
@@ -39,9 +39,9 @@ internal static class PictureOutput
         {
             var (width, height) = (renderer.Scene.Camera.Width, lines.Count);
             odd = new(renderer.Scene.Background);
-            using var progress = ProgressLine.For(line, width, height);
+            using var progress = ProgressLine.For(line);
             using var writer = PictureWriter.Create(format, stream, width, height, part?.PngText);
-            var difference = renderer.Draw(lines, Take, done => progress?.LinesDone(done), plain, cancellation);
+            var difference = renderer.Draw(lines, Take, done => progress?.LinesDone(done, height), plain);
             writer.Finish();
             return difference;
 
@@ -57,9 +57,10 @@ internal static class PictureOutput
     public static string Summary(string output, Scene scene, NumberRange lines, TimeSpan elapsed)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
+        var rays = (double)width * lines.Count / elapsed.TotalSeconds;
+        var rate = rays < 1e5 ? $"{rays:N0}" : $"{rays / 1e6:0.0} million"; // of a small picture millions would be 0.0
         return $"{OutputFile.NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
-            $"{Digits.Count(scene.Models.Count, "model")}, {elapsed.TotalSeconds:0.00} s, " +
-            ProgressLine.Rate((double)width * lines.Count, "rays", elapsed);
+            $"{Digits.Count(scene.Models.Count, "model")}, {elapsed.TotalSeconds:0.00} s, {rate} rays per second";
     }
 
     /// <summary>Whether the picture exists already and need not be drawn. If a file exists but has other content, prints why it is drawn

@@ -27,20 +27,19 @@ internal sealed class RendererChoice(Scene scene, int? threads, bool plain, bool
     /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
     /// <param name="plain">Whether the definition draws, whatever else is chosen.</param>
     /// <returns>Where a pixel of the engine's differs from the definition, so that the lines are wrong; null if they are right.</returns>
-    public string? Draw(NumberRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, bool plain, CancellationToken cancellation)
+    public string? Draw(NumberRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, bool plain)
     {
-        if (!plain && !isByDefinition) return engine.Draw(lines.ToRange(), write, linesDone, cancellation);
-        DrawByDefinition(lines, write, linesDone, cancellation);
+        if (!plain && !isByDefinition) return engine.Draw(lines.ToRange(), write, linesDone);
+        DrawByDefinition(lines, write, linesDone);
         return null;
     }
 
-    private void DrawByDefinition(NumberRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
+    private void DrawByDefinition(NumberRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone)
     {
         var atOnce = (int)Math.Clamp(PixelsAtOnce / scene.Camera.Width, 1, Math.Max(1, lines.Count / 50)); // and progress is shown
         for (var line = lines.First; line <= lines.Last; line += atOnce)
         {
             var window = new Picture(scene.Camera.Width, Math.Min(atOnce, lines.Last + 1 - line));
-            cancellation.ThrowIfCancellationRequested();
             ScalarRenderer.Render(scene, window, 0, line, threads ?? -1);
             linesDone?.Invoke(window.Height);
             write(window.Rgb);

@@ -13,7 +13,7 @@ internal static class FilePatterns
         try
         {
             var files = Directory.GetFiles(folder, pattern);
-            foreach (var file in files) FileWord.Check(Path.GetFileName(file));
+            foreach (var file in files) CommandLine.RefuseInvisible(Path.GetFileName(file));
             Array.Sort(files, string.CompareOrdinal);
             return files;
         }

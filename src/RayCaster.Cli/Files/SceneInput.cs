@@ -8,11 +8,10 @@ internal static class SceneInput
     /// <summary>Reads a scene and prints its errors and warnings.</summary>
     /// <param name="path">The file, or "-".</param>
     /// <exception cref="ReportedException">It has errors.</exception>
-    /// <inheritdoc cref="Read(string, CommandLine, bool)"/>
-    public static Scene Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true, bool judges = false)
+    /// <inheritdoc cref="TryRead"/>
+    public static Scene Read(string path, CommandLine line, bool warns = true, bool judges = false)
     {
-        var reading = Read(path, line, judges);
-        cancellation.ThrowIfCancellationRequested();
+        var reading = TryRead(path, line, judges);
         if (reading.Scene is null || (warns && !line.Get(Option.Quiet))) StandardStreams.WriteError(reading.Report());
         var scene = reading.Scene ?? throw new ReportedException($"{path} has errors");
         return line.Get(Option.Size) is var (width, height) ? scene.WithSize(width, height) : scene;
@@ -20,10 +19,10 @@ internal static class SceneInput
 
     /// <param name="judges">Whether the command judges pictures by this scene: warns if this build's picture of it differs from the stored
     /// reference.</param>
-    public static SceneReading Read(string path, CommandLine line, bool judges)
+    public static SceneReading TryRead(string path, CommandLine line, bool judges)
     {
         var reading = path == StandardStreams.Name ? ReadStandardInput() : SceneReader.Read(path);
-        InputFiles.Note([path, .. reading.MeshFiles]);
+        OutputFile.Protect([path, .. reading.MeshFiles]);
         if (judges && path != StandardStreams.Name && reading.Scene is { } scene && StoredReference.Contradiction(path, scene) is { } message)
             line.Warn($"{message}. What follows may be wrong.");
         return reading;

@@ -14,11 +14,11 @@ internal static class CarriedTool
 
     private static readonly string[] page = [LiveCommand.Program, "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"];
 
-    public static void Copy(string folder, CancellationToken cancellation)
+    public static void Copy(string folder)
     {
         Directory.CreateDirectory(folder);
         Copy(files, AppContext.BaseDirectory, folder);
-        if (LiveCommand.ProgramFolder(cancellation) is { } live) Copy(page, live, folder);
+        if (LiveCommand.ProgramFolder() is { } live) Copy(page, live, folder);
     }
 
     private static void Copy(string[] names, string from, string to)

@@ -5,7 +5,7 @@ namespace RayCaster.Cli;
 /// <summary>Writes a hand-out: a folder that is a course's repository. The folder is written completely or not at all.</summary>
 internal static partial class HandOutFolder
 {
-    public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)
+    public static void Write(string folder, Func<int, bool> isOpen)
     {
         var target = FilePlace.Resolve(folder) ?? Path.GetFullPath(folder);
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
@@ -13,19 +13,18 @@ internal static partial class HandOutFolder
         if (Misread().Match(target[Path.GetPathRoot(target)!.Length..].Replace(Path.DirectorySeparatorChar, '/')) is { Success: true } part)
             throw new ProblemException($"{folder} could not be built: MSBuild misreads '{part}' in a path, as in {target}\n" +
                 "  Name another folder: its path must not have % before two digits or letters from A to F, nor @(, ..., *, ?, :, \\ or \".");
-        ThrowIfPicturesDiffer(cancellation);
+        ThrowIfPicturesDiffer();
         var files = HandOutFiles.With(isOpen);
         WrittenFiles.WriteFolder(folder, made =>
         {
             foreach (var (path, content) in files)
             {
-                cancellation.ThrowIfCancellationRequested();
                 var file = Path.Combine(made, path);
                 Directory.CreateDirectory(Path.GetDirectoryName(file)!);
                 File.WriteAllBytes(file, content);
             }
-            CarriedTool.Copy(Path.Combine(made, "lib"), cancellation);
-            WritePictures(Path.Combine(made, "scenes"), cancellation);
+            CarriedTool.Copy(Path.Combine(made, "lib"));
+            WritePictures(Path.Combine(made, "scenes"));
         });
     }
 
@@ -34,19 +33,18 @@ internal static partial class HandOutFolder
     private static partial Regex Misread();
 
     /// <summary>A hand-out judges students by the pictures of this build: in a clone they must be the stored references.</summary>
-    private static void ThrowIfPicturesDiffer(CancellationToken cancellation)
+    private static void ThrowIfPicturesDiffer()
     {
         if (FilePlace.FolderWith("RayCaster.sln") is not { } clone) return;
         foreach (var file in Directory.GetFiles(Path.Combine(clone, "scenes"), "*.json", SearchOption.AllDirectories))
         {
-            cancellation.ThrowIfCancellationRequested();
             if (SceneReader.Read(file).Scene is { } scene && StoredReference.Contradiction(file, scene) is { } difference)
                 throw new ProblemException($"{difference}, and a hand-out would judge by it\n  Undo the change in src/RayCaster.");
         }
     }
 
     /// <summary>The picture of each scene after each step, as scenes/step07/room.png.</summary>
-    private static void WritePictures(string scenes, CancellationToken cancellation)
+    private static void WritePictures(string scenes)
     {
         foreach (var file in Directory.GetFiles(scenes, "*.json", SearchOption.AllDirectories))
         {
@@ -56,7 +54,6 @@ internal static partial class HandOutFolder
             using var png = new MemoryStream();
             for (var step = 1; step <= LabSteps.Count; step++)
             {
-                cancellation.ThrowIfCancellationRequested();
                 if (LabSteps.Changes(scene, step))
                 {
                     png.SetLength(0);

@@ -56,7 +56,7 @@ public sealed class PartSet
     /// <summary>Writes the picture of parts without problems and without missing lines, a line at a time.</summary>
     /// <param name="writer">Receives the lines; it is not finished.</param>
     /// <exception cref="ProblemException">A part is damaged, or was replaced.</exception>
-    public void Write(PictureWriter writer, Action<int>? linesDone = null, CancellationToken cancellation = default)
+    public void Write(PictureWriter writer, Action<int>? linesDone = null)
     {
         foreach (var (path, facts) in parts)
         {
@@ -65,7 +65,6 @@ public sealed class PartSet
                 if (found != facts) throw new ProblemException("it was replaced in the meantime");
                 png.ReadLines(line =>
                 {
-                    cancellation.ThrowIfCancellationRequested();
                     writer.WriteRows(line);
                     linesDone?.Invoke(1);
                 });

@@ -10,7 +10,7 @@ public static class PictureFile
         "the file is in UTF-16, as PowerShell's > writes it: let the program write the file itself, or redirect in cmd";
 
     /// <summary>
-    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), recognised by its first bytes.
+    /// Reads a PNG (every colour type, bit depth and interlacing) or a PGM or PPM (P2, P3, P5, P6), recognised by its first bytes.
     /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
     /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
@@ -126,10 +126,10 @@ public static class PictureFile
     {
         if (FileKind.IsUtf16(file)) return InUtf16;
         var text = file.TrimStart(" \t\r\n"u8);
-        if (text is [(byte)'P' or (byte)'p', >= (byte)'1' and <= (byte)'6', ..])
+        if (text is [(byte)'P' or (byte)'p', (byte)'2' or (byte)'3' or (byte)'5' or (byte)'6', ..])
             return $"nothing may stand before P{(char)text[1]}, which is a capital letter";
         var kind = FileKind.Recognize(file) is { } known ? $"it is {known}"
             : $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format";
-        return kind + "; PNG, PBM, PGM and PPM can be read";
+        return kind + "; PNG, PGM and PPM can be read";
     }
 }

@@ -1,8 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// Reads PBM, PGM and PPM, in text (P1, P2, P3) and in bytes (P4, P5, P6), with any maxval. Of a pipe or device, reads no further than the first
-/// picture: more pictures may follow, without an end.
+/// Reads PGM and PPM, in text (P2, P3) and in bytes (P5, P6), with any maxval. Of a pipe or device, reads no further than the first picture:
+/// more pictures may follow, without an end.
 /// </summary>
 internal sealed class PnmReader
 {
@@ -37,10 +37,10 @@ internal sealed class PnmReader
         Advance();
         var digit = Advance();
         kind = digit - '0';
-        if (kind is < 1 or > 6) throw OtherKind(digit);
+        if (kind is not (2 or 3 or 5 or 6)) throw OtherKind(digit);
         width = ReadNumber("the width", int.MaxValue);
         height = ReadNumber("the height", int.MaxValue);
-        maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval", 65535);
+        maxval = ReadNumber("maxval", 65535);
         PictureFile.ThrowIfTooLarge(width, height, maxBytes);
         if (kind >= 4) SkipSeparator();
         dataAt = position;
@@ -51,13 +51,8 @@ internal sealed class PnmReader
     private long Samples => (long)width * height * Channels;
 
     /// <summary>The bytes after the header; for a text the fewest possible.</summary>
-    private long DataBytes => kind switch
-    {
-        1 => Samples, // digits need no blanks between them
-        2 or 3 => 2 * Samples - 1, // a digit each, and blanks between them
-        4 => (width + 7L) / 8 * height,
-        _ => maxval > 255 ? 2 * Samples : Samples,
-    };
+    private long DataBytes => kind < 4 ? 2 * Samples - 1 // a digit each, and blanks between them
+        : maxval > 255 ? 2 * Samples : Samples;
 
     private Picture ReadPixels(bool isWhole)
     {
@@ -76,12 +71,10 @@ internal sealed class PnmReader
                 }
                 continue;
             }
-            var bits = 0;
             for (var x = 0; x < width; x++, at += 3)
             {
                 MakeRoom(ref rgb, at + 3);
-                if (kind == 4) bits = x % 8 == 0 ? Byte() : bits << 1;
-                for (var c = 0; c < 3; c++) rgb[at + c] = c < Channels ? ReadSample(bits) : rgb[at];
+                for (var c = 0; c < 3; c++) rgb[at + c] = c < Channels ? ReadSample() : rgb[at];
             }
         }
         return new Picture(width, height, rgb);
@@ -94,18 +87,10 @@ internal sealed class PnmReader
     }
 
     /// <summary>The next sample, scaled to 8 bits and rounded to nearest.</summary>
-    /// <param name="bits">For P4: the sample is the highest of these eight bits.</param>
-    private byte ReadSample(int bits)
+    private byte ReadSample()
     {
         var start = position;
-        var value = kind switch
-        {
-            1 => 1 - ReadBit(), // in a bitmap 1 is ink: black
-            2 or 3 => ReadNumber(null, maxval),
-            4 => 1 - (bits >> 7 & 1),
-            _ when maxval > 255 => Byte() << 8 | Byte(),
-            _ => Byte(),
-        };
+        var value = kind < 4 ? ReadNumber(null, maxval) : maxval > 255 ? Byte() << 8 | Byte() : Byte();
         if (value > maxval) throw new ProblemException($"the value {value} at byte {start} is greater than maxval, which is {maxval}");
         return (byte)((value * 255 + maxval / 2) / maxval);
     }
@@ -126,12 +111,6 @@ internal sealed class PnmReader
         position++;
         if (taken == '\n' || (taken == '\r' && next != '\n')) line++;
         return taken;
-    }
-
-    private int ReadBit()
-    {
-        SkipBlanks("a 0 or 1");
-        return next is '0' or '1' ? Advance() - '0' : throw Wrong(ReadWord(), null, 1);
     }
 
     /// <param name="what">Which number of the header it is; null for a sample, which may be 0.</param>

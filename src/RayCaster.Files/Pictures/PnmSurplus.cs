@@ -49,12 +49,12 @@ internal readonly struct PnmSurplus(int kind, int width, int height, int maxval,
         {
             (5, 3) => "P5 is grey, one byte a pixel; the header for colours is P6",
             (6, 4) => "it has four bytes a pixel; a pixel of P6 has red, green and blue, no alpha",
-            (not 4, > 0) => $"it has {perPixel} bytes a pixel; a pixel of P{kind} has {sample}",
-            (not 4, _) when data.Length == (sample * width + 3) / 4 * 4 * (long)height =>
+            (_, > 0) => $"it has {perPixel} bytes a pixel; a pixel of P{kind} has {sample}",
+            _ when data.Length == (sample * width + 3) / 4 * 4 * (long)height =>
                 "each line is filled up to a multiple of 4 bytes; a line of PPM is not",
-            (not 4, _) when data.Length == sample * (width + 1L) * height =>
+            _ when data.Length == sample * (width + 1L) * height =>
                 "as many as one column more takes: does the loop over columns run once too often?",
-            (not 4, _) when data.Length == sample * (width + 1L) * (height + 1) =>
+            _ when data.Length == sample * (width + 1L) * (height + 1) =>
                 "as many as one line and one column more take: do the loops run once too often?",
             _ => null,
         };

@@ -14,10 +14,10 @@ public static class Programs
     /// <param name="arguments">Its file, and what it gets.</param>
     /// <returns>Its exit code.</returns>
     /// <exception cref="ProblemException">It cannot be started.</exception>
-    public static int Run(IEnumerable<string> arguments, CancellationToken cancellation)
+    public static int Run(IEnumerable<string> arguments)
     {
         using var program = Start(new(PathOf("dotnet"), arguments) { RedirectStandardInput = true });
-        program.WaitForExitAsync(cancellation).GetAwaiter().GetResult();
+        program.WaitForExit();
         return program.ExitCode;
     }
 
@@ -25,24 +25,17 @@ public static class Programs
     /// <param name="project">Its folder.</param>
     /// <returns>The folder with what was built.</returns>
     /// <exception cref="ProblemException">It does not build.</exception>
-    public static string Build(string project, CancellationToken cancellation = default)
+    public static string Build(string project)
     {
         using var build = Start(new(PathOf("dotnet"), ["build", project, "-c", "Release", "-v", "quiet", "-tl:off"])
         {
             RedirectStandardOutput = true, // even quietly it says that it has succeeded
             WorkingDirectory = project, // whose global.json says which SDK builds it: that of the current folder may name anybody's
         });
-        try
-        {
-            var said = build.StandardOutput.ReadToEndAsync(cancellation).GetAwaiter().GetResult();
-            build.WaitForExit();
-            if (build.ExitCode == 0) return Path.Combine(project, "bin", "Release", "net10.0");
-            throw new ProblemException($"{PrintableText.From(project)} does not build\n{said.Trim()}");
-        }
-        finally
-        {
-            build.Kill(entireProcessTree: true); // where it was cancelled
-        }
+        var said = build.StandardOutput.ReadToEnd();
+        build.WaitForExit();
+        if (build.ExitCode == 0) return Path.Combine(project, "bin", "Release", "net10.0");
+        throw new ProblemException($"{PrintableText.From(project)} does not build\n{said.Trim()}");
     }
 
     /// <summary>Opens a file in the program that the user has chosen for its kind; on Windows an address, too.</summary>

@@ -35,7 +35,7 @@ public static class WrittenFiles
     /// a pipe, is not replaced: it gets the bytes when they are complete.</summary>
     /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
     /// <exception cref="ProblemException">The file cannot be written.</exception>
-    public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default, Action? beforeReplacing = null)
+    public static void Write(string path, Action<Stream> write, Action? beforeReplacing = null)
     {
         string? temporary = null;
         try
@@ -45,7 +45,6 @@ public static class WrittenFiles
             temporary = NameBeside(isFile ? target : Path.Join(Path.GetTempPath(), Path.GetFileName(target)));
             using var file = Create(path, isFile ? target : null, temporary);
             write(file);
-            cancellation.ThrowIfCancellationRequested();
             // A network drive reports only now that the quota is used up, and then the old picture must still be there.
             file.Flush(flushToDisk: isFile);
             beforeReplacing?.Invoke();

@@ -7,7 +7,7 @@ public static class CameraEdit
     /// <param name="utf8">The text of a scene without errors, with or without a byte order mark.</param>
     public static byte[] Write(ReadOnlyMemory<byte> utf8, Camera camera)
     {
-        var tree = JsonTree.Parse(new SourceText("", utf8), out _)!;
+        var tree = JsonTree.Parse(new("", utf8, ""))!;
         var written = tree.Root.Find("camera")!.Value;
         var edits = new List<(JsonValue, string)>();
         Replace("position", camera.Position);

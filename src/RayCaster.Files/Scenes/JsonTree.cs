@@ -1,7 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>A JSON text as a tree, with the place of each value in the text. Comments and trailing commas are allowed.</summary>
-internal sealed class JsonTree
+/// <param name="reading">Holds the text, and gets what is wrong with it.</param>
+internal sealed class JsonTree(SceneReading reading)
 {
     public const int MaxDepth = 64;
 
@@ -12,16 +13,16 @@ internal sealed class JsonTree
     private int count;
     private int lastClosed;
 
-    private JsonTree(SourceText text) => Text = text;
-
     /// <summary>A token; an object's keys stand before their values.</summary>
     /// <param name="Next">The node after this one and all nodes in it.</param>
     public readonly record struct Node(JsonTokenType Kind, int Start, int End, int Next);
 
-    public SourceText Text { get; }
-
     /// <summary>How many keys were compared in searches. It must grow only in proportion to the text, also in a file with many errors.</summary>
     public long KeysLookedAt;
+
+    public SceneReading Reading => reading;
+
+    public SourceText Text => reading.Source;
 
     public JsonValue Root => new(this, 0);
 
@@ -59,12 +60,17 @@ internal sealed class JsonTree
         nodes[count++] = new(kind, start, end, count);
     }
 
+    /// <summary>The tree; null, after a report, if the text is not JSON.</summary>
     /// <param name="takesText">Whether the value of a key may be a text: then a word without quotes gets that advice.</param>
-    public static JsonTree? Parse(SourceText text, out JsonMistake? mistake, Predicate<string>? takesText = null)
+    public static JsonTree? Parse(SceneReading reading, Predicate<string>? takesText = null)
     {
-        mistake = FileKind.NotUtf8(text.Utf8) is var (at, message) ? new(at, at, message) : null;
-        if (mistake is not null) return null;
-        var tree = new JsonTree(text);
+        var text = reading.Source;
+        if (FileKind.NotUtf8(text.Utf8) is var (at, message))
+        {
+            reading.Add(true, at, at, message);
+            return null;
+        }
+        var tree = new JsonTree(reading);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
         var depth = 0;
         var reader = new Utf8JsonReader(text.Utf8, options);
@@ -91,7 +97,8 @@ internal sealed class JsonTree
         }
         catch (JsonException)
         {
-            mistake = new JsonExpectation(tree, open.AsSpan(0, depth), last, lastEnd, takesText ?? (_ => false)).Explain();
+            var mistake = new JsonExpectation(tree, open.AsSpan(0, depth), last, lastEnd, takesText ?? (_ => false)).Explain();
+            reading.Add(true, mistake.Start, mistake.End, mistake.Message);
             return null;
         }
     }

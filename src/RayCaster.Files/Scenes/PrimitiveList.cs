@@ -95,7 +95,7 @@ internal static class PrimitiveList
         try
         {
             var isNew = false;
-            var data = string.IsNullOrEmpty(file) ? new(vertices, indices) : o.Document.Mesh(file, out isNew);
+            var data = string.IsNullOrEmpty(file) ? new(vertices, indices) : o.Reading.Mesh(file, out isNew);
             if (!o.IsSound) return nothing;
             if (isNew && data.Warning is { } warning) o.Warn(key, $": {warning}");
             var mesh = placement.Place(data, out var dropped);

@@ -10,35 +10,35 @@ namespace RayCaster.Files;
 /// The same calls describe the keys: <see cref="Describing"/> makes an object without any, which collects those that are looked for. The editors'
 /// schema is made from these, so it cannot differ from the reader.
 /// </remarks>
-/// <param name="path">The object's path, empty for the scene itself.</param>
-internal sealed class SceneObject(SceneDocument document, JsonValue json, string path, List<SceneKey>? described = null)
+internal sealed class SceneObject(JsonValue json, List<SceneKey>? described = null)
 {
     private const double ShortestDirection = 1e-200, LongestDirection = 1e200;
 
-    private readonly int errorsBefore = document.ErrorCount;
+    private readonly SceneReading reading = json.Reading;
+    private readonly string path = json.Path;
+    private readonly int errorsBefore = json.Reading.ErrorCount;
     private readonly List<string> keysRead = [];
     private int found; // how many of the keys that were read are there
 
-    public SceneDocument Document => document;
+    public SceneReading Reading => reading;
 
     /// <summary>Whether no error was found in this object so far.</summary>
-    public bool IsSound => document.ErrorCount == errorsBefore;
+    public bool IsSound => reading.ErrorCount == errorsBefore;
 
     /// <summary>An object without keys that collects those that are read. Nobody sees what it reports.</summary>
     public static SceneObject Describing(out IReadOnlyList<SceneKey> keys)
     {
         var described = new List<SceneKey>();
         keys = described;
-        var nothing = new SourceText("", "{}"u8.ToArray());
-        return new(new(nothing, ""), JsonTree.Parse(nothing, out _)!.Root, "", described);
+        return new(JsonTree.Parse(new("", "{}"u8.ToArray(), ""))!.Root, described);
     }
 
     /// <summary>The value as an object; null, after a report, if it is something else.</summary>
     /// <param name="name">What a message calls it, if not by its path.</param>
-    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string? name = null)
+    public static SceneObject? AsObject(JsonValue value, string? name = null)
     {
-        if (value.Kind == JsonTokenType.StartObject) return new(document, value, path);
-        document.Add(true, value.Start, value.End, $"{name ?? path} must be an object in braces {{ }}, but is {value.InWords}");
+        if (value.Kind == JsonTokenType.StartObject) return new(value);
+        value.Reading.Add(true, value.Start, value.End, $"{name ?? value.Path} must be an object in braces {{ }}, but is {value.InWords}");
         return null;
     }
 
@@ -48,7 +48,7 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
     public string PathOf(string key, int? element = null) => (path.Length > 0 ? path + "." + key : key) + (element is { } i ? $"[{i}]" : "");
 
     public double Number(string key, string meaning, Limits limits, double? orElse = null) =>
-        Take(new(key, KeyKind.Number, meaning, orElse is null, orElse) { Limits = limits })?.Number(limits) ?? orElse ?? double.NaN;
+        Take(new(key, KeyKind.Number, meaning, orElse is null, orElse) { Limits = limits })?.Limited(limits) ?? orElse ?? double.NaN;
 
     public double Radius(string key, string meaning)
     {
@@ -75,7 +75,7 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
         else if (length is < ShortestDirection or > LongestDirection) // products with coordinates leave the range of a double
             Refuse(key, $" must have a length from {ShortestDirection} to {LongestDirection}, but is {Place(key, null)?.AsWritten}");
         else return direction;
-        return SceneValue.NoVector;
+        return JsonValue.NoVector;
     }
 
     public Vector3[] Vectors(string key, string meaning) =>
@@ -103,8 +103,8 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
         var factor = orElse;
         if (Take(new(key, KeyKind.Factors, meaning, false, orElse)) is { } value)
         {
-            if (value.Kind != JsonTokenType.Number) return value.Vector(Limits.NotZero, "a number or " + SceneValue.VectorForm);
-            factor = value.Number(Limits.NotZero);
+            if (value.Kind != JsonTokenType.Number) return value.Vector(Limits.NotZero, "a number or " + JsonValue.VectorForm);
+            factor = value.Limited(Limits.NotZero);
         }
         return new(factor, factor, factor);
     }
@@ -137,7 +137,7 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
 
     public SceneObject? Object(string key, string meaning)
     {
-        if (described is null) return Take(new(key, KeyKind.Object, meaning, true)) is { } value ? AsObject(document, value.Json, value.Path) : null;
+        if (described is null) return Take(new(key, KeyKind.Object, meaning, true)) is { } value ? AsObject(value) : null;
         var describing = Describing(out var members);
         described.Add(new(key, KeyKind.Object, meaning, true) { Members = members });
         return describing;
@@ -147,7 +147,7 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
     public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
         foreach (var element in Elements(new(key, KeyKind.Objects, meaning, true), "objects"))
-            if (AsObject(document, element.Json, element.Path) is { } o)
+            if (AsObject(element) is { } o)
                 yield return o;
     }
 
@@ -166,14 +166,14 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
         var places = new Dictionary<string, JsonValue>(); // each key once, though it may be there twice
         foreach (var key in json.Keys)
         {
-            if (document.HasTooManyErrors) return;
+            if (reading.HasTooManyErrors) return;
             if (!places.TryAdd(key.Text, key))
-                Report(true, key, Shown(key.Text), $" is given twice; the first is in line {document.Text.LineOf(places[key.Text].Start)}");
+                Report(true, key, Shown(key.Text), $" is given twice; the first is in line {reading.Source.LineOf(places[key.Text].Start)}");
         }
         var free = keysRead.FindAll(name => !places.ContainsKey(name)); // once for all unknown keys: there may be millions
         foreach (var (name, key) in places)
         {
-            if (document.HasTooManyErrors) return;
+            if (reading.HasTooManyErrors) return;
             if (!keysRead.Contains(name)) Report(true, key, Shown(name), " is an unknown key" + Hint(name, free, places));
         }
     }
@@ -183,7 +183,7 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
     {
         if (Spelling.DidYouMean(wrong, free) is { Length: > 0 } help) return help;
         if (Spelling.Nearest(wrong, keysRead) is { } near && places.TryGetValue(near, out var there))
-            return $"; \"{near}\" is already there, in line {document.Text.LineOf(there.Start)}";
+            return $"; \"{near}\" is already there, in line {reading.Source.LineOf(there.Start)}";
         return free.Count is > 0 and <= 8 ? $"; keys that can be added here: {string.Join(", ", free)}" : "";
     }
 
@@ -194,28 +194,28 @@ internal sealed class SceneObject(SceneDocument document, JsonValue json, string
     private void Report(bool isError, JsonValue? value, string key, string message, int? element = null)
     {
         var (start, end) = value is { } v ? (v.Start, v.End) : (json.Start, json.Start + 1);
-        document.Add(isError, start, end, PathOf(key, element) + message);
+        reading.Add(isError, start, end, PathOf(key, element) + message);
     }
 
     /// <summary>The value of a key, which is read only once. Null if the key is missing, which is an error for a required key.</summary>
-    private SceneValue? Take(SceneKey key)
+    private JsonValue? Take(SceneKey key)
     {
         described?.Add(key);
         keysRead.Add(key.Name);
-        if (json.Find(key.Name) is { } value)
+        if (json.Find(key.Name, PathOf(key.Name)) is { } value)
         {
             found++;
-            return new(document, value, PathOf(key.Name));
+            return value;
         }
-        if (key.IsRequired) Report(true, null, key.Name, " is missing: " + (key.Choices.Length > 0 ? SceneValue.Quoted(key.Choices) : key.Meaning));
+        if (key.IsRequired) Report(true, null, key.Name, " is missing: " + (key.Choices.Length > 0 ? JsonValue.Quoted(key.Choices) : key.Meaning));
         return null;
     }
 
     private Vector3 Vector(string key, KeyKind kind, string meaning, Limits limits, Vector3? orElse) =>
-        Take(new(key, kind, meaning, orElse is null, orElse))?.Vector(limits) ?? orElse ?? SceneValue.NoVector;
+        Take(new(key, kind, meaning, orElse is null, orElse))?.Vector(limits) ?? orElse ?? JsonValue.NoVector;
 
     /// <summary>The elements of an array; none where it is left out or something else.</summary>
-    private IEnumerable<SceneValue> Elements(SceneKey key, string name) =>
+    private IEnumerable<JsonValue> Elements(SceneKey key, string name) =>
         Take(key) is { } value && value.IsArray(name) ? value.Elements : [];
 
     private JsonValue? Place(string key, int? element)

@@ -23,65 +23,46 @@ public static class SceneReader
     }
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
-    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
+    /// <inheritdoc cref="Parse"/>
     /// <exception cref="IOException">The stream fails.</exception>
     public static SceneReading Read(Stream stream, string displayName, string folder) =>
         Read(displayName, folder, () => InputFile.ReadToEnd(stream, "scene file", MaxBytes, TooLong));
-
-    private static SceneReading Read(string displayName, string folder, Func<ArraySegment<byte>> read)
-    {
-        try
-        {
-            return Parse(read(), displayName, folder);
-        }
-        catch (ProblemException e)
-        {
-            return Unreadable(displayName, e.Message);
-        }
-    }
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text, with or without a byte order mark.</param>
     /// <param name="displayName">Its name in messages; <c>&lt;stdin&gt;</c> for standard input.</param>
     /// <param name="folder">The folder where paths of mesh files start.</param>
-    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder)
-    {
-        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var document);
-        return new(scene, document.Problems()) { MeshFiles = document.MeshFiles, Text = utf8 };
-    }
+    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder) => Read(displayName, folder, () => utf8);
 
     /// <summary>Reads a short file in the form of a scene file. Returns null if there is an error.</summary>
-    /// <inheritdoc cref="Parse{T}"/>
-    internal static T? ReadShort<T>(string path, string name, Func<SceneObject, T?> read, out SceneReading reading) where T : class
+    /// <param name="name">The name of the outermost object in messages.</param>
+    internal static T? ReadShort<T>(string path, string name, Func<SceneObject, T?> read, out SceneReading reading) where T : class =>
+        Read(path, "", () => InputFile.Read(path, "file", MaxShortBytes), name, read, out reading);
+
+    private static SceneReading Read(string displayName, string folder, Func<ReadOnlyMemory<byte>> open)
     {
-        ArraySegment<byte> utf8;
+        var scene = Read(displayName, folder, open, "the scene", ReadScene, out var reading);
+        reading.Scene = scene;
+        return reading;
+    }
+
+    private static T? Read<T>(
+        string displayName, string folder, Func<ReadOnlyMemory<byte>> open, string name, Func<SceneObject, T?> read, out SceneReading reading)
+        where T : class
+    {
         try
         {
-            utf8 = InputFile.Read(path, "file", MaxShortBytes);
+            reading = new(displayName, open(), folder);
         }
         catch (ProblemException e)
         {
-            reading = Unreadable(path, e.Message);
+            reading = Unreadable(displayName, e.Message);
             return null;
         }
-        var result = Parse(utf8, path, "", name, read, out var document);
-        reading = new(null, document.Problems());
-        return result;
-    }
-
-    /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>
-    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string)"/>
-    /// <param name="name">The name of the outermost object in messages.</param>
-    internal static T? Parse<T>(
-        ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out SceneDocument document)
-        where T : class
-    {
-        document = new SceneDocument(new SourceText(displayName, utf8), folder);
-        var tree = JsonTree.Parse(document.Text, out var mistake, key => TakesText(key, read));
-        if (mistake is { } wrong) document.Add(true, wrong.Start, wrong.End, wrong.Message);
-        var root = tree is null ? null : SceneObject.AsObject(document, tree.Root, "", name);
-        var result = root is null ? null : read(root);
-        return document.ErrorCount == 0 ? result : null;
+        var tree = JsonTree.Parse(reading, key => TakesText(key, read));
+        var result = tree is not null && SceneObject.AsObject(tree.Root, name) is { } root ? read(root) : null;
+        reading.End();
+        return reading.ErrorCount == 0 ? result : null;
     }
 
     /// <summary>Whether a key of a file, or of a model, may have a text as its value.</summary>
@@ -170,5 +151,5 @@ public static class SceneReader
     }
 
     private static SceneReading Unreadable(string path, string message) =>
-        new(null, [new Problem(true, path, 0, 0, message, "")]);
+        new(path, default, "") { Problems = [new Problem(true, path, 0, 0, message, "")] };
 }

@@ -49,7 +49,7 @@ public sealed class SceneVariation
     public static byte[]? Create(ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder, SearchBudget? budget = null)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
-        if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
+        if (JsonTree.Parse(new("", utf8, folder)) is not { } tree) return null;
         var shown = Shown(scene, budget);
         var distance = (scene.Camera.Target - scene.Camera.Position).Length;
         for (var attempt = 0; attempt < MaxTries; attempt++)

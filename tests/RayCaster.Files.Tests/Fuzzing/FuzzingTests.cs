@@ -6,7 +6,7 @@ namespace RayCaster.Files.Tests.Fuzzing;
 public class FuzzingTests
 {
     public static TheoryData<string> KeptFiles =>
-        [.. Corpus.KeptFiles(".json", ".obj", ".ply", ".stl", ".png", ".pbm", ".pgm", ".ppm").Select(file => file.Name)];
+        [.. Corpus.KeptFiles(".json", ".obj", ".ply", ".stl", ".png", ".pgm", ".ppm").Select(file => file.Name)];
 
     /// <summary>The files that broke a promise before, and some that are made for it.</summary>
     [Theory]

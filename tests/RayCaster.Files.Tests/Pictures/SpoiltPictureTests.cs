@@ -141,7 +141,7 @@ public sealed class SpoiltPictureTests : InTemporaryFolder
     [Theory]
     [MemberData(nameof(OtherKinds))]
     public void AnotherKindOfFileIsNamed(byte[] bytes, string kind) =>
-        Assert.Equal($"cannot read {folder["mine.ppm"]}: {kind}; PNG, PBM, PGM and PPM can be read", Refused(bytes, []));
+        Assert.Equal($"cannot read {folder["mine.ppm"]}: {kind}; PNG, PGM and PPM can be read", Refused(bytes, []));
 
     private static byte[] InTextMode(byte[] bytes) => [.. bytes.SelectMany(value => value == 10 ? (byte[])[13, 10] : [value])];
 

@@ -43,10 +43,9 @@ public sealed class WorkTests : InTemporaryFolder
     private static long KeysLookedAt(string file, string part, int parts)
     {
         var text = string.Format(null, file, string.Concat(Enumerable.Range(0, parts).Select(i => string.Format(null, part, $"{i:x}"))));
-        var document = new SceneDocument(new SourceText("a.json", Encoding.ASCII.GetBytes(text)), ".");
-        var tree = JsonTree.Parse(document.Text, out _)!;
-        SceneReader.ReadScene(SceneObject.AsObject(document, tree.Root, "")!);
-        Assert.NotEqual(0, document.ErrorCount);
+        var tree = JsonTree.Parse(new("a.json", Encoding.ASCII.GetBytes(text), "."))!;
+        SceneReader.ReadScene(SceneObject.AsObject(tree.Root)!);
+        Assert.NotEqual(0, tree.Reading.ErrorCount);
         return tree.KeysLookedAt;
     }
 }

@@ -25,8 +25,8 @@ internal static class Corpus
 
     public static SeedFile[] Pictures { get; } =
     [
-        .. FilesIn("tests/RayCaster.Files.Tests/Pictures/Data", ".png", ".pbm", ".pgm", ".ppm").Where(file => file.Bytes.Length < 20_000),
-        .. KeptFiles(".png", ".pbm", ".pgm", ".ppm"),
+        .. FilesIn("tests/RayCaster.Files.Tests/Pictures/Data", ".png", ".pgm", ".ppm").Where(file => file.Bytes.Length < 20_000),
+        .. KeptFiles(".png", ".pgm", ".ppm"),
     ];
 
     public static string SceneFolder { get; } = ProjectFolder.PathOf("tests/RayCaster.Files.Tests/Good");

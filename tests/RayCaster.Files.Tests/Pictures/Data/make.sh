@@ -6,7 +6,7 @@
 # same files.
 set -eu
 cd "$(dirname "$0")"
-rm -f ./*.png ./*.ppm ./*.pgm ./*.pbm
+rm -f ./*.png ./*.ppm ./*.pgm
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -103,16 +103,12 @@ for size in 1x1 2x2 3x5 5x3 1x9 9x1; do
 done
 
 # ImageMagick and netpbm write text and bytes.
-pattern P2 23 17 1 | pamtopnm | pamditherbw -threshold | pamtopnm > "$work/in.pnm"
-cp "$work/in.pnm" bitmap.netpbm-p4.pbm
-pnmtoplainpnm "$work/in.pnm" > bitmap.netpbm-p1.pbm
-convert "$work/in.pnm" -set comment 'a comment' -compress none bitmap.imagemagick-p1.pbm
-convert "$work/in.pnm" -set comment 'a comment' bitmap.imagemagick-p4.pbm
-expect bitmap
 for max in 1 5 100 255 256 1000 65535; do
-    pattern P2 13 11 $max > "$work/in.pnm"
-    pamtopnm "$work/in.pnm" > greymap-$max.netpbm-p5.pgm
-    pnmtoplainpnm "$work/in.pnm" > greymap-$max.netpbm-p2.pgm
+    if [ $max != 1 ]; then # with 1 they write a bitmap
+        pattern P2 13 11 $max > "$work/in.pnm"
+        pamtopnm "$work/in.pnm" > greymap-$max.netpbm-p5.pgm
+        pnmtoplainpnm "$work/in.pnm" > greymap-$max.netpbm-p2.pgm
+    fi
     pattern P3 13 11 $max > "$work/in3.pnm"
     pamtopnm "$work/in3.pnm" > pixmap-$max.netpbm-p6.ppm
     pnmtoplainpnm "$work/in3.pnm" > pixmap-$max.netpbm-p3.ppm
@@ -124,6 +120,6 @@ for max in 1 5 100 255 256 1000 65535; do
             convert "$work/in3.pnm" -set comment 'a comment' pixmap-$max.imagemagick-p6.ppm
             ;;
     esac
-    expect greymap-$max
+    [ $max = 1 ] || expect greymap-$max
     expect pixmap-$max
 done
