@@ -101,7 +101,7 @@ internal sealed class Decision(Diagnoser prepared, Picture picture, IReadOnlyCol
         var isOfCamera = best.Reported.Count > 1 && best.Reported.All(mistake => mistake.Steps.All(step => step.IsOfRays()));
         var price = isOfCamera ? Priors.NumberForTwo : Priors.NumberOfScene;
         if (best.Total <= price || sample.IsOnlyOutlines || observed.ByModels is not { } byModels) return default;
-        var (residual, sentence) = ParameterFit.Find(prepared.Scene, byModels, sample, prepared.Threads);
+        var (residual, sentence) = GivenNumber.Find(prepared.Scene, byModels, sample, prepared.Threads);
         return residual.Unexplained <= Explained * sample.WrongCount ? (sentence, price + sample.BitsOf(residual)) : default;
     }
 

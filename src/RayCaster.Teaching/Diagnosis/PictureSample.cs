@@ -174,20 +174,25 @@ internal sealed class PictureSample
     public bool Contradicts(FormulaProgram program, Predicate<string> isAbout)
     {
         if (!CanDraw(program)) return false;
-        return Lost(Scene, program).Any(kind =>
+        return Lost(program).Any(kind =>
             isAbout(kind) || ColorsOf(Draw(program)).All(color => Colors.KindOf(color) != kind));
 
         static IEnumerable<(byte, byte, byte)> ColorsOf(Drawn drawn) => Enumerable.Range(0, drawn.Wrong + drawn.Other).Select(drawn.ColorAt);
     }
 
-    /// <summary>The kinds of shape that the picture shows, but a program does not draw at any of these places, of this scene or a similar one.
-    /// </summary>
-    public IEnumerable<string> Lost(Scene scene, FormulaProgram program) =>
+    /// <summary>The kinds of shape that the picture shows, but a program does not draw at any of these places.</summary>
+    /// <param name="other">A number that the scene gives otherwise; null for none.</param>
+    public IEnumerable<string> Lost(FormulaProgram program, (int Part, Symbol Name, PixelValues Value)? other = null) =>
         from shown in shownKinds.Value
         let places = shown.Value
-        let drawn = FormulaEvaluator.Draw(scene, program with { HasNoisyTriangles = false }, places, budget)
+        let without = program with { HasNoisyTriangles = false }
+        let drawn = other is null ? FormulaEvaluator.Draw(Scene, without, places, budget)
+            : new FormulaEvaluator(Scene, places, other: other).Draw(without, budget)
         where !places.Index().Any(place => PictureJudge.IsNear(At(drawn, place.Index), Picture[place.Item.X, place.Item.Y]))
         select shown.Key;
+
+    /// <summary>The slides' program for the scene.</summary>
+    public FormulaProgram Slides => FormulaProgram.For(Scene.Camera);
 
     /// <summary>The share that a program explains of those wrong pixels that show certain colours; 0 if none does.</summary>
     public double ShareExplained(FormulaProgram program, Predicate<(byte, byte, byte)> ofColor)
@@ -208,11 +213,11 @@ internal sealed class PictureSample
             program.HasNoisyTriangles ? Draw(program with { HasNoisyTriangles = false }, wrong, other) : null);
     }
 
-    /// <summary>The same of a program that draws another scene than the one that is meant.</summary>
-    public Residual Residual(Scene scene, FormulaProgram program, double share = 1)
+    /// <summary>The same of a program for which the scene gives another number.</summary>
+    public Residual Residual(FormulaProgram program, (int Part, Symbol Name, PixelValues Value) other, double share)
     {
-        var (wrong, other) = Compared(share);
-        return ResidualOf(wrong, other, FormulaEvaluator.Draw(scene, program, PixelsOf(wrong, other), budget), null);
+        var (wrong, rest) = Compared(share);
+        return ResidualOf(wrong, rest, new FormulaEvaluator(Scene, PixelsOf(wrong, rest), other: other).Draw(program, budget), null);
     }
 
     /// <summary>How many of the wrong pixels, and of the others, are a share of those that are compared.</summary>

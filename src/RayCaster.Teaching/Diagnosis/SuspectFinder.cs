@@ -71,7 +71,8 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         if (mutation.Formula is not { } formula || mutation.Right != FormulaBook.Slides.StylesOf(mutation.Step.Kind)[0]) return true;
         string[] names = [.. mistake.Changes.SelectMany(change => change.Ways[0]).OfType<StepChange.Written>()
             .Where(step => step.Kind == mutation.Step.Kind && step.Style is null).SelectMany(step => step.Formulas).Select(written => written.Name)];
-        return names.Length == 0 || names.Contains(formula.Name == Formula.Near || formula.Name == Formula.Far ? "hits" : formula.Name.Text);
+        return names.Length == 0 || MistakeBook.Labels.Any(label => label.Id == mistake.Id && label.Subjects.Contains(formula.Computed))
+            || names.Contains(formula.Name == Formula.Near || formula.Name == Formula.Far ? "hits" : formula.Name.Text);
     }
 
     private static bool IsOfSize(Mutation mutation) => mutation.Operator.IsOfSize

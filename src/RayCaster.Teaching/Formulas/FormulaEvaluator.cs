@@ -25,7 +25,9 @@ internal sealed class FormulaEvaluator
 
     /// <param name="pixels">Columns from the left and lines from the top of the file.</param>
     /// <param name="right">The program that others differ from; null if there will be only one.</param>
-    public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram? right = null)
+    /// <param name="other">A number that the scene gives otherwise: of a part, or of the camera for −1; null for none.</param>
+    public FormulaEvaluator(Scene scene, IReadOnlyList<(int X, int Y)> pixels, FormulaProgram? right = null,
+        (int Part, Symbol Name, PixelValues Value)? other = null)
     {
         (this.scene, this.right) = (scene, right);
         var number = Math.Max(1, (pixels.Count + MaxTogether - 1) / MaxTogether);
@@ -35,6 +37,9 @@ internal sealed class FormulaEvaluator
         arithmetic = new(count);
         givens = GivensOf(scene.Camera);
         parts = [.. scene.Models.SelectMany(ShapePart.From)];
+        if (other is (-1, var given, var own)) givens[given.Place] = own;
+        else if (other is var (part, name, value))
+            parts = parts.SetItem(part, parts[part] with { Numbers = [.. parts[part].Numbers.Select(number => number.Name == name ? (name, value) : number)] });
         crosser = new(scene, parts, arithmetic, count, groups.Length == 1 ? right : null); // what it keeps of many pixels would take much memory
         loop = new(parts, arithmetic, count);
         if (right is null) return;
@@ -42,7 +47,7 @@ internal sealed class FormulaEvaluator
     }
 
     /// <summary>The values of the names that every scene gives, each at its symbol's place.</summary>
-    private static PixelValues[] GivensOf(Camera camera)
+    public static PixelValues[] GivensOf(Camera camera)
     {
         var givens = new PixelValues[Symbol.Max];
         Give("P", PixelValues.From(camera.Position));
