@@ -2,7 +2,7 @@
 """Plants the slips of a file, one at a time, in a hand-out that is written up to the slip's step, runs what its README says (draw, --pixel, the
 step's tests), and judges whether the first screen that tells of something wrong leads to the slip. Needs a built raycaster (RAYCASTER, or what
 "dotnet build -c Release src/RayCaster.Cli" leaves) and the hand-out's test packages.
-Usage: slips.py [a file like slips.txt, and which of its slips: 3 for each third one]"""
+Usage: slips.py [which slips: 3 for each third one [a file like slips.txt]]"""
 import collections, os, pathlib, re, subprocess, sys, tempfile
 
 here = pathlib.Path(__file__).resolve().parent
@@ -99,5 +99,5 @@ def main(slips):
 
 
 if __name__ == "__main__":
-    each = int(sys.argv[2]) if len(sys.argv) > 2 else 1
-    sys.exit(1 if main(read(pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here / "slips.txt")[each // 2::each]) else 0)
+    each = int(sys.argv[1]) if len(sys.argv) > 1 else 1
+    sys.exit(1 if main(read(pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else here / "slips.txt")[each // 2::each]) else 0)
