@@ -67,7 +67,8 @@ public class RayAssertTests
     [Fact]
     public void TheNumbersOnTheWayAreTold() => Assert.Contains(
         "\n  Right  (Q − P)·n = −3, d·n = −1, t = 3\n",
-        Assert.Throws<FailException>(() => RayAssert.Hits(Slide, plane, new(3, 0, 0), new(-1, 0, 0), 3, (_, _) => { })).Message.ReplaceLineEndings("\n"));
+        Assert.Throws<FailException>(() => RayAssert.Hits(Slide, plane, new(3, 0, 0), new(-1, 0, 0), 3, (_, _) => { }))
+            .Message.ReplaceLineEndings("\n"));
 
     [Fact]
     public void OfALengthIsSpokenOnlyWhereOneIsAskedFor()
