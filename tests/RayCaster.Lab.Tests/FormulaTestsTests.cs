@@ -10,6 +10,10 @@ public class FormulaTestsTests
     public void TheFirstThatFailsIsToldWithItsMessage() => Assert.Equal(
         "Failing.WithArguments: 2 is wrong", FormulaTests.FirstFailure([typeof(Failing)]));
 
+    [Fact]
+    public void TheStepsAreAskedInTheGivenOrder() => Assert.Equal(
+        "Own.Fails: of the picture's own step", FormulaTests.FirstFailure([typeof(Own), typeof(Failing)]));
+
 #pragma warning disable xUnit1000 // not public, so that it is no test of this project
     private sealed class Failing : StepTests
     {
@@ -26,5 +30,11 @@ public class FormulaTestsTests
 
         [Fact]
         public void ThePictures() => Assert.Fail("this is what asks");
+    }
+
+    private sealed class Own : StepTests
+    {
+        [Fact]
+        public void Fails() => Assert.Fail("of the picture's own step");
     }
 }

@@ -65,6 +65,36 @@ public class RayAssertTests
     }
 
     [Fact]
+    public void TheNumbersOnTheWayAreTold() => Assert.Contains(
+        "\n  Right  (Q − P)·n = −3, d·n = −1, t = 3\n",
+        Assert.Throws<FailException>(() => RayAssert.Hits(Slide, plane, new(3, 0, 0), new(-1, 0, 0), 3, (_, _) => { }))
+            .Message.ReplaceLineEndings("\n"));
+
+    [Fact]
+    public void OfALengthIsSpokenOnlyWhereOneIsAskedFor()
+    {
+        Assert.DoesNotContain("whose length", Said(isUnit: false));
+        Assert.Contains("whose length is 2, not 1", Said(isUnit: true));
+
+        static string Said(bool isUnit) =>
+            Assert.Throws<FailException>(() => RayAssert.Equal("d", Slide, new(1, 0, 0), new Vector3(2, 0, 0), isUnit)).Message;
+    }
+
+    /// <summary>The far side of a box that zNear, the bias or zFar cuts, by a body that stores the first t &gt; 0.</summary>
+    [Fact]
+    public void ANearSideThatIsCutOffIsAskedFor()
+    {
+        var box = RayCaster.Model.Of(new RayCaster.Aabb(new(-1, -1, -1), new(1, 1, 1)));
+        RayAssert.Agrees(Slide, box, new(5, 0, 0), new(0, 0.1, 0.1));
+        Assert.Contains("Bias = ", Assert.Throws<FailException>(() => RayAssert.Agrees(Slide, box, new(5, 0, 0), new(0, 0.1, 0.1), (model, ray) =>
+        {
+            var watched = new Ray(ray.Origin, ray.Direction);
+            model.Intersect(watched);
+            ray.Hit(watched.HitParameter, model);
+        })).Message);
+    }
+
+    [Fact]
     public void AColourThatShadeChangesIsTold()
     {
         var model = new Plane(Vector3.Zero, new(1, 0, 0));

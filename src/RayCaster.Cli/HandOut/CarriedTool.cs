@@ -16,7 +16,6 @@ internal static class CarriedTool
 
     public static void Copy(string folder)
     {
-        Directory.CreateDirectory(folder);
         Copy(files, AppContext.BaseDirectory, folder);
         if (LiveCommand.ProgramFolder() is { } live) Copy(page, live, folder);
     }
@@ -28,7 +27,7 @@ internal static class CarriedTool
             if (!File.Exists(Path.Combine(from, name)))
                 throw new ProblemException($"{name} is not beside this program, " +
                     "so it cannot be copied into a hand-out\n  Publish raycaster as separate files, not as one.");
-            File.Copy(Path.Combine(from, name), Path.Combine(to, name));
+            WrittenFiles.Put(Path.Combine(to, name), File.ReadAllBytes(Path.Combine(from, name)));
         }
     }
 }

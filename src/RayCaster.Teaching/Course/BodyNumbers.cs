@@ -54,8 +54,9 @@ public static class BodyNumbers
     internal static (double Near, double Far)? RootsOf(Numbers right) =>
         right is [.., (Near or AnalyticalNear or Enters, double near), (_, double far)] && near <= far ? (near, far) : null;
 
-    /// <summary>Which of the slabs' numbers a wrong t_min or t_max is.</summary>
-    internal static string Which(Numbers right, string name, object own) => name is not (Enters or Leaves) ? ""
+    /// <summary>Which of the slabs' numbers a wrong t_min or t_max is; and whether a slab's own one is of the axes that were endless.</summary>
+    internal static string Which(Numbers right, string name, object own) => name is not (Enters or Leaves)
+        ? own is > 1e7 or < -1e7 ? ", with a number of another axis" : ""
         : right.Take(6).FirstOrDefault(number => IsSame(number.Value, own)).Name is { } slab ? $", which is {slab}" : ", which is none of x0 … z1";
 
     internal static string Text(object value) => value is Vector3 vector ? Digits.Format(vector) : Digits.Format((double)value);

@@ -16,15 +16,15 @@ public static class StepHint
 
     /// <summary>The same, on a new line, where a mistake in a step's code explains all wrong pixels; otherwise empty.</summary>
     public static string OfAllPixels(Scene scene, Picture picture, int step, HintLevel level) =>
-        Judge(scene, picture, step) is { Kind: DiagnosisKind.Mistake, Suspects: [{ Unexplained: 0, Mistakes: [var mistake] }, ..] } diagnosis
+        Judge(scene, picture, step, new()) is { Kind: DiagnosisKind.Mistake, Suspects: [{ Unexplained: 0, Mistakes: [var mistake] }, ..] } diagnosis
             && LabSteps.IsOf(mistake, step) ? "\n" + Format(scene, diagnosis, step, level) : "";
 
     internal static string Format(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 
-    internal static DiagnosisResult Judge(Scene scene, Picture picture, int step) => step == 0
+    internal static DiagnosisResult Judge(Scene scene, Picture picture, int step, SearchBudget? budget = null) => step == 0
         ? DiagnosisResult.Find(scene, picture)
-        : new Diagnoser(scene, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
+        : new Diagnoser(scene, budget: budget, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
             .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 
     private static IEnumerable<string> Lines(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level)

@@ -2,7 +2,7 @@
 """Plants the slips of a file, one at a time, in a hand-out that is written up to the slip's step, runs what its README says (draw, --pixel, the
 step's tests), and judges whether the first screen that tells of something wrong leads to the slip. Needs a built raycaster (RAYCASTER, or what
 "dotnet build -c Release src/RayCaster.Cli" leaves) and the hand-out's test packages.
-Usage: slips.py [a file like slips.txt, and which of its slips: 3 for each third one]"""
+Usage: slips.py [which slips: 3 for each third one [a file like slips.txt]]"""
 import collections, os, pathlib, re, subprocess, sys, tempfile
 
 here = pathlib.Path(__file__).resolve().parent
@@ -54,14 +54,13 @@ def main(slips):
         step_of = {slide: int(step) for step, slide in re.findall(r'\((\d+), "([^"]+)", "', (lab / "src/Lab/Template/Todo.cs").read_text())}
         open_files = {file.name: file.read_text() for file in (lab / "src/Lab").glob("*.cs")}
         solved = {name: (root / "src/RayCaster.Lab" / name).read_text() for name in open_files}
-        bodies = {(name, i): re.sub(r" *// STUB.*\n", "", body[3]) for name, text in solved.items() for i, body in enumerate(BODY.finditer(text))}
+        bodies = {name: [re.sub(r" *// STUB.*\n", "", body[3]) for body in BODY.finditer(text)] for name, text in solved.items()}
         file_of = {body[2]: name for name, text in open_files.items() for body in BODY.finditer(text)}
         readme = (lab / "README.md").read_text()
         for step, file, names, right, slip in slips:
             for name, text in open_files.items():
-                number = iter(range(99))
-                text = BODY.sub(lambda body: body[1] + (bodies[name, i] if (i := next(number)) >= 0 and step_of[body[2]] <= step else body[3]) + body[4],
-                                text)
+                written = iter(bodies[name])
+                text = BODY.sub(lambda body: body[1] + (next(written), body[3])[step_of[body[2]] > step] + body[4], text)
                 if name == file:
                     # in the step's own body: Ray.cs and Camera.cs have those of two
                     place = next((body for body in BODY.finditer(text) if step_of[body[2]] == step and right in body[3]), None)
@@ -77,7 +76,8 @@ def main(slips):
             for command in commands:
                 failed, said = run(lab, "dotnet", "src/Lab/bin/Debug/net10.0/Lab.dll", *command.split())
                 if "--pixel" in command and (screen := screen_of_pixel(said)): by = "--pixel"
-                if place := re.search(r"src/Lab/(\w+\.cs)\(\d+\): (.*)", said): screen, by = (f"{names}", [s for s in file_of if file_of[s] == place[1]]), "draw"
+                if place := re.search(r"src/Lab/(\w+\.cs)\(\d+\): ", said): # an exception
+                    screen, by = (" ".join(names), [slide for slide in file_of if file_of[slide] == place[1]]), "draw"
                 if screen: break
             if not screen:
                 failed, said = run(lab, "dotnet", "test", "--no-build", "--filter", f"step={step}")
@@ -99,5 +99,5 @@ def main(slips):
 
 
 if __name__ == "__main__":
-    each = int(sys.argv[2]) if len(sys.argv) > 2 else 1
-    sys.exit(1 if main(read(pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here / "slips.txt")[each // 2::each]) else 0)
+    each = int(sys.argv[1]) if len(sys.argv) > 1 else 1
+    sys.exit(1 if main(read(pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else here / "slips.txt")[each // 2::each]) else 0)

@@ -98,6 +98,16 @@ public class StepHintTests
         Assert.StartsWith($"  {mistake.Hint.Symptom}\n  Ask yourself: {mistake.Hint.Question}", hint);
     }
 
+    [Fact]
+    public void AMistakeThatExplainsAllPixelsIsAskedAboutInItsOwnStepOnly()
+    {
+        var mistake = MistakeCatalog.Named("slab-noswap")!.Usual;
+        var scene = LabSteps.SceneAt(SceneFolder.Small("aabb", 5), 7);
+        var picture = MistakeCatalog.Draw(scene, [mistake]);
+        Assert.Contains($"Ask yourself: {mistake.Hint.Question}", StepHint.OfAllPixels(scene, picture, 7, HintLevel.Question));
+        Assert.Equal("", StepHint.OfAllPixels(scene, picture, 4, HintLevel.Question));
+    }
+
     [Theory]
     [InlineData("plane", Explicit = true)]
     [InlineData("room", Explicit = true)]

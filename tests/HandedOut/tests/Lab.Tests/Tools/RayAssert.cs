@@ -81,13 +81,12 @@ public static class RayAssert
         if (expected is { } a && actual is { } b ? AreEqual(a, b) : expected == actual) return;
         var limits = depthPerT == 1 && bias == 0 && zNear == 0 ? "" // the ray is not clipped
             : $", Bias = {Text(bias)}, ZNear = {Text(zNear)}, ZFar = {(zFar == double.MaxValue ? "∞" : Text(zFar))}, DepthPerT = {Text(depthPerT)}";
-        var cited = ray.Miscounts(new(bias, zNear, zFar)) ? "zNear & zFar" : slide;
         Assert.Fail($"""
             expected {Hit(expected)}, but got {Hit(actual)}{ray.Calls(actual)}{(expected is { } x && actual is { } y ? Precision((x, y)) : "")}.
               Ray    P = {Text(P)}, d = {Text(d)}{limits}
               {Letters(model)}
               Right  {BodyNumbers.Line(model, P, d, slide == "Sphere – Analytical Solution")}
-              {Cite(cited)}{Chance.Again}
+              {Cite(ray.Miscounts(new(bias, zNear, zFar)) ? "zNear & zFar" : slide)}{Chance.Again}
             """);
     }
 
