@@ -7,7 +7,8 @@ namespace RayCaster.Cli;
 internal static class CarriedTool
 {
     /// <summary>Those that the lab and the live page use, too.</summary>
-    internal static readonly string[] Assemblies = ["RayCaster.Library.dll", "RayCaster.Files.dll", "RayCaster.Engine.dll", "RayCaster.Teaching.dll"];
+    internal static readonly string[] Assemblies =
+        ["RayCaster.Library.dll", "RayCaster.Files.dll", "RayCaster.Engine.dll", "RayCaster.Teaching.dll"];
 
     private static readonly string[] page = [LiveCommand.Program, "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"];
 

@@ -63,8 +63,8 @@ public sealed class HandOutCommandTests : CommandTests
 
     /// <summary>The program elsewhere, in a clone or not: no command builds what is missing.</summary>
     [Theory(Skip = "no such shell there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
-    [InlineData("live scene.json", "true", "which is not beside this one\n  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>\n")]
-    [InlineData("handout lab1", "true", "which is not beside this one\n  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>\n")]
+    [InlineData("live scene.json", "true", "which is not beside this one\n  In a clone of the project: dotnet run ")]
+    [InlineData("handout lab1", "true", "which is not beside this one\n  In a clone of the project: dotnet run ")]
     [InlineData("live scene.json", "mkdir scenes; touch RayCaster.sln", "which is not built with this one\n  Build it: dotnet build ")]
     [InlineData("handout lab1", "mkdir scenes; touch RayCaster.sln", "which is not built with this one\n  Build it: dotnet build ")]
     public void WithoutThePagesProgramItIsToldHowToGetIt(string command, string prepare, string said)
