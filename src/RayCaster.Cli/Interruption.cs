@@ -64,7 +64,8 @@ internal static class Interruption
         {
             ProgressLine.Wipe();
             StandardStreams.WriteError($"raycaster: interrupted; {end}");
-        }) { IsBackground = true };
+        })
+        { IsBackground = true };
         telling.Start();
         telling.Join(MessageGracePeriod);
     }

@@ -17,6 +17,7 @@ not() { ! "$@"; }
 
 echo "== the class"
 dotnet build src/RayCaster.Cli -v q
+dotnet build src/RayCaster.Live -v q
 raycaster() { dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll "$@"; }
 mkdir -p "$work"/{submissions,scenes,home/.ssh,marks}
 cp docs/draw-class.sh "$work"

@@ -9,7 +9,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 dotnet publish src/RayCaster.Cli -v q -o "$folder/tool"
-dotnet publish src/RayCaster.Live -v q -o "$folder/tool" -p:UseAppHost=false # beside it, lest each hand-out builds it
+dotnet publish src/RayCaster.Live -v q -o "$folder/tool" -p:UseAppHost=false # a hand-out has the live page, too
 raycaster() { "$folder/tool/raycaster" "$@"; }
 raycaster handout -q "$folder/lab"
 

@@ -63,7 +63,7 @@ public sealed class SystemCallTests : CommandTests
     {
         PrepareInputs();
         PrepareTraps();
-        foreach (var program in WaysToStart(RayCasterProcess.App)) // in a clone, where handout builds
+        foreach (var program in WaysToStart(RayCasterProcess.App))
         {
             Trace(program, arguments.Replace("SCENES", RayCasterProcess.Scenes));
             raycaster.RunInShell($"rm -r {string.Join(' ', written)}");
@@ -148,7 +148,7 @@ public sealed class SystemCallTests : CommandTests
             raycaster.Write($"class/anna/{file}", text);
     }
 
-    /// <summary>The program as it is installed: outside of the clone, where handout would build the live page, which lies beside it.</summary>
+    /// <summary>The program as it is installed: outside of the clone, with the live page beside it.</summary>
     private string Installed()
     {
         var from = Path.GetDirectoryName(RayCasterProcess.App)!;

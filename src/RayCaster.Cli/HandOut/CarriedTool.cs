@@ -6,18 +6,16 @@ namespace RayCaster.Cli;
 /// </summary>
 internal static class CarriedTool
 {
-    private static readonly string[] files =
-    [
-        "RayCaster.Library.dll", "RayCaster.Files.dll", "RayCaster.Engine.dll", "RayCaster.Teaching.dll", "raycaster.dll",
-        "raycaster.runtimeconfig.json",
-    ];
+    /// <summary>Those that the lab and the live page use, too.</summary>
+    internal static readonly string[] Assemblies =
+        ["RayCaster.Library.dll", "RayCaster.Files.dll", "RayCaster.Engine.dll", "RayCaster.Teaching.dll"];
 
     private static readonly string[] page = [LiveCommand.Program, "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"];
 
     public static void Copy(string folder)
     {
-        Copy(files, AppContext.BaseDirectory, folder);
-        if (LiveCommand.ProgramFolder() is { } live) Copy(page, live, folder);
+        Copy(page, LiveCommand.ProgramFolder(), folder);
+        Copy([.. Assemblies, "raycaster.dll", "raycaster.runtimeconfig.json"], AppContext.BaseDirectory, folder);
     }
 
     private static void Copy(string[] names, string from, string to)
@@ -27,7 +25,7 @@ internal static class CarriedTool
             if (!File.Exists(Path.Combine(from, name)))
                 throw new ProblemException($"{name} is not beside this program, " +
                     "so it cannot be copied into a hand-out\n  Publish raycaster as separate files, not as one.");
-            WrittenFiles.Put(Path.Combine(to, name), File.ReadAllBytes(Path.Combine(from, name)));
+            WrittenFiles.WriteInFolder(Path.Combine(to, name), File.ReadAllBytes(Path.Combine(from, name)));
         }
     }
 }

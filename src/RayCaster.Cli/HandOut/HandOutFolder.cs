@@ -17,7 +17,7 @@ internal static partial class HandOutFolder
         var files = HandOutFiles.With(isOpen);
         WrittenFiles.WriteFolder(folder, made =>
         {
-            foreach (var (path, content) in files) WrittenFiles.Put(Path.Combine(made, path), content);
+            foreach (var (path, content) in files) WrittenFiles.WriteInFolder(Path.Combine(made, path), content);
             CarriedTool.Copy(Path.Combine(made, "lib"));
             WritePictures(Path.Combine(made, "scenes"));
         });
@@ -55,7 +55,7 @@ internal static partial class HandOutFolder
                     PictureFile.Write(png, LabSteps.Draw(scene, step), PictureFormat.Png);
                 }
                 var picture = Path.Combine(scenes, $"step{step:00}", Path.ChangeExtension(Path.GetRelativePath(scenes, file), ".png"));
-                WrittenFiles.Put(picture, png.ToArray()); // in place: the folder as a whole is there or not
+                WrittenFiles.WriteInFolder(picture, png.ToArray());
             }
         }
     }

@@ -64,7 +64,7 @@ public static class WrittenFiles
     /// <summary>Makes a folder: files go to a temporary folder beside it, which is renamed at the end.</summary>
     /// <param name="path">The folder; the folders above it are made, too. If it is there, it must be empty, and stays: a shell may be in it, a link
     /// may lead to it, it may be a disk. Then the temporary folder is in it, and at the end what that holds is moved.</param>
-    /// <param name="fill">Fills the temporary folder, whose path it gets, by <see cref="Put"/>.</param>
+    /// <param name="fill">Fills the temporary folder, whose path it gets, by <see cref="WriteInFolder"/>.</param>
     /// <exception cref="ProblemException">It cannot be written, or a folder or file of this name came in between.</exception>
     public static void WriteFolder(string path, Action<string> fill)
     {
@@ -88,14 +88,14 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>Writes a file of an unfinished folder, and makes the folders above it. After <see cref="Abort"/> nothing is written.</summary>
-    public static void Put(string file, byte[] content)
+    /// <summary>Writes a file of a folder that is being made, and the folders above it. After <see cref="Abort"/> there is none.</summary>
+    public static void WriteInFolder(string path, byte[] content)
     {
         lock (access)
         {
             if (isAborted) throw new OperationCanceledException();
-            Directory.CreateDirectory(Path.GetDirectoryName(file)!);
-            File.WriteAllBytes(file, content);
+            Directory.CreateDirectory(Path.GetDirectoryName(path)!);
+            File.WriteAllBytes(path, content);
         }
     }
 

@@ -33,7 +33,7 @@ public class PromisesTests
     [Fact]
     public void FilesAreWrittenInOnePlace() =>
         NowhereBut(
-            ["RayCaster.Files/Platform/", "RayCaster.Cli/HandOut/HandOutFolder.cs", "RayCaster.Cli/HandOut/CarriedTool.cs",
+            ["RayCaster.Files/Platform/",
                 "RayCaster.Marks/ClassMarks.cs", "RayCaster.Live/Browser.cs",
                 "RayCaster.Web/Program.cs"], // in a browser, where files are in memory
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)"
