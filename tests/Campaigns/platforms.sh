@@ -159,8 +159,10 @@ programs_of_the_current_folder() { # they lie where Windows looks first, and the
 
 line_ends() { # the copy with CR LF, on Linux
     local program=$work/crlf/src/RayCaster.Cli/bin/Release/net10.0/raycaster
-    dotnet build "$work/crlf/src/RayCaster.Cli" -v quiet >"$work/crlf.txt" 2>&1 &&
-        dotnet build "$work/crlf/src/RayCaster.Live" -v quiet >"$work/crlf.txt" 2>&1 || { cat "$work/crlf.txt"; fail "the build with CR LF"; return; }
+    for project in Cli Live; do
+        dotnet build "$work/crlf/src/RayCaster.$project" -v quiet >"$work/crlf.txt" 2>&1 ||
+            { cat "$work/crlf.txt"; fail "the build with CR LF"; return; }
+    done
     "$program" "$work/crlf/scenes/room.json" -q -o "$work/crlf.ppm"
     "$here" scenes/room.json -q -o "$work/lf.ppm"
     cmp "$work/crlf.ppm" "$work/lf.ppm" || fail "the room with CR LF"

@@ -79,23 +79,6 @@ public abstract class PageTests : HostTests
         await Page.WaitForFunctionAsync("() => document.getElementById('pixel-explained').textContent.includes('It has 0 0 0 here: different')");
     }
 
-    /// <summary>What is wrong takes a browser seconds to find; the verdict and the difference do not wait for it.</summary>
-    [BrowserFact]
-    public async Task TheVerdictOnAPictureComesBeforeItsCauses()
-    {
-        await Page.EvaluateExpressionAsync("""
-            {
-                const text = document.getElementById('compare-text'), said = document.getElementById('mine-said');
-                window.seen = [];
-                new MutationObserver(() => seen.push(`${said.textContent} ${text.textContent.slice(0, 24)}`)).observe(text, { childList: true });
-            }
-            """);
-        await Page.DropWrongAsync(40, 30);
-        var seen = await Page.EvaluateExpressionAsync<string[]>("seen.filter(said => said.trim() !== '')");
-        Assert.StartsWith("mine.png is compared: wrong. Looking for what is", seen[0]);
-        Assert.StartsWith("mine.png is compared: wrong. mine.png is wrong:", seen[^1]);
-    }
-
     [BrowserFact]
     public async Task AWrongPictureIsDiagnosed()
     {

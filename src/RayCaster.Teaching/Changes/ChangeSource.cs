@@ -106,7 +106,8 @@ internal static class ChangeSource
     /// <summary>A step with the same edit; null if there is none.</summary>
     /// <param name="point">What Q is called there.</param>
     private static Step? Alike(Mutation mutation, Step step, string point) => MutationFactory.MutationsOf(step).FirstOrDefault(
-        other => other.Operator == mutation.Operator && other.Formula?.Name == mutation.Formula!.Name && other.Meant == mutation.Meant.Replace("Q", point)
+        other => other.Operator == mutation.Operator && other.Formula?.Name == mutation.Formula!.Name
+            && other.Meant == mutation.Meant.Replace("Q", point)
             && other.Written == mutation.Written.Replace("Q", point))?.Step;
 
     /// <summary>Whether a style computes what the scene needs.</summary>

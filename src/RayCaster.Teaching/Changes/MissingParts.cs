@@ -16,7 +16,8 @@ public static class MissingParts
     public static bool IsShape(string part) => part is not (Attenuation or Clipping);
 
     /// <summary>The lab's step in which a part is written.</summary>
-    public static int StepOf(string part) => Slides.StepOf(ShapeKind.Find(part)?.Slide ?? (part == Attenuation ? Slides.Shading : Slides.ClipPlanes));
+    public static int StepOf(string part) =>
+        Slides.StepOf(ShapeKind.Find(part)?.Slide ?? (part == Attenuation ? Slides.Shading : Slides.ClipPlanes));
 
     /// <summary>A program without a part, as a change of the slides' program.</summary>
     public static Change Without(string part) => ChangeSource.Missing(part);

@@ -46,8 +46,9 @@ internal static class Priors
     public const double AsLikely = 3;
 
     /// <summary>
-    /// The bits of pixels that are left unexplained. Their share of the wrong ones is unknown before, from all down to what other last bits may leave:
-    /// each time that it halves is worth the same.
+    /// The bits of pixels that are left unexplained. Their share of the wrong ones is unknown before, from all down to what other last bits may
+    /// leave: each time that it halves is worth the same.
     /// </summary>
-    public static double BitsOf(double unexplained, double wrong) => PerHalf * Math.Log2(1 + Math.Min(1, unexplained / Math.Max(1, wrong)) / Rounding);
+    public static double BitsOf(double unexplained, double wrong) =>
+        PerHalf * Math.Log2(1 + Math.Min(1, unexplained / Math.Max(1, wrong)) / Rounding);
 }

@@ -1,6 +1,7 @@
 namespace RayCaster.Teaching.Comparison;
 
-/// <summary>Wrong pixels that lie alone, as if by chance. Over models of several kinds no formula draws them; on models of one kind, holes.</summary>
+/// <summary>Wrong pixels that lie alone, as if by chance. Over models of several kinds no formula draws them; on models of one kind,
+/// holes.</summary>
 internal sealed class LostPixels
 {
     /// <summary>So many wrong pixels show how they lie; a model that is wrong in a smaller share than this part of the mean is spared.</summary>
@@ -19,7 +20,7 @@ internal sealed class LostPixels
 
     /// <summary>What explains them, if they lie on more than one kind; otherwise null.</summary>
     public Explanation? Explanation => Kinds.Count < 2 ? null : new(Way.Places,
-        $"{Digits.Count(count, "single pixel")}, spread over the picture, {(count == 1 ? "is" : "are")} wrong{Shown}; all others are right, so no formula " +
+        $"{Digits.Count(count, "single pixel")}, spread over the picture, are wrong{Shown}; all others are right, so no formula " +
         "is wrong. Do threads share what each must have for itself, for example the pixel's place?", Priors.LostPixels);
 
     private string Shown => Enumerable.Range(0, difference.Pixels).Where(difference.IsWrong).Select(difference.Mine.At).Distinct().Take(2).ToArray()
@@ -39,9 +40,11 @@ internal sealed class LostPixels
         var share = (double)wrong.Length / area;
         var alone = wrong.Count(i => !IsWrong(i, -1) && !IsWrong(i, 1) && !IsWrong(i, -width) && !IsWrong(i, width));
         if (share > MostWrong || alone < LeastAlone * Math.Pow(1 - share, 4) * wrong.Length) return null;
-        var kinds = models.Where(model => model.Wrong > 0).Select(model => model.Model < 0 ? "" : scene.Models[model.Model].Kind).Distinct().ToArray();
+        string[] kinds = [.. models.Where(model => model.Wrong > 0)
+            .Select(model => model.Model < 0 ? "" : scene.Models[model.Model].Kind).Distinct()];
         // Lost pixels are on each model, in about the same share.
-        if (kinds.Length > 1 && models.Any(model => model.Model >= 0 && model.All * share > Least && model.Wrong < model.All * share / Part)) return null;
+        if (kinds.Length > 1 && models.Any(model => model.Model >= 0 && model.All * share > Least
+            && model.Wrong < model.All * share / Part)) return null;
         return new(difference, wrong.Length, kinds);
 
         bool IsWrong(int i, int step) => i + step >= 0 && i + step < difference.Pixels && (Math.Abs(step) != 1 || (i + step) / width == i / width)

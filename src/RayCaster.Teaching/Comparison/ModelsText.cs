@@ -53,14 +53,16 @@ internal static class ModelsText
         var kinds = models.Select(model => scene.Models[model].Kind).Distinct().ToArray();
         var sizes = models.Select(SizeOf).ToArray();
         var areSmall = models.Count > 1 && kinds is [var kind] && all.ModelAt.Distinct()
-            .Where(model => model >= 0 && scene.Models[model].Kind == kind && !models.Contains(model)).Select(SizeOf).DefaultIfEmpty().Min() > sizes.Max();
+            .Where(model => model >= 0 && scene.Models[model].Kind == kind && !models.Contains(model))
+            .Select(SizeOf).DefaultIfEmpty().Min() > sizes.Max();
         string[] names = [.. models.Take(MaxNames).Select(model => ModelName.Format(scene, model))];
         var words = models is [_] ? Reported(all) is [{ IsMissing: true }] ? OfModels(scene, all, Reported(all)).First()
                 : $"{names[0]} is missing: without it the scene gives this picture."
-            : $"{string.Join(", ", names)}{(models.Count > MaxNames ? $" and {models.Count - MaxNames} more" : "")} are missing: without them the scene " +
-                $"gives this picture.{(areSmall ? $" All other {MissingParts.Many(kinds[0])} are larger: is there a limit that depends on the size?" : "")}";
-        return new(Way.Models, $"{words} Is it in your scene, and in the list that your program casts rays at?", Priors.MissingModel + (models.Count > 1 ? Priors.Several * kinds.Length : 0),
-            all.WrongWithoutMissing);
+            : $"{string.Join(", ", names)}{(models.Count > MaxNames ? $" and {models.Count - MaxNames} more" : "")} are missing: " +
+                "without them the scene gives this picture." +
+                (areSmall ? $" All other {MissingParts.Many(kinds[0])} are larger: is there a limit that depends on the size?" : "");
+        return new(Way.Models, $"{words} Is it in your scene, and in the list that your program casts rays at?",
+            Priors.MissingModel + (models.Count > 1 ? Priors.Several * kinds.Length : 0), all.WrongWithoutMissing);
 
         double SizeOf(int model) => scene.Models[model].Bounds is { } box ? (box.Max - box.Min).Length : double.PositiveInfinity;
     }

@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching.Comparison;
 
 /// <summary>
-/// What a wrong picture shows before a formula is tried, for every command. Of values, places and models, what explains all of it has a price, and the
-/// cheapest counts. Where nothing explains it, one ordered table says what is certain: <see cref="Table"/>.
+/// What a wrong picture shows before a formula is tried, for every command. Of values, places and models, what explains all of it has a price, and
+/// the cheapest counts. Where nothing explains it, one ordered table says what is certain: <see cref="Table"/>.
 /// </summary>
 internal sealed class Observations
 {
@@ -52,13 +52,15 @@ internal sealed class Observations
     /// <summary>Whether what is certain proves that the picture is of this scene.</summary>
     public bool IsOfScene => ByModels?.FaultLocalization.IsCertain == true || Best is not null;
 
-    /// <summary>What such a picture shows that shows very little, and where to look; null if it shows more, or the right one shows as little.</summary>
+    /// <summary>What such a picture shows that shows very little, and where to look; null if it shows more, or the right one shows as
+    /// little.</summary>
     public string? Plain => field ??= FindPlain();
 
     /// <summary>Whether every pixel has the same colour but for a level or two, and neither black nor the background's.</summary>
     public bool IsOneShade => Mine.IsNearlyOneColor && IsColored(Mine.At(Mine.Count / 2));
 
-    /// <summary>In how many wrong pixels each kind of shape and the background shows, if nearly all show what they should in another light.</summary>
+    /// <summary>In how many wrong pixels each kind of shape and the background shows, if nearly all show what they should in another
+    /// light.</summary>
     public IReadOnlyDictionary<string, int> OtherLight => field ??= FindOtherLight();
 
     /// <summary>What is said of the picture where no formula explains it: the cheapest explanation, or what is certain of the rest.</summary>
@@ -70,10 +72,12 @@ internal sealed class Observations
     [
         (() => Plain is not null, () => [Plain!]),
         (() => OtherLight.Count > 0 && (KindsOfWrong.Length == 1 || !IsCertain), () => [LightInWords]),
-        (() => ByModels is not null && (IsCertain || ModelsText.Reported(ByModels) is [_] || ModelsText.Reported(ByModels).All(model => model.IsExplained)),
+        (() => ByModels is not null && (IsCertain || ModelsText.Reported(ByModels) is [_]
+            || ModelsText.Reported(ByModels).All(model => model.IsExplained)),
             () => ModelsText.Sentences(scene!, ByModels!)),
         (() => StrangeShare > Most, () => [string.Create(CultureInfo.InvariantCulture,
-            $"This is another picture, or its colours were changed: {100 * StrangeShare:0} % of its pixels have a colour that no model of the scene has in any light.")]),
+            $"This is another picture, or its colours were changed: {100 * StrangeShare:0} % of its pixels have a colour " +
+            $"that no model of the scene has in any light.")]),
         (() => IsWrongOnlyOnOutlines, () =>
             ["Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?"]),
         (() => scene is not null && StrangeShare <= 0.1 && (difference is null || difference.Wrong >= difference.Pixels / 3), () =>
@@ -85,7 +89,8 @@ internal sealed class Observations
     private string[] KindsOfWrong => field ??= ByModels is null ? [] :
         [.. ModelsText.Reported(ByModels).Where(model => model.Model >= 0).Select(model => scene!.Models[model.Model].Kind).Distinct()];
 
-    private string LightInWords => ModelsText.Reported(ByModels!) is [var only] ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
+    private string LightInWords => ModelsText.Reported(ByModels!) is [var only]
+        ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
         : KindsOfWrong is [var kind] && scene!.Models.Any(model => model.Kind != kind)
             ? $"Only {MissingParts.Many(kind)}: the same outlines, but another light. Is their t right?"
         : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
@@ -96,7 +101,8 @@ internal sealed class Observations
         List<Explanation?> found = [PlaceMap.Find(Mine, Right, judge, difference?.Wrong)];
         if (difference is not null) found.Add(UnreachedLines.Explain(difference, judge));
         // A shape that uncovers what lies behind it changes its own colours into others, too: values that no other shape has.
-        if (difference is not null && ByModels?.FaultLocalization.Kinds.Count is not > 0) found.Add(ValueMap.Find(difference, isOfMostValues: ByModels is null));
+        if (difference is not null && ByModels?.FaultLocalization.Kinds.Count is not > 0)
+            found.Add(ValueMap.Find(difference, isOfMostValues: ByModels is null));
         if (ByModels is not null)
         {
             found.Add(ByModels.LostPixels?.Explanation);
@@ -104,7 +110,9 @@ internal sealed class Observations
             else if (ModelsText.Reported(ByModels) is [{ OtherColor: not null }])
                 found.Add(new(Way.Models, ModelsText.Sentences(scene!, ByModels).First(), Priors.OtherColor));
         }
-        return [.. found.OfType<Explanation>().Where(one => one.Total(wrong) < Priors.OtherProgram).OrderBy(one => one.Total(wrong))];
+        var offByOne = Residual.WeightOf(0, difference?.OffByOne ?? 0); // formulas pay for truncated bytes, too
+        return [.. found.OfType<Explanation>().Select(one => one.Way == Way.Places ? one : one with { Unexplained = one.Unexplained + offByOne })
+            .Where(one => one.Total(wrong) < Priors.OtherProgram).OrderBy(one => one.Total(wrong))];
     }
 
     private string? FindPlain()
@@ -122,13 +130,15 @@ internal sealed class Observations
                 "Which hits count, and what is the attenuation?";
         if (Share(Mine, IsBlack) <= Hardly) return "There is nothing but background: no model is hit, or no hit counts.";
         // Black that is no model's outline is another scene, or another camera.
-        return difference is not null && Enumerable.Range(0, Mine.Count).Count(i => IsBlack(Mine.At(i)) != (Right.At(i) != scene.Background.ToBytes()))
+        return difference is not null && Enumerable.Range(0, Mine.Count).Count(i =>
+            IsBlack(Mine.At(i)) != (Right.At(i) != scene.Background.ToBytes()))
             <= Hardly * Mine.Count
             ? "All that is drawn is black: the light is lost. Is the attenuation, or a colour on its way to bytes, cut to an integer or negative?"
             : $"All that is drawn is black. {OtherOutlines}";
     }
 
-    private bool IsColored((byte, byte, byte) shown) => !IsBlack(shown) && (scene is null || !PictureJudge.IsNear(shown, scene.Background.ToBytes()));
+    private bool IsColored((byte, byte, byte) shown) =>
+        !IsBlack(shown) && (scene is null || !PictureJudge.IsNear(shown, scene.Background.ToBytes()));
 
     private double StrangeShare => field != 0 || colors is null ? field : field = Share(Mine, shown => colors.ModelOf(shown) == ColorMap.Strange);
 
@@ -154,7 +164,8 @@ internal sealed class Observations
             var (kind, color) = models[i] < 0 ? ("background", scene.Background) : (scene.Models[models[i]].Kind, scene.Models[models[i]].Color);
             if (Shade.IsOf(Mine.At(i), color) || Shade.IsTooBright(Mine.At(i), color)) count[kind] = count.GetValueOrDefault(kind) + 1;
             // Two grey models are shades of each other, and black is a shade of all. Then a new edge within a model shows the difference.
-            if (Neighbours(i).Any(other => other < i && models[other] == models[i] && PictureDifference.Levels(Right.At(i), Right.At(other)) <= Smooth
+            if (Neighbours(i).Any(other => other < i && models[other] == models[i]
+                && PictureDifference.Levels(Right.At(i), Right.At(other)) <= Smooth
                 && PictureDifference.Levels(Mine.At(i), Mine.At(other)) > Edge)) edges++;
         }
         // A cut through an area is about as long as its side.

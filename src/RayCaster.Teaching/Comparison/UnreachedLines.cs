@@ -75,8 +75,8 @@ internal sealed class UnreachedLines
                 : $"the {what}s {first} to {last}{From(what)}";
         if (runs is [(0, var top), (var bottom, var end)] && end == count - 1)
             return top == 0 && bottom == end ? $"the first and the last {what}" : $"the first {top + 1} and the last {count - bottom} {what}s";
-        return $"the {what}s {string.Join(", ", runs.Take(MaxRuns).Select(run => run.First == run.Last ? $"{run.First}" : $"{run.First} to {run.Last}"))}" +
-            $"{(runs.Length > MaxRuns ? " …" : "")}{From(what)}";
+        var named = runs.Take(MaxRuns).Select(run => run.First == run.Last ? $"{run.First}" : $"{run.First} to {run.Last}");
+        return $"the {what}s {string.Join(", ", named)}{(runs.Length > MaxRuns ? " …" : "")}{From(what)}";
     }
 
     private static string From(string what) => what == "line" ? " from the top" : "";

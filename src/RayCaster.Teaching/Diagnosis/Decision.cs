@@ -161,7 +161,8 @@ internal sealed class Decision(Diagnoser prepared, Picture picture, IReadOnlyCol
         Suspect[] suspects = [.. first.Select(candidate => Suspects.Of(candidate, first[0])).DistinctBy(suspect => IdsOf(suspect.Mistakes))];
         return facts with
         {
-            Kind = best.Reported.Count > 0 ? DiagnosisKind.Mistake : best.Missing.Count > 0 ? DiagnosisKind.Unfinished : DiagnosisKind.NotTheFormulas,
+            Kind = best.Reported.Count > 0 ? DiagnosisKind.Mistake : best.Missing.Count > 0 ? DiagnosisKind.Unfinished
+                : DiagnosisKind.NotTheFormulas,
             NotYet = best.Missing,
             Likely = [.. best.Changes.Select(change => change.Unreached?.Sentence).OfType<string>()],
             Suspects = suspects is [{ Twins: var twins }, ..] // no mistake is told twice

@@ -25,14 +25,16 @@ internal sealed record GivenNumber(int Part, Symbol Name, PixelValues Value, int
         GivenNumber[] all = [.. OfCamera(), .. OfModels(scene, byModels, sample)];
         var found = new (Residual Residual, double Value)[all.Length];
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
-        Parallel.For(0, all.Length, options, i => found[i] = all[i].Tries(size).Select(value => (all[i].ResidualAt(value, sample, 0.03), value)).Min());
+        Parallel.For(0, all.Length, options, i => found[i] = all[i].Tries(size).Select(value =>
+            (all[i].ResidualAt(value, sample, 0.03), value)).Min());
         int[] best = [.. Enumerable.Range(0, all.Length).OrderBy(i => found[i].Residual).Take(MaxSearched)];
         Parallel.ForEach(best, options, i => found[i] = all[i].Closest(found[i].Value, sample));
         var first = best.MinBy(i => found[i].Residual);
         var (number, value) = (all[first], found[first].Value);
         if (sample.Lost(sample.Slides, number.With(value)).Any()) return (new(sample.PixelCount, sample.PixelCount), ""); // it shows what that loses
-        return (found[first].Residual, $"All is right if {(number.Axis < 0 ? "" : $"{"xyz"[number.Axis]} of ")}{number.Name.Text}{number.Of} is about " +
-            $"{Short(value)}; the scene says {Short(number.Right)}.");
+        var axis = number.Axis < 0 ? "" : $"{"xyz"[number.Axis]} of ";
+        return (found[first].Residual,
+            $"All is right if {axis}{number.Name.Text}{number.Of} is about {Short(value)}; the scene says {Short(number.Right)}.");
 
         IEnumerable<GivenNumber> OfCamera() => ((string[])["P", "T", "fovY", "zNear", "zFar"]).Select(Symbol.From)
             .SelectMany(name => From(-1, name, FormulaEvaluator.GivensOf(scene.Camera)[name.Place], ""));
@@ -40,7 +42,8 @@ internal sealed record GivenNumber(int Part, Symbol Name, PixelValues Value, int
 
     private static IEnumerable<GivenNumber> OfModels(Scene scene, SceneDifference byModels, PictureSample sample)
     {
-        var parts = scene.Models.Index().SelectMany(model => ShapePart.From(model.Item).Select(part => (Model: model.Index, part.Numbers))).ToArray();
+        var parts = scene.Models.Index().SelectMany(model => ShapePart.From(model.Item).Select(part =>
+            (Model: model.Index, part.Numbers))).ToArray();
         return from model in byModels.Models
                where model.Model >= 0 && scene.Models[model.Model] is not Mesh
                let shown = byModels.Models.Sum(other => other.Shows.Where(shown => shown.Model == model.Model).Sum(shown => shown.Pixels))

@@ -99,7 +99,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         // one change, or a program that is not finished
         var singles = Measured([.. named.Select(right.With)], FirstLook);
         var ways = Measured([.. Ways(missing, kinds.Length)], FirstLook);
-        Refine([.. singles.Concat(ways).Concat(Measured([.. lines.Select(right.With)], FirstLook)).Concat(Measured([.. wordings.Select(right.With)], FirstLook)).OrderBy(of => of.Total)]);
+        Refine([.. singles.Concat(ways).Concat(Measured([.. lines.Concat(wordings).Select(right.With)], FirstLook)).OrderBy(of => of.Total)]);
         if (found.Exists(of => !of.IsContradicted && of.Total < Priors.LeastWithoutFormulas) || Bound < Priors.Known + Priors.MissingPart) return;
 
         // with something that costs little, or in an unfinished program

@@ -26,11 +26,14 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         var isTypical = hypothesis.Residual.Unexplained <= Decision.Explained * sample.WrongCount && hypothesis.IsUsual;
         shown = [.. shown.Select(mistake => Fits(mistake, hypothesis, drawn) ? mistake : MutationNaming.Unnamed(mistake))];
         return new(shown, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.Missing, isSame,
-            isSame || hypothesis.Total - likeliest.Total < Priors.AsLikely, isTypical) { OtherFormulas = others };
+            isSame || hypothesis.Total - likeliest.Total < Priors.AsLikely, isTypical)
+        {
+            OtherFormulas = others,
+        };
     }
 
-    /// <summary>The formulas of the step that a mistake changes in which a slip draws the same, but for its own, in words: the scene cannot tell them
-    /// apart.</summary>
+    /// <summary>The formulas of the step that a mistake changes in which a slip draws the same, but for its own, in words: the scene cannot tell
+    /// them apart.</summary>
     private string[] OtherFormulas(Change named, FormulaProgram own, Hypothesis rest, PictureSample.Drawn drawn)
     {
         if (named.OwnSteps.Distinct().ToArray() is not [var step] || !step.IsOfShape() && !step.IsOfRays()) return [];

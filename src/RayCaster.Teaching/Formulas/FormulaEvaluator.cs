@@ -39,7 +39,10 @@ internal sealed class FormulaEvaluator
         parts = [.. scene.Models.SelectMany(ShapePart.From)];
         if (other is (-1, var given, var own)) givens[given.Place] = own;
         else if (other is var (part, name, value))
-            parts = parts.SetItem(part, parts[part] with { Numbers = [.. parts[part].Numbers.Select(number => number.Name == name ? (name, value) : number)] });
+            parts = parts.SetItem(part, parts[part] with
+            {
+                Numbers = [.. parts[part].Numbers.Select(number => number.Name == name ? (name, value) : number)],
+            });
         crosser = new(scene, parts, arithmetic, count, groups.Length == 1 ? right : null); // what it keeps of many pixels would take much memory
         loop = new(parts, arithmetic, count);
         if (right is null) return;

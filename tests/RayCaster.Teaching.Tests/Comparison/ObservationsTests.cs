@@ -32,7 +32,8 @@ public class ObservationsTests
         var (picture, line) = (new Picture(right.Width, right.Height), 3 * right.Width);
         for (var i = 0; i < picture.Rgb.Length; i++)
         {
-            var from = inserted == 0 ? i + skipped * (i / line) : i % (line + inserted) < line ? i / (line + inserted) * line + i % (line + inserted) : -1;
+            var from = inserted == 0 ? i + skipped * (i / line) : i % (line + inserted) < line
+                ? i / (line + inserted) * line + i % (line + inserted) : -1;
             if (from >= 0 && from < right.Rgb.Length) picture.Rgb[i] = right.Rgb[from];
         }
         Says(picture, says);
@@ -51,7 +52,8 @@ public class ObservationsTests
     [Fact] // four of them lie behind others, and uncover them
     public void SeveralMissingModelsAreNamed()
     {
-        Model[] small = [.. Enumerable.Range(0, 12).Select(i => Model.Of(new Triangle(new(6, i - 6, 0), new(6, i - 5, 0), new(6 - i % 3, i - 6, 1))))];
+        Model[] small = [.. Enumerable.Range(-6, 12)
+            .Select(y => Model.Of(new Triangle(new(6, y, 0), new(6, y + 1, 0), new(6 - (y + 6) % 3, y, 1))))];
         foreach (var (i, model) in small.Index()) (model.Name, model.Color) = ($"small {i}", new(0.1 + 0.05 * i, 0.9 - 0.05 * i, 0.5));
         var scene = generic with { Models = [.. generic.Models, .. small] };
         var mine = Renderer.Render(generic);

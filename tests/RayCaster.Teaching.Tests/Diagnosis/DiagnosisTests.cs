@@ -10,7 +10,8 @@ public class DiagnosisTests
     private static readonly ConcurrentDictionary<string, Lazy<DiagnosisResult>> diagnoses = [];
 
     /// <summary>Of the picture with a planted mistake: one search for all tests that read it.</summary>
-    internal static DiagnosisResult OfPlanted(string id) => diagnoses.GetOrAdd(id, id => new(() => DiagnosisResult.Find(scene, Planted(id), new()))).Value;
+    internal static DiagnosisResult OfPlanted(string id) => diagnoses.GetOrAdd(id, id => new(() =>
+        DiagnosisResult.Find(scene, Planted(id), new()))).Value;
 
     internal static Picture Planted(string id)
     {
