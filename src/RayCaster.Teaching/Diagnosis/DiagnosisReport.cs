@@ -202,7 +202,8 @@ public static class DiagnosisReport
     private static void AppendSuspect(StringBuilder text, DiagnosisResult diagnosis, Suspect suspect, HintLevel level)
     {
         var shown = Shown(suspect);
-        text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely:" : "Most likely:")
+        text.AppendLine((IsOnlyUnwritten(suspect) ? "If that is written already, most likely:"
+                : suspect.OtherFormulas.Count > 0 ? "Most likely one of these:" : "Most likely:")
             + (level == HintLevel.Answer ? " " + Names(suspect) // an id says what is wrong
                 : shown is [{ Place: not null } slip] ? " " + NameOf(slip with { Similar = null })
                 : shown.Count > 1 ? $" {shown.Count} mistakes" : "")
@@ -221,7 +222,8 @@ public static class DiagnosisReport
         if (suspect.OtherSample)
             text.Wrap("  Besides:  ", "the rays pass through another point of each pixel than the scene's \"sample\" says (corner or center).");
         if (suspect.OtherFormulas.Count > 0)
-            text.Wrap("  Or:       ", $"a slip in {string.Join(", or in ", suspect.OtherFormulas)} draws the same here.");
+            text.Wrap("  Or:       ", $"a slip in the step {string.Join(", ", suspect.Mistakes.SelectMany(mistake => mistake.OwnSteps).Distinct().Select(MutationNaming.StepOf))
+                } draws the same here: in {string.Join(", or in ", suspect.OtherFormulas)}.");
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
                 (level == HintLevel.Answer ? $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))}"
