@@ -43,7 +43,7 @@ internal static class Interruption
         {
             context.Cancel = true; // the default would leave the temporary file
             if (Interlocked.Exchange(ref end, 1) != 0) return;
-            WrittenFiles.Abort(); // deletes unfinished files
+            AtomicFile.Abort(); // deletes unfinished files
             Tell(command);
             Environment.Exit(context.Signal switch
             {
@@ -58,7 +58,7 @@ internal static class Interruption
     /// <summary>Says in one line what was finished, and how to continue. Does not wait if standard error is a pipe that no program reads.</summary>
     private static void Tell(Command command)
     {
-        var resumes = WrittenFiles.Count > 0 && command.Options.Contains(PartCommand.Resume);
+        var resumes = AtomicFile.Count > 0 && command.Options.Contains(PartCommand.Resume);
         var end = command is LiveCommand ? "the page's server has stopped" : $"{Written()}{(resumes ? "; --resume continues" : "")}";
         var telling = new Thread(() =>
         {
@@ -70,7 +70,7 @@ internal static class Interruption
         telling.Join(MessageGracePeriod);
     }
 
-    private static string Written() => (WrittenFiles.Count, WrittenFiles.Last) switch
+    private static string Written() => (AtomicFile.Count, AtomicFile.Last) switch
     {
         (0, _) when StandardStreams.HasOutput => "standard output is incomplete",
         (0, _) => "nothing was written",

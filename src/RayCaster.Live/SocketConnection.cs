@@ -23,7 +23,7 @@ internal sealed class SocketConnection(WebSocket socket) : IConnection
     public Task SendAsync(byte[] message, CancellationToken cancellation) =>
         socket.SendAsync(message.AsMemory(), WebSocketMessageType.Text, true, cancellation).AsTask();
 
-    public async Task SendAsync(byte[] header, Frame frame, CancellationToken cancellation)
+    public async Task SendAsync(byte[] header, CanvasImage frame, CancellationToken cancellation)
     {
         await socket.SendAsync(header.AsMemory(), WebSocketMessageType.Binary, false, cancellation);
         await socket.SendAsync(frame.Pixels, WebSocketMessageType.Binary, true, cancellation);

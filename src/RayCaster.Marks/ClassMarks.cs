@@ -82,6 +82,6 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
     {
         var path = Path.Combine(output, file);
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
-        WrittenFiles.Write(path, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+        AtomicFile.Write(path, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
     }
 }

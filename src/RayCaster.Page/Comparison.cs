@@ -28,15 +28,15 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
     });
 
     /// <summary>The user's picture, and the difference.</summary>
-    public IEnumerable<(Layer, Frame)> Frames()
+    public IEnumerable<(Layer, CanvasImage)> Frames()
     {
         if (Result?.Difference is not { } difference) yield break;
-        yield return (Layer.Mine, Frame.Of(Mine!));
-        yield return (Layer.Difference, Frame.Of(HeatMap.Of(difference)));
+        yield return (Layer.Mine, CanvasImage.Of(Mine!));
+        yield return (Layer.Difference, CanvasImage.Of(HeatMap.Of(difference)));
     }
 
     /// <summary>The difference by object; null if the pictures' sizes differ.</summary>
-    public Frame? ByObject() => Result?.Difference is null ? null : Frame.Of(HeatMap.ByModel(Result));
+    public CanvasImage? ByObject() => Result?.Difference is null ? null : CanvasImage.Of(HeatMap.ByModel(Result));
 
     /// <summary>Names the mistake that may have made the picture.</summary>
     public async Task<string> DiagnoseAsync(HintLevel level, TimeSpan time, CancellationToken cancellation)

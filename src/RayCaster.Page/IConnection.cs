@@ -6,5 +6,5 @@ internal interface IConnection
     /// <summary>Sends a message of <see cref="Messages"/>.</summary>
     Task SendAsync(byte[] message, CancellationToken cancellation);
 
-    Task SendAsync(byte[] header, Frame frame, CancellationToken cancellation);
+    Task SendAsync(byte[] header, CanvasImage frame, CancellationToken cancellation);
 }

@@ -86,7 +86,7 @@ internal sealed class LiveScene
         if (state.Version != version) return WasChanged;
         try
         {
-            WrittenFiles.Write(FullPath, file => file.Write(CameraEdit.Write(state.Text, camera)), () =>
+            AtomicFile.Write(FullPath, file => file.Write(CameraEdit.Write(state.Text, camera)), () =>
             {
                 // Writing to the disk takes some milliseconds, in which somebody may save the scene.
                 if (!File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text.Span)) throw new OperationCanceledException();

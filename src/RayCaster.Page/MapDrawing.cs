@@ -3,7 +3,7 @@ namespace RayCaster.Page;
 /// <summary>A map as a picture, with its legend.</summary>
 internal static class MapDrawing
 {
-    public static (byte[] Legend, Frame Frame) Of(Scene scene, MapKind kind)
+    public static (byte[] Legend, CanvasImage Image) Of(Scene scene, MapKind kind)
     {
         var map = MapPicture.Draw(scene, kind);
         var (least, greatest) = map.Range ?? default;
@@ -15,6 +15,6 @@ internal static class MapDrawing
             Greatest = greatest,
             Colors = (map.Range is null && kind != MapKind.Model ? [] : map.Legend.Take(Messages.MaxModels)).Select(Messages.Hex),
         });
-        return (legend, Frame.Of(map.Picture));
+        return (legend, CanvasImage.Of(map.Picture));
     }
 }

@@ -8,7 +8,7 @@ internal class Studio
     /// <summary>How much processor time a diagnosis may take at most, if it has not done its usual work by then.</summary>
     public virtual TimeSpan SearchTime => SearchBudget.LastResort;
 
-    public virtual Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation) =>
+    public virtual Task<CanvasImage> DrawAsync(Scene scene, View view, CancellationToken cancellation) =>
         DoAsync(() => Draw(view.Of(scene), cancellation), cancellation);
 
     /// <summary>Does work that takes all cores, after the work before it.</summary>
@@ -25,10 +25,10 @@ internal class Studio
         }
     }
 
-    private static Frame Draw(Scene scene, CancellationToken cancellation)
+    private static CanvasImage Draw(Scene scene, CancellationToken cancellation)
     {
         var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
         new Renderer(scene) { ManyFrames = true }.DrawInto(picture, cancellation);
-        return Frame.Of(picture);
+        return CanvasImage.Of(picture);
     }
 }

@@ -51,16 +51,16 @@ internal sealed partial class Tab
                     break;
                 case "hover":
                     wishes = wishes with { Hover = new(value[0].GetInt32(), value[1].GetInt32()) };
-                    pending |= Pending.Hover;
+                    pending |= MessageKind.Hover;
                     break;
                 case "explain":
                     wishes = wishes with { Explained = IsNull(value) ? null : new(value[0].GetInt32(), value[1].GetInt32()) };
-                    pending |= Pending.Explanation;
+                    pending |= MessageKind.Explanation;
                     break;
                 case "map":
                     MapKind? map = IsNull(value) ? null : MapKinds.Named(value.GetString()!) ?? throw new FormatException("there is no such map");
                     wishes = wishes with { Map = map };
-                    pending |= Pending.Map;
+                    pending |= MessageKind.Map;
                     break;
                 case "hint":
                     wishes = wishes with { Hint = Named<HintLevel>(value) };
@@ -69,13 +69,13 @@ internal sealed partial class Tab
                     diagnosing.Cancel(); // if it has not begun, it begins and is told to be cancelled
                     if (!value.GetBoolean()) break;
                     diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end);
-                    pending |= Pending.Diagnosis;
+                    pending |= MessageKind.Diagnosis;
                     break;
                 case "forgetMine":
                     mine.Forget();
                     break;
                 case "write":
-                    if (answers.HasFlag(Pending.Camera)) WriteCamera(value.GetInt32());
+                    if (answers.HasFlag(MessageKind.Camera)) WriteCamera(value.GetInt32());
                     break;
                 default:
                     throw new FormatException($"there is no request '{name}'");
@@ -101,7 +101,7 @@ internal sealed partial class Tab
         if (live.State.Scene is not { } scene) return;
         See(move(wishes.View.Camera ?? scene.Camera));
         wishes = wishes with { IsMoving = true };
-        pending |= Pending.Frame;
+        pending |= MessageKind.Frame;
         outdated.Cancel();
     }
 
@@ -110,7 +110,7 @@ internal sealed partial class Tab
     {
         if (wishes.View.Camera is { } camera) See(CameraMotion.Rounded(camera));
         wishes = wishes with { IsMoving = false };
-        pending |= Pending.Camera;
+        pending |= MessageKind.Camera;
         Refresh();
     }
 

@@ -9,7 +9,7 @@ namespace RayCaster.Page;
 /// </summary>
 /// <param name="answers">What the page wants to receive from here.</param>
 internal sealed partial class Tab(
-    IConnection connection, LiveScene live, MinePicture mine, Studio studio, CancellationToken end, Pending answers = Pending.All)
+    IConnection connection, LiveScene live, MinePicture mine, Studio studio, CancellationToken end, MessageKind answers = MessageKind.All)
 {
     private const int MaxUnseen = 2;
 
@@ -21,7 +21,7 @@ internal sealed partial class Tab(
     private int sent; // frames
 
     private readonly Lock sync = new(); // for the fields below
-    private Pending pending;
+    private MessageKind pending;
     private Wishes wishes = new();
     private SceneState? known; // the state that the page knows
     private CancellationTokenSource outdated = new(), diagnosing = new();
@@ -47,7 +47,7 @@ internal sealed partial class Tab(
     /// <summary>Compares with the user's picture as it is now.</summary>
     public void CompareAgain()
     {
-        lock (sync) pending |= Pending.Comparison | Pending.Explanation;
+        lock (sync) pending |= MessageKind.Comparison | MessageKind.Explanation;
         Wake();
     }
 
@@ -89,7 +89,7 @@ internal sealed partial class Tab(
     private async Task SendSceneAsync(SceneState state)
     {
         if (ReferenceEquals(known, state)) return;
-        if (answers.HasFlag(Pending.Scene)) await SendAsync(Messages.OfScene(live, state));
+        if (answers.HasFlag(MessageKind.Scene)) await SendAsync(Messages.OfScene(live, state));
         lock (sync)
         {
             // After a change of the camera in the file the page shows the file's camera, not the one that was turned.
@@ -97,15 +97,15 @@ internal sealed partial class Tab(
             known = state;
             if (!state.IsGood) return;
             Refresh();
-            pending |= Pending.Camera | Pending.Comparison;
+            pending |= MessageKind.Camera | MessageKind.Comparison;
         }
     }
 
     /// <summary>Notes that the page needs again everything that depends on the scene and the view.</summary>
-    private void Refresh() => pending |= Pending.Frame | Pending.Explanation | Pending.Map | Pending.Ledger;
+    private void Refresh() => pending |= MessageKind.Frame | MessageKind.Explanation | MessageKind.Map | MessageKind.Ledger;
 
     /// <summary>Whether something is still to be sent; from now on it is not, unless it is requested again.</summary>
-    private bool Takes(Pending message)
+    private bool Takes(MessageKind message)
     {
         lock (sync)
         {
@@ -117,7 +117,7 @@ internal sealed partial class Tab(
 
     private async Task SendPictureAsync(SceneState state)
     {
-        if (sent - wishes.Shown >= MaxUnseen || !Takes(Pending.Frame)) return;
+        if (sent - wishes.Shown >= MaxUnseen || !Takes(MessageKind.Frame)) return;
         var now = wishes;
         var view = now.IsMoving ? now.View with { Divisor = now.Divisor } : now.View;
         var frame = await studio.DrawAsync(state.Scene!, view, now.IsMoving ? end : Outdated());
@@ -128,21 +128,21 @@ internal sealed partial class Tab(
 
     private async Task SendCameraAsync(SceneState state)
     {
-        if (!Takes(Pending.Camera)) return;
+        if (!Takes(MessageKind.Camera)) return;
         var camera = wishes.View.Camera;
         await SendAsync(Messages.OfCamera(camera ?? state.Scene!.Camera, camera is not null));
     }
 
     private async Task SendHoverAsync(SceneState state)
     {
-        if (!Takes(Pending.Hover) || wishes is not { Hover: { } place } now) return;
+        if (!Takes(MessageKind.Hover) || wishes is not { Hover: { } place } now) return;
         var scene = now.View.Of(state.Scene!);
         if (IsIn(scene, place)) await SendAsync(Messages.OfHover(scene, place.Column, place.Line));
     }
 
     private async Task SendExplanationAsync(SceneState state)
     {
-        if (wishes.IsMoving || !Takes(Pending.Explanation) || wishes is not { Explained: { } place, View: var seen }) return;
+        if (wishes.IsMoving || !Takes(MessageKind.Explanation) || wishes is not { Explained: { } place, View: var seen }) return;
         if (!IsIn(seen.Of(state.Scene!), place)) return;
         await SendAsync(await Task.Run(() =>
         {
@@ -154,7 +154,7 @@ internal sealed partial class Tab(
 
     private async Task SendMapAsync(SceneState state)
     {
-        if (wishes.IsMoving || !Takes(Pending.Map) || wishes is not { Map: { } kind } now) return;
+        if (wishes.IsMoving || !Takes(MessageKind.Map) || wishes is not { Map: { } kind } now) return;
         var scene = now.View.Of(state.Scene!);
         var (legend, frame) = await studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
         await SendAsync(legend);
@@ -165,14 +165,14 @@ internal sealed partial class Tab(
     {
         bool diagnoses;
         CancellationTokenSource diagnosis;
-        lock (sync) (diagnoses, diagnosis) = (Takes(Pending.Diagnosis), diagnosing); // "Cancel" may come before the diagnosis begins
-        if (!Takes(Pending.Comparison) && !diagnoses) return;
+        lock (sync) (diagnoses, diagnosis) = (Takes(MessageKind.Diagnosis), diagnosing); // "Cancel" may come before the diagnosis begins
+        if (!Takes(MessageKind.Comparison) && !diagnoses) return;
         var comparison = mine.CompareWith(state, live.Path);
         if (!ReferenceEquals(comparison, compared))
         {
             if (!diagnoses) diagnosis.Cancel();
             compared = comparison;
-            if (answers.HasFlag(Pending.Comparison)) await SendAsync(comparison, state.Version);
+            if (answers.HasFlag(MessageKind.Comparison)) await SendAsync(comparison, state.Version);
         }
         if (diagnoses) _ = SendDiagnosisAsync(comparison, wishes.Hint, diagnosis.Token);
     }
@@ -205,7 +205,7 @@ internal sealed partial class Tab(
 
     private async Task SendLedgerAsync(SceneState state)
     {
-        if (wishes.IsMoving || !Takes(Pending.Ledger)) return;
+        if (wishes.IsMoving || !Takes(MessageKind.Ledger)) return;
         var scene = wishes.View.Of(state.Scene!);
         var ledger = await Task.Run(() => SceneVisibility.Take(scene, Outdated()));
         await SendAsync(Messages.OfLedger(scene, ledger));
@@ -223,7 +223,7 @@ internal sealed partial class Tab(
     }
 
     /// <summary>Starts to send a frame; the next one is drawn at the same time.</summary>
-    private async Task SendFrameAsync(Frame frame, Layer layer, int version, bool isFinal)
+    private async Task SendFrameAsync(CanvasImage frame, Layer layer, int version, bool isFinal)
     {
         await sending;
         if (layer == Layer.Picture) sent++;

@@ -9,7 +9,7 @@ internal sealed class PatientStudio : Studio
     /// <summary>The browser interprets the program, and a search then takes some ten times as long.</summary>
     public override TimeSpan SearchTime => TimeSpan.FromMinutes(5);
 
-    public override async Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation)
+    public override async Task<CanvasImage> DrawAsync(Scene scene, View view, CancellationToken cancellation)
     {
         var seen = view.Of(scene);
         var (width, height) = (seen.Camera.Width, seen.Camera.Height);
@@ -27,6 +27,6 @@ internal sealed class PatientStudio : Studio
             EngineDisagreesException.ThrowIf(difference);
             await Task.Delay(1, cancellation);
         }
-        return Frame.Of(picture);
+        return CanvasImage.Of(picture);
     }
 }

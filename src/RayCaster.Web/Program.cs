@@ -12,14 +12,14 @@ internal sealed partial class Program : IConnection
     private static void Main() { } // the worker calls the methods below
 
     /// <summary>Begins to answer the page.</summary>
-    /// <param name="answers">What this worker answers, as names of <see cref="Pending"/>.</param>
+    /// <param name="answers">What this worker answers, as names of <see cref="MessageKind"/>.</param>
     /// <param name="name">The scene's name, and its text.</param>
     [JSExport]
     internal static Task Start(string answers, string name, string text)
     {
         File.WriteAllText(name, text); // the worker's files are in its memory
         live = new(name, TimeProvider.System, default);
-        tab = new(new Program(), live, mine, new PatientStudio(), default, Enum.Parse<Pending>(answers));
+        tab = new(new Program(), live, mine, new PatientStudio(), default, Enum.Parse<MessageKind>(answers));
         live.Changed += tab.Wake;
         live.Written += () => tab.Post(Messages.Of(new { Kind = "text", Text = File.ReadAllText(live.Path) }));
         mine.Changed += tab.CompareAgain;
@@ -58,7 +58,7 @@ internal sealed partial class Program : IConnection
         return Task.CompletedTask;
     }
 
-    public Task SendAsync(byte[] header, Frame frame, CancellationToken cancellation)
+    public Task SendAsync(byte[] header, CanvasImage frame, CancellationToken cancellation)
     {
         PostFrame(header, frame.Pixels.Span);
         return Task.CompletedTask;

@@ -18,6 +18,7 @@ cd "$work"
 publish() { dotnet publish "$OLDPWD/src/RayCaster.Cli" -v quiet -o "$@" >publish.txt || { cat publish.txt; exit 1; }; }
 [ -n "${RAYCASTER:-}" ] || publish built
 declare -A program=([built]=${RAYCASTER:-$work/built/raycaster} [native]=$work/native/raycaster)
+publish native # the assemblies, of which a hand-out is made
 publish native -p:PublishAot=true
 dotnet publish "$OLDPWD/src/RayCaster.Live" -v quiet -o native -p:UseAppHost=false >publish.txt # a hand-out has the live page, too
 

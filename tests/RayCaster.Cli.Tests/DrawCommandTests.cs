@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Cli.Tests;
 
 public sealed class DrawCommandTests : CommandTests

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Live.Tests;
 
 /// <summary>What pages ask for is answered.</summary>

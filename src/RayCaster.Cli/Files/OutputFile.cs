@@ -23,6 +23,6 @@ internal static class OutputFile
         }
         if (FilePlace.Resolve(output) is { } place && read.Contains(place))
             throw new ProblemException($"{output} is one of the files that are read\n  Choose another name with -o.");
-        WrittenFiles.Write(output, write);
+        AtomicFile.Write(output, write);
     }
 }

@@ -25,7 +25,7 @@ internal static class CarriedTool
             if (!File.Exists(Path.Combine(from, name)))
                 throw new ProblemException($"{name} is not beside this program, " +
                     "so it cannot be copied into a hand-out\n  Publish raycaster as separate files, not as one.");
-            WrittenFiles.WriteInFolder(Path.Combine(to, name), File.ReadAllBytes(Path.Combine(from, name)));
+            AtomicFile.WriteInFolder(Path.Combine(to, name), File.ReadAllBytes(Path.Combine(from, name)));
         }
     }
 }

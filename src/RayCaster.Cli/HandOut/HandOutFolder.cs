@@ -15,9 +15,9 @@ internal static partial class HandOutFolder
                 "  Name another folder: its path must not have % before two digits or letters from A to F, nor @(, ..., *, ?, :, \\ or \".");
         ThrowIfPicturesDiffer();
         var files = HandOutFiles.With(isOpen);
-        WrittenFiles.WriteFolder(folder, made =>
+        AtomicFile.WriteFolder(folder, made =>
         {
-            foreach (var (path, content) in files) WrittenFiles.WriteInFolder(Path.Combine(made, path), content);
+            foreach (var (path, content) in files) AtomicFile.WriteInFolder(Path.Combine(made, path), content);
             CarriedTool.Copy(Path.Combine(made, "lib"));
             WritePictures(Path.Combine(made, "scenes"));
         });
@@ -55,7 +55,7 @@ internal static partial class HandOutFolder
                     PictureFile.Write(png, LabSteps.Draw(scene, step), PictureFormat.Png);
                 }
                 var picture = Path.Combine(scenes, $"step{step:00}", Path.ChangeExtension(Path.GetRelativePath(scenes, file), ".png"));
-                WrittenFiles.WriteInFolder(picture, png.ToArray());
+                AtomicFile.WriteInFolder(picture, png.ToArray());
             }
         }
     }

@@ -7,7 +7,7 @@ public static class MeshFile
     public const int MaxBytesAtOnce = 1 << 28;
 
     /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
-    internal static MeshData Read(string path, FileNames? names = null)
+    internal static MeshData Read(string path, MissingFileHint? names = null)
     {
         var reader = ReaderOf(path);
         try

@@ -63,9 +63,9 @@ internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 <
     /// <param name="own">What the name promises.</param>
     public void ThrowUnless(string own)
     {
-        Has(FileKind.Bytes);
-        if (FileKind.IsUtf16(Bytes)) throw ErrorAtLine(1, "the file is in UTF-16; save it as UTF-8");
-        if (FileKind.Recognize(Bytes) is { } kind && kind != own) throw Error($"it is {kind}, and not {own} as its name says");
+        Has(FileSignature.Bytes);
+        if (FileSignature.IsUtf16(Bytes)) throw ErrorAtLine(1, "the file is in UTF-16; save it as UTF-8");
+        if (FileSignature.Recognize(Bytes) is { } kind && kind != own) throw Error($"it is {kind}, and not {own} as its name says");
     }
 
     public ProblemException Error(string reason, string place = "") => new($"{path}{place}: {reason}") { NamesFile = true };

@@ -52,7 +52,7 @@ public static class PictureFile
             if (first < 0) throw new ProblemException("the file is empty");
             if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), maxBytes, warn);
             if (first == 'P') return PnmReader.Read(stream, maxBytes, warn);
-            var begun = new byte[FileKind.Bytes];
+            var begun = new byte[FileSignature.Bytes];
             begun[0] = (byte)first;
             var count = 1 + stream.ReadAtLeast(begun.AsSpan(1, 3), 3, throwOnEndOfStream: false);
             if (begun.AsSpan(0, count) is [0xEF, 0xBB, 0xBF, (byte)'P']) return PnmReader.Read(stream, maxBytes, warn); // after a byte order mark
@@ -70,7 +70,7 @@ public static class PictureFile
     public static void Write(string path, Picture picture)
     {
         var format = PictureFormats.ByExtension(path);
-        WrittenFiles.Write(path, file => Write(file, picture, format));
+        AtomicFile.Write(path, file => Write(file, picture, format));
     }
 
     /// <summary>Writes a picture to a stream, which is left open.</summary>
@@ -124,11 +124,11 @@ public static class PictureFile
 
     internal static string KindOf(ReadOnlySpan<byte> file)
     {
-        if (FileKind.IsUtf16(file)) return InUtf16;
+        if (FileSignature.IsUtf16(file)) return InUtf16;
         var text = file.TrimStart(" \t\r\n"u8);
         if (text is [(byte)'P' or (byte)'p', (byte)'2' or (byte)'3' or (byte)'5' or (byte)'6', ..])
             return $"nothing may stand before P{(char)text[1]}, which is a capital letter";
-        var kind = FileKind.Recognize(file) is { } known ? $"it is {known}"
+        var kind = FileSignature.Recognize(file) is { } known ? $"it is {known}"
             : $"it begins with '{Printable(file[..Math.Min(file.Length, 8)])}', which is no known picture format";
         return kind + "; PNG, PGM and PPM can be read";
     }

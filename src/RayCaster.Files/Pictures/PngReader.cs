@@ -115,8 +115,8 @@ internal sealed class PngReader
     private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead)
     {
         chunks.Return(firstData);
-        using var data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
-        var lines = new PngLines(data, Header);
+        using var data = new ZLibStream(new IdatStream(chunks), CompressionMode.Decompress);
+        var lines = new PngScanlines(data, Header);
         foreach (var pass in Header.Passes)
         {
             lines.Begin(pass);

@@ -191,7 +191,7 @@ internal sealed class PnmReader
     private ProblemException OtherKind(int digit)
     {
         var begun = new List<byte> { (byte)'P' };
-        for (; digit >= 0 && begun.Count < FileKind.Bytes; digit = Advance()) begun.Add((byte)digit);
+        for (; digit >= 0 && begun.Count < FileSignature.Bytes; digit = Advance()) begun.Add((byte)digit);
         return new(PictureFile.KindOf([.. begun]));
     }
 

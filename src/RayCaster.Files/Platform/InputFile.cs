@@ -5,9 +5,9 @@ internal static class InputFile
 {
     /// <param name="kind">What messages call such a file.</param>
     /// <param name="extension">An extension that may have been left out.</param>
-    public static FileStream Open(string path, string kind, FileNames? names = null, string extension = "")
+    public static FileStream Open(string path, string kind, MissingFileHint? names = null, string extension = "")
     {
-        FileNames.ThrowIfImpossible(path);
+        MissingFileHint.ThrowIfImpossible(path);
         if (Directory.Exists(path)) throw new ProblemException($"it is a folder, not a {kind}");
         try
         {

@@ -65,7 +65,7 @@ internal sealed class JsonTree(SceneReading reading)
     public static JsonTree? Parse(SceneReading reading, Predicate<string>? takesText = null)
     {
         var text = reading.Source;
-        if (FileKind.NotUtf8(text.Utf8) is var (at, message))
+        if (FileSignature.NotUtf8(text.Utf8) is var (at, message))
         {
             reading.Add(true, at, at, message);
             return null;

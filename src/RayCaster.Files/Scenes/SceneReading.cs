@@ -13,7 +13,7 @@ public sealed class SceneReading
     private const int LongestMessage = 2000; // a mesh file's path in it may have any length
     private readonly List<(bool IsError, int Start, int End, string Message)> findings = [];
     private readonly string folder;
-    private readonly FileNames names = new();
+    private readonly MissingFileHint names = new();
     private Dictionary<string, Lazy<MeshData>>? meshes; // by full path, each with its data or its exception; most scenes name none
 
     internal SceneReading(string name, ReadOnlyMemory<byte> utf8, string folder)

@@ -157,7 +157,7 @@ public class BrokenPictureTests
     {
         using var pipe = new Pipe(new byte[5000]);
         Assert.Throws<ProblemException>(() => PictureFile.Read(pipe));
-        Assert.Equal(FileKind.Bytes, pipe.Given);
+        Assert.Equal(FileSignature.Bytes, pipe.Given);
     }
 
     [Fact]

@@ -23,7 +23,7 @@ public sealed class WorkTests : InTemporaryFolder
     public void OnlyTheMissingFilesThatArePrintedAreComparedWithThoseOfAFolder()
     {
         folder.Write("a1.obj", "x"u8);
-        var names = new FileNames();
+        var names = new MissingFileHint();
         Assert.All(Enumerable.Range(0, SceneReading.Printed), _ => Assert.Contains("a1.obj", names.Hint(folder["a2.obj"])));
         Assert.DoesNotContain("a1.obj", names.Hint(folder["a2.obj"]));
     }

@@ -5,7 +5,7 @@ public sealed class WriteFolderTests : InTemporaryFolder
     [Fact]
     public void ItIsThereAtTheEndAndNotBefore()
     {
-        WrittenFiles.WriteFolder(folder["lab"], made =>
+        AtomicFile.WriteFolder(folder["lab"], made =>
         {
             File.WriteAllText(Path.Combine(made, "a.txt"), "new");
             Assert.False(Directory.Exists(folder["lab"]));
@@ -17,7 +17,7 @@ public sealed class WriteFolderTests : InTemporaryFolder
     [Fact]
     public void AfterAnErrorNothingIsLeft()
     {
-        Assert.Throws<TimeoutException>(() => WrittenFiles.WriteFolder(folder["lab"], made =>
+        Assert.Throws<TimeoutException>(() => AtomicFile.WriteFolder(folder["lab"], made =>
         {
             File.WriteAllText(Path.Combine(made, "a.txt"), "new");
             throw new TimeoutException();
@@ -37,7 +37,7 @@ public sealed class WriteFolderTests : InTemporaryFolder
         Assert.SkipWhen(name == "link" && OperatingSystem.IsWindows(), "links need special rights there");
         if (name == "link") Directory.CreateSymbolicLink(folder["link"], "lab");
         string[] before = [.. folder.Names];
-        WrittenFiles.WriteFolder(folder[name], made =>
+        AtomicFile.WriteFolder(folder[name], made =>
         {
             Directory.CreateDirectory(Path.Combine(made, "deep"));
             File.WriteAllText(Path.Combine(made, "deep/a.txt"), "new");
@@ -54,7 +54,7 @@ public sealed class WriteFolderTests : InTemporaryFolder
     public void AnEmptyFolderThatGetsAnotherFileIsNotFilled()
     {
         Directory.CreateDirectory(folder["lab"]);
-        var refused = Assert.Throws<ProblemException>(() => WrittenFiles.WriteFolder(folder["lab"], made =>
+        var refused = Assert.Throws<ProblemException>(() => AtomicFile.WriteFolder(folder["lab"], made =>
         {
             File.WriteAllText(Path.Combine(made, "a.txt"), "new");
             folder.Write("lab/mine", ""u8);
@@ -66,7 +66,7 @@ public sealed class WriteFolderTests : InTemporaryFolder
     [Fact]
     public void AFolderThatIsNotEmptyStays()
     {
-        Assert.Throws<ProblemException>(() => WrittenFiles.WriteFolder(
+        Assert.Throws<ProblemException>(() => AtomicFile.WriteFolder(
             folder["lab"], _ => Directory.CreateDirectory(folder["lab/mine"]))); // comes in between
         Assert.Equal(["lab"], folder.Names);
         Assert.True(Directory.Exists(folder["lab/mine"]));

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Teaching.Tests.Comparison;
 
 /// <summary>What a picture shows without its formulas, by values, places and models: "compare" and "diagnose" say the same.</summary>

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Teaching.Tests.Comparison;
 
 /// <summary>The measures are those that ImageMagick gives (Data/make.sh).</summary>

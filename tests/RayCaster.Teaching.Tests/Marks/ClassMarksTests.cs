@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Teaching.Tests.Marks;
 
 /// <summary>A class of pictures of one scene, and what is written about it.</summary>

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Teaching.Tests.Mistakes;
 
 /// <summary>What a wrong program draws. The tables of tests write programs as parts with an ampersand between them.</summary>

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Generator;
 
 /// <summary>docs/mistakes.md and its pictures, made from the catalogue.</summary>

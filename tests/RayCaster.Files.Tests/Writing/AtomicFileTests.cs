@@ -2,7 +2,7 @@ using System.Runtime.Versioning;
 
 namespace RayCaster.Files.Tests.Writing;
 
-public sealed class WrittenFilesTests : InTemporaryFolder
+public sealed class AtomicFileTests : InTemporaryFolder
 {
     [Theory]
     [InlineData(false)]
@@ -11,7 +11,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
     {
         var path = folder["room.png"];
         if (isReplaced) folder.Write("room.png", "old and longer"u8);
-        WrittenFiles.Write(path, file =>
+        AtomicFile.Write(path, file =>
         {
             file.Write("new"u8);
             file.Flush();
@@ -26,7 +26,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
     public void AfterAnErrorTheOldFileStaysAndNothingIsLeft()
     {
         var path = folder.Write("room.png", "old"u8);
-        Assert.Throws<InvalidOperationException>(() => WrittenFiles.Write(path, file =>
+        Assert.Throws<InvalidOperationException>(() => AtomicFile.Write(path, file =>
         {
             using var writer = PictureWriter.Create(PictureFormat.Png, file, 1000, 1000);
             writer.WriteRows(new byte[3000 * 500]);
@@ -39,7 +39,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
     /// <summary>An error of the drawing is not taken for one of the file.</summary>
     [Fact]
     public void AnErrorOfTheWriterStaysWhatItIs() => Assert.Throws<ArgumentOutOfRangeException>(
-        () => WrittenFiles.Write(folder["room.png"], _ => throw new ArgumentOutOfRangeException("width")));
+        () => AtomicFile.Write(folder["room.png"], _ => throw new ArgumentOutOfRangeException("width")));
 
     [Theory(Skip = "needs special rights there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
     [InlineData("real/precious", "real/precious")]
@@ -55,7 +55,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
         File.CreateSymbolicLink(folder["second"], "real/precious");
         Directory.CreateSymbolicLink(folder["link"], "real");
         File.CreateSymbolicLink(folder["room.png"], leadsTo);
-        WrittenFiles.Write(folder["room.png"], file =>
+        AtomicFile.Write(folder["room.png"], file =>
         {
             file.Write("new"u8);
             Assert.Contains(Directory.GetFiles(Path.GetDirectoryName(folder[written])!), name => name.EndsWith(".tmp", StringComparison.Ordinal));
@@ -100,7 +100,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
     public void APipeGetsNothingOfAFileThatFails()
     {
         Shell("mkfifo pipe.png");
-        Assert.Throws<TimeoutException>(() => WrittenFiles.Write(folder["pipe.png"], file =>
+        Assert.Throws<TimeoutException>(() => AtomicFile.Write(folder["pipe.png"], file =>
         {
             file.Write(new byte[1 << 17]);
             throw new TimeoutException();
@@ -118,7 +118,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
             Shell($"test -c {device}");
         }
         // not a real one, should this fail
-        var refused = Assert.Throws<ProblemException>(() => WrittenFiles.Write("/dev/raycaster-test", _ => { }));
+        var refused = Assert.Throws<ProblemException>(() => AtomicFile.Write("/dev/raycaster-test", _ => { }));
         Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
     }
 
@@ -127,7 +127,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
     [InlineData("/dev/fd/9999", "nothing is open by this number")]
     public void ADeviceThatFailsIsNamed(string device, string reason)
     {
-        var refused = Assert.Throws<ProblemException>(() => WrittenFiles.Write(device, file => file.Write("new"u8)));
+        var refused = Assert.Throws<ProblemException>(() => AtomicFile.Write(device, file => file.Write("new"u8)));
         Assert.Equal($"cannot write {device}: {reason}", refused.Message);
     }
 
@@ -140,7 +140,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
         using (var open = new FileStream(folder["room.png"], FileMode.Create, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0))
         {
             open.Write("before "u8);
-            WrittenFiles.Write(name.Replace("{0}", $"{open.SafeFileHandle.DangerousGetHandle()}"), file => file.Write("new"u8));
+            AtomicFile.Write(name.Replace("{0}", $"{open.SafeFileHandle.DangerousGetHandle()}"), file => file.Write("new"u8));
         }
         Assert.Equal("before new", File.ReadAllText(folder["room.png"]));
     }
@@ -211,7 +211,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
         const UnixFileMode mine = UnixFileMode.UserRead | UnixFileMode.UserWrite;
         File.SetUnixFileMode(folder.Write("room.png", "old"u8), mine);
         // The temporary one is no more open to others.
-        WrittenFiles.Write(folder["room.png"], _ => Assert.All(folder.Names, name => Assert.Equal(mine, new FileInfo(folder[name]).UnixFileMode)));
+        AtomicFile.Write(folder["room.png"], _ => Assert.All(folder.Names, name => Assert.Equal(mine, new FileInfo(folder[name]).UnixFileMode)));
         Assert.Equal(mine, File.GetUnixFileMode(folder["room.png"]));
     }
 
@@ -248,7 +248,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
     [InlineData("a\0.png", @"'a\x00.png' is no file name")]
     public void AnImpossibleNameIsRefused(string path, string message)
     {
-        Assert.Equal(message, Assert.Throws<ProblemException>(() => WrittenFiles.Write(path, _ => { })).Message);
+        Assert.Equal(message, Assert.Throws<ProblemException>(() => AtomicFile.Write(path, _ => { })).Message);
         Assert.Equal(message, Assert.Throws<ProblemException>(() => PictureFile.Read(path)).Message);
         Assert.EndsWith(message, Assert.Single(SceneReader.Read(path).Problems).Message);
     }
@@ -263,7 +263,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
     [Fact]
     public void AFailureAtTheEndLeavesNoTemporaryFile()
     {
-        Assert.Throws<ProblemException>(() => WrittenFiles.Write(
+        Assert.Throws<ProblemException>(() => AtomicFile.Write(
             folder["room.png"], _ => Directory.CreateDirectory(folder["room.png"]))); // comes in between
         Assert.Equal(["room.png"], folder.Names);
     }
@@ -273,7 +273,7 @@ public sealed class WrittenFilesTests : InTemporaryFolder
     {
         Parallel.For(0, 400, new ParallelOptions { MaxDegreeOfParallelism = 8 }, i =>
         {
-            var writing = Record.Exception(() => WrittenFiles.Write(folder["room.png"], file =>
+            var writing = Record.Exception(() => AtomicFile.Write(folder["room.png"], file =>
             {
                 file.Write(BitConverter.GetBytes(i));
                 if (i % 3 == 0) throw new TimeoutException();
@@ -294,11 +294,11 @@ public sealed class WrittenFilesTests : InTemporaryFolder
         Assert.Equal(0, shell.ExitCode);
     }
 
-    private void Write(string name) => WrittenFiles.Write(folder[name], file => file.Write("new"u8));
+    private void Write(string name) => AtomicFile.Write(folder[name], file => file.Write("new"u8));
 
     private void Refused(string path, string message, string[]? left = null)
     {
-        Assert.Equal(message, Assert.Throws<ProblemException>(() => WrittenFiles.Write(path, _ => { })).Message);
+        Assert.Equal(message, Assert.Throws<ProblemException>(() => AtomicFile.Write(path, _ => { })).Message);
         Assert.Equal(left ?? ["room.png"], folder.Names);
     }
 }

@@ -13,7 +13,7 @@ internal enum Layer
 }
 
 /// <summary>A picture in the format of a canvas, four bytes for each pixel, so that the page copies nothing.</summary>
-internal sealed class Frame(int width, int height)
+internal sealed class CanvasImage(int width, int height)
 {
     private readonly byte[] pixels = GC.AllocateUninitializedArray<byte>(4 * width * height);
 
@@ -26,9 +26,9 @@ internal sealed class Frame(int width, int height)
     public byte[] Header(Layer layer, int version, int number, bool isFinal) =>
         MemoryMarshal.AsBytes<int>([(int)layer, version, number, isFinal ? 1 : 0, width, height]).ToArray();
 
-    public static Frame Of(Picture picture)
+    public static CanvasImage Of(Picture picture)
     {
-        var frame = new Frame(picture.Width, picture.Height);
+        var frame = new CanvasImage(picture.Width, picture.Height);
         var rgb = picture.Rgb;
         var to = MemoryMarshal.Cast<byte, uint>(frame.pixels.AsSpan());
         for (int i = 0, j = 0; j < to.Length; i += 3, j++) to[j] = 0xFF000000u | (uint)rgb[i + 2] << 16 | (uint)rgb[i + 1] << 8 | rgb[i];

@@ -3,7 +3,7 @@ using System.Text.Unicode;
 namespace RayCaster.Files;
 
 /// <summary>Recognises files of other kinds by their first bytes, and other encodings, for messages.</summary>
-internal static class FileKind
+internal static class FileSignature
 {
     public const int Bytes = 23;
 

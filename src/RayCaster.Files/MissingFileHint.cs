@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>Suggests names for files that are missing. Only the first missing files get a hint: a scene may name thousands.</summary>
-internal sealed class FileNames
+internal sealed class MissingFileHint
 {
     /// <summary>In a larger folder only the first files are compared.</summary>
     private const int MaxFiles = 20_000;

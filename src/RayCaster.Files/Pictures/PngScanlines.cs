@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>Reads the lines of a PNG, pass by pass, with one byte for each sample.</summary>
-internal sealed class PngLines(Stream data, PngHeader header)
+internal sealed class PngScanlines(Stream data, PngHeader header)
 {
     // The left neighbours of a line's first pixel are zeros, which stand before each line. The last of these bytes first receives the number of
     // the filter, and is set to zero again.

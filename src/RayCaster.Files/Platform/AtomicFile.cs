@@ -7,7 +7,7 @@ namespace RayCaster.Files;
 /// takes the target's place at the end. A program that must end at once deletes the temporary files, whatever its threads are doing, and can
 /// name the finished ones.
 /// </summary>
-public static class WrittenFiles
+public static class AtomicFile
 {
     private const string Circle = "symbolic links lead in a circle";
 
@@ -109,7 +109,7 @@ public static class WrittenFiles
     /// <summary>The full path of a file that may be written, without links.</summary>
     private static string TargetOf(string path)
     {
-        FileNames.ThrowIfImpossible(path);
+        MissingFileHint.ThrowIfImpossible(path);
         if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
             throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
         var target = FilePlace.Resolve(path) ?? throw Failure(path, Circle);

@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>The compressed data of a PNG: the data of all its chunks IDAT as one stream, which can be read once.</summary>
-internal sealed class PngData(PngChunkReader chunks) : ForwardStream
+internal sealed class IdatStream(PngChunkReader chunks) : ForwardStream
 {
     public override int Read(Span<byte> buffer)
     {
