@@ -222,8 +222,11 @@ public static class DiagnosisReport
         if (suspect.OtherSample)
             text.Wrap("  Besides:  ", "the rays pass through another point of each pixel than the scene's \"sample\" says (corner or center).");
         if (suspect.OtherFormulas.Count > 0)
-            text.Wrap("  Or:       ", $"a slip in the step {string.Join(", ", suspect.Mistakes.SelectMany(mistake => mistake.OwnSteps).Distinct().Select(MutationNaming.StepOf))
-                } draws the same here: in {string.Join(", or in ", suspect.OtherFormulas)}.");
+        {
+            var steps = suspect.Mistakes.SelectMany(mistake => mistake.OwnSteps).Distinct().Select(MutationNaming.StepOf);
+            text.Wrap("  Or:       ", $"a slip in the step {string.Join(", ", steps)} draws the same here: " +
+                $"in {string.Join(", or in ", suspect.OtherFormulas)}.");
+        }
         if (suspect.Twins.Count > 0)
             text.Wrap("  Twins:    ",
                 (level == HintLevel.Answer ? $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))}"
