@@ -17,7 +17,7 @@ internal static class ChangeSource
     }
 
     /// <summary>Lines that no loop reaches.</summary>
-    public static Change Of(UnreachedLines lines) => new([[new StepChange.Unreached(lines)]], lines.Bits) { Unreached = lines };
+    public static Change Of(UnreachedLines lines) => new([[new StepChange.Unreached(lines)]], Priors.BitsOf(lines)) { Unreached = lines };
 
     /// <summary>Known mistakes, each in all its ways.</summary>
     /// <param name="likely">Which are likelier than the others; null for none.</param>

@@ -24,7 +24,7 @@ internal static class Priors
     public const double NumberOfScene = 16, NumberForTwo = 13.5;
 
     /// <summary>Another place for all pixels; another value for each; single pixels that are lost.</summary>
-    public const double Places = 9, Values = 13, LostPixels = 12;
+    public const double Places = 9, Values = 13, SinglePixels = 12;
 
     /// <summary>Lines that no loop reached, of the grey that new memory has, or of any colour, which shapes may have.</summary>
     public const double Lines = 8, LinesOfAnyColor = 12;
@@ -44,6 +44,16 @@ internal static class Priors
     /// <summary>Explanations that are longer by less than this are told as equally likely: the shortest has less than 90 % of the probability.
     /// </summary>
     public const double AsLikely = 3;
+
+    /// <summary>What a difference as of black to white counts, beside a wrong pixel: it decides between equals.</summary>
+    public const double PerError = 0.02;
+
+    /// <summary>What lines cost that no loop reached: by chance a formula draws lines of the background, or of what lies behind.</summary>
+    public static double BitsOf(UnreachedLines lines) =>
+        (lines.Color.R == lines.Color.G && lines.Color.G == lines.Color.B ? Lines : LinesOfAnyColor) + Math.Min(6, lines.Runs - 1);
+
+    /// <summary>The weight of pixels that are wrong, and of others that are off by a level.</summary>
+    public static double WeightOf(double wrong, int offByOne) => wrong + PerError * offByOne / 255;
 
     /// <summary>
     /// The bits of pixels that are left unexplained. Their share of the wrong ones is unknown before, from all down to what other last bits may

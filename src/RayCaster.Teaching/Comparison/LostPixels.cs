@@ -21,7 +21,7 @@ internal sealed class LostPixels
     /// <summary>What explains them, if they lie on more than one kind; otherwise null.</summary>
     public Explanation? Explanation => Kinds.Count < 2 ? null : new(Way.Places,
         $"{Digits.Count(count, "single pixel")}, spread over the picture, are wrong{Shown}; all others are right, so no formula " +
-        "is wrong. Do threads share what each must have for itself, for example the pixel's place?", Priors.LostPixels);
+        "is wrong. Do threads share what each must have for itself, for example the pixel's place?", Priors.SinglePixels);
 
     private string Shown => Enumerable.Range(0, difference.Pixels).Where(difference.IsWrong).Select(difference.Mine.At).Distinct().Take(2).ToArray()
         is [var color] ? $", {color}" : "";

@@ -99,7 +99,7 @@ internal sealed class Observations
     {
         double wrong = difference?.Wrong ?? Mine.Count;
         List<Explanation?> found = [PlaceMap.Find(Mine, Right, judge, difference?.Wrong)];
-        if (difference is not null) found.Add(UnreachedLines.Explain(difference, judge));
+        if (difference is not null) found.Add(UnreachedLinesFinder.Explain(difference, judge));
         // A shape that uncovers what lies behind it changes its own colours into others, too: values that no other shape has.
         if (difference is not null && ByModels?.FaultLocalization.Kinds.Count is not > 0)
             found.Add(ValueMap.Find(difference, isOfMostValues: ByModels is null));
@@ -110,7 +110,7 @@ internal sealed class Observations
             else if (ModelsText.Reported(ByModels) is [{ OtherColor: not null }])
                 found.Add(new(Way.Models, ModelsText.Sentences(scene!, ByModels).First(), Priors.OtherColor));
         }
-        var offByOne = Residual.WeightOf(0, difference?.OffByOne ?? 0); // formulas pay for truncated bytes, too
+        var offByOne = Priors.WeightOf(0, difference?.OffByOne ?? 0); // formulas pay for truncated bytes, too
         return [.. found.OfType<Explanation>().Select(one => one.Way == Way.Places ? one : one with { Unexplained = one.Unexplained + offByOne })
             .Where(one => one.Total(wrong) < Priors.OtherProgram).OrderBy(one => one.Total(wrong))];
     }

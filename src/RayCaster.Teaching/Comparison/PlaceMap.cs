@@ -61,7 +61,7 @@ internal sealed record PlaceMap(string Words, string Question, Func<Picture, Pic
         return new(Way.Places, $"{char.ToUpperInvariant(found.Words[0])}{found.Words[1..]} it is " +
             (!isRight ? $"nearly right, but for {Digits.Part(left.Wrong, left.Pixels)}" : left.Wrong > 0 ? "right but for pixels on outlines"
                 : "right") +
-            $": {found.Question}", Priors.Places, Residual.WeightOf(isRight ? 0 : left.Wrong, left.OffByOne));
+            $": {found.Question}", Priors.Places, Priors.WeightOf(isRight ? 0 : left.Wrong, left.OffByOne));
     }
 
     /// <summary>The picture with each pixel at its place, where a place is unknown with the right one; null if more pixels are wrong than may be.

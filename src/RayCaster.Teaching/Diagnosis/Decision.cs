@@ -82,7 +82,7 @@ internal sealed class Decision(Diagnoser prepared, Picture picture, IReadOnlyCol
     {
         var without = new Lazy<double>(() => observed.Best?.Total(sample.WrongCount) ?? Priors.OtherProgram);
         var ranked = new HypothesisSearch([sample], prepared.Known, done, prepared.Threads, likely, prepared.Budget, prepared.Possible,
-            sample.Difference is { } difference ? UnreachedLines.Find(difference) : null, without).Run();
+            sample.Difference is { } difference ? UnreachedLinesFinder.Find(difference) : null, without).Run();
         var best = ranked[0];
         if (best.Total < Priors.LeastWithoutFormulas) return Naming(Facts, best, ranked);
         var (sentence, byNumber) = observed.Best is null ? OtherNumberFor(best, observed) : default;

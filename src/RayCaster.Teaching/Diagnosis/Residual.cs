@@ -6,12 +6,7 @@ namespace RayCaster.Teaching.Diagnosis;
 internal readonly record struct Residual(double Unexplained, double Error) : IComparable<Residual>
 {
     /// <summary>One number to sort by: mainly the unexplained pixels, a little the error.</summary>
-    public double Weight => Unexplained + PerError * Error;
-
-    private const double PerError = 0.02;
-
-    /// <summary>The weight of pixels that are wrong, and of others that are off by a level.</summary>
-    public static double WeightOf(double wrong, int offByOne) => wrong + PerError * offByOne / 255;
+    public double Weight => Unexplained + Priors.PerError * Error;
 
     public static Residual operator +(Residual a, Residual b) => new(a.Unexplained + b.Unexplained, a.Error + b.Error);
 
