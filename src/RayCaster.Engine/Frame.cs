@@ -12,7 +12,7 @@ internal abstract class Frame(Scene scene, Plan plan) : IDisposable
     public Plan Plan => plan;
 
     /// <summary>Turns hits into bytes; made on first use.</summary>
-    public HitShader Shader => field ??= new(scene, plan.UsesShapeKernels, plan.Threads);
+    public HitShader Shader => field ??= new(scene, plan.Threads);
 
     /// <summary>A frame for packets of the plan's width; everything else is generic over this choice.</summary>
     /// <param name="cancellation">Stops the preparation of the models with an <see cref="OperationCanceledException"/>.</param>

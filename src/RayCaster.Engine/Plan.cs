@@ -3,8 +3,8 @@ namespace RayCaster.Engine;
 /// <summary>The rendering strategy of a picture.</summary>
 /// <param name="Threads">How many threads cast rays.</param>
 /// <param name="KeepsLists">Whether what depends only on a mesh or on the list of models stays in memory for the next picture.</param>
-/// <param name="UsesShapeKernels">Whether kernels for single kinds of shape are compiled, and those of the float path: they save half of the time,
-/// but compiling them takes as long as casting some ten million rays.</param>
+/// <param name="UsesShapeKernels">Whether kernels for single kinds of shape are compiled: they save half of the time, but
+/// compiling them takes as long as casting some ten million rays.</param>
 /// <param name="UsesIntervals">Whether the formulas over intervals, which drop models that cannot show in a part of a tile, are compiled: compiling
 /// those of five kinds of shape takes as long as intersecting some hundred million rays with a model.</param>
 /// <param name="UsesBatch">Whether models are found by their places on the screen.</param>

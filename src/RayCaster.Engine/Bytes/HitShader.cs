@@ -6,16 +6,13 @@ internal sealed class HitShader
 {
     private readonly double[] colors; // red, green and blue of the background, then of the models
     private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
-    private readonly FloatShader? floats;
 
-    /// <param name="usesFloats">Whether there are enough pixels for the float path to pay.</param>
-    public HitShader(Scene scene, bool usesFloats, int threads)
+    public HitShader(Scene scene, int threads)
     {
         Scene = scene;
         var (r, g, b) = scene.Background.ToBytes();
         for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
-        (colors, var most) = ColorsOf(scene, threads);
-        floats = usesFloats ? FloatShader.For(scene, colors, most.Max()) : null;
+        colors = ColorsOf(scene, threads);
     }
 
     public Scene Scene { get; }
@@ -25,10 +22,7 @@ internal sealed class HitShader
     /// <param name="step">The distance from a pixel to the one above it.</param>
     public void Shade(RayStream rays, byte[] rgb, int first, int step)
     {
-        if (floats is not null && FloatShader.Takes(rays)) floats.Shade(rays, this, rgb, first, step);
-        else
-            for (var i = 0; i < rays.Length; i += rays.Pitch, first += step)
-                Shade(rays, i, rgb.AsSpan(first, 3 * rays.Width));
+        for (var i = 0; i < rays.Length; i += rays.Pitch, first += step) Shade(rays, i, rgb.AsSpan(first, 3 * rays.Width));
     }
 
     /// <summary>Writes some pixels.</summary>
@@ -67,25 +61,15 @@ internal sealed class HitShader
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int ColorOf(double model) => 3 * (int)model + 3;
 
-    /// <summary>The colours, and the greatest channels of their shares.</summary>
-    private static (double[] Colors, double[] Most) ColorsOf(Scene scene, int threads)
+    private static double[] ColorsOf(Scene scene, int threads)
     {
         var models = scene.Models;
-        var shares = ThreadTeam.SharesOf(scene.Models.Count, threads);
         var colors = new double[3 * models.Count + 3];
-        var most = new double[shares];
-        ThreadTeam.Shares(shares, models.Count, (share, first, end) =>
+        ThreadTeam.Shares(ThreadTeam.SharesOf(models.Count, threads), models.Count, (_, first, end) =>
         {
-            var greatest = Math.Max(scene.Background.R, Math.Max(scene.Background.G, scene.Background.B));
-            for (var i = first; i < end; i++)
-            {
-                var (r, g, b) = models[i].Color;
-                (colors[3 * i + 3], colors[3 * i + 4], colors[3 * i + 5]) = (r, g, b);
-                greatest = Math.Max(greatest, Math.Max(r, Math.Max(g, b)));
-            }
-            most[share] = greatest;
+            for (var i = first; i < end; i++) (colors[3 * i + 3], colors[3 * i + 4], colors[3 * i + 5]) = models[i].Color;
         });
         (colors[0], colors[1], colors[2]) = scene.Background;
-        return (colors, most);
+        return colors;
     }
 }

@@ -38,9 +38,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>The distance in the arrays from a pixel to the one above it.</summary>
     public int Pitch { get; private set; }
 
-    /// <summary>Whether there are no numbers between the rows.</summary>
-    public bool IsDense => Pitch == Width || Rows == 1;
-
     /// <summary>The t of the nearest hit of each pixel, +∞ for none; numbers beyond the stream's length mean nothing.</summary>
     public ReadOnlySpan<double> T => t;
 
@@ -104,15 +101,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N ModelsAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(model, pixel);
-
-    /// <summary>The same in floats, of as many pixels as these packets hold.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public FloatPacket NearestInFloatsAt(int pixel) => FloatPacket.Load(t, pixel);
-
-    /// <summary>The indices of eight pixels' colours: 0 for the background, 1 for the first model.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<int> ColorIndicesAt(int pixel) =>
-        Vector256.Create(ModelsAt<Packet>(pixel).ToInts(), ModelsAt<Packet>(pixel + Packet.Count).ToInts()) + Vector256<int>.One;
 
     /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
