@@ -84,7 +84,12 @@ public sealed record ProgramDiagnosis
         var verdict = ranked[0];
         int[] unexplained = [.. wrong.Where(i => !samples[i].IsExplainedBy(verdict.Programs[i]))];
         if (verdict.Total >= Priors.LeastWithoutFormulas && without.Value < verdict.Total && observed.All(of => of.Best is not null))
-            return none with { Causes = wrong.Zip(observed.Select(of => of.Best!.Sentence)).ToDictionary() };
+            return new(OnlyLight(observed).Steps)
+            {
+                Wrong = wrong,
+                Unexplained = wrong,
+                Causes = wrong.Zip(observed.Select(of => of.Best!.Sentence)).ToDictionary(),
+            };
         if (2 * unexplained.Length >= wrong.Length)
         {
             var (steps, note) = OnlyLight(observed);
