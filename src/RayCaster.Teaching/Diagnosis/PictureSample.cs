@@ -26,6 +26,7 @@ internal sealed class PictureSample
     private readonly int most;
     private readonly int allWrong; // also those that a first mistake explains
     private readonly Lazy<Dictionary<string, (int X, int Y)[]>> shownKinds;
+    private readonly Lazy<string[]> pieces;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
     /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
@@ -35,6 +36,7 @@ internal sealed class PictureSample
     {
         (Scene, Picture, Right, this.budget) = (scene, picture, right, budget);
         (Colors, shownKinds) = (new(scene), new(FindShownKinds));
+        pieces = new(() => [.. shownKinds.Value.Keys.Where(ShowsOnlyAPieceOf)]);
         most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // so that the time stays the same
         var difference = Difference = HasRightSize ? new PictureDifference(picture, right) : null;
         var judge = new PictureJudge(right, scene);
@@ -58,7 +60,7 @@ internal sealed class PictureSample
     public PictureSample(PictureSample whole, FormulaProgram first)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
-        (shownKinds, Colors) = (whole.shownKinds, whole.Colors);
+        (shownKinds, Colors, pieces) = (whole.shownKinds, whole.Colors, whole.pieces);
         basis = first with { ByteShift = 0 };
         var drawn = whole.Draw(first);
         var isExplained = whole.wrongPixels[..drawn.Wrong].Concat(whole.otherPixels[..drawn.Other]).Index()
@@ -72,7 +74,7 @@ internal sealed class PictureSample
     private PictureSample(PictureSample whole, int[] pixels)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
-        (shownKinds, Colors) = (whole.shownKinds, whole.Colors);
+        (shownKinds, Colors, pieces) = (whole.shownKinds, whole.Colors, whole.pieces);
         (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
     }
 
@@ -174,6 +176,7 @@ internal sealed class PictureSample
     public bool Contradicts(FormulaProgram program, Predicate<string> isAbout)
     {
         if (!CanDraw(program)) return false;
+        if (program.HasNoisyTriangles && pieces.Value.Any(kind => isAbout(kind))) return true;
         return Lost(program).Any(kind =>
             isAbout(kind) || ColorsOf(Draw(program)).All(color => Colors.KindOf(color) != kind));
 
@@ -193,6 +196,16 @@ internal sealed class PictureSample
 
     /// <summary>The slides' program for the scene.</summary>
     public FormulaProgram Slides => FormulaProgram.For(Scene.Camera);
+
+    /// <summary>Whether the picture shows few pixels of a kind of shape, but these in a piece: last bits would scatter them.</summary>
+    private bool ShowsOnlyAPieceOf(string kind)
+    {
+        var shown = Enumerable.Range(0, Picture.Count).Count(i => IsOf(Picture, i));
+        var beside = Enumerable.Range(0, Picture.Count - 1).Count(i => IsOf(Picture, i) && IsOf(Picture, i + 1));
+        return shown < 0.3 * Enumerable.Range(0, Right.Count).Count(i => IsOf(Right, i)) && beside > 0.6 * shown;
+
+        bool IsOf(Picture picture, int i) => Colors.KindOf(picture.At(i)) == kind;
+    }
 
     /// <summary>The share that a program explains of those wrong pixels that show certain colours; 0 if none does.</summary>
     public double ShareExplained(FormulaProgram program, Predicate<(byte, byte, byte)> ofColor)
