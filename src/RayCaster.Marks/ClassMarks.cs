@@ -16,7 +16,7 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
     /// <param name="folder">Contains a folder for each student.</param>
     /// <returns>How many there are, and how many of them the teacher must look at.</returns>
     /// <exception cref="ProblemException">The folder or the teacher's table cannot be read, or a file not be written.</exception>
-    public (int Count, int ToLookAt) Mark(string folder, CancellationToken cancellation = default)
+    public (int Count, int ToLookAt) Mark(string folder)
     {
         var submissions = Submission.In(folder, rubric);
         RefuseInside(folder);
@@ -25,7 +25,7 @@ public sealed class ClassMarks(Rubric rubric, string output, int threads, Action
 
         Directory.CreateDirectory(output); // or fails before the work
         var marks = new StudentMarks[submissions.Count];
-        Parallel.For(0, marks.Length, new() { MaxDegreeOfParallelism = threads, CancellationToken = cancellation }, i =>
+        Parallel.For(0, marks.Length, new() { MaxDegreeOfParallelism = threads }, i =>
         {
             progress?.Invoke(done, marks.Length, submissions[i].Student);
             marks[i] = MarkOne(submissions[i], decisions.GetValueOrDefault(submissions[i].Student));

@@ -8,18 +8,15 @@ internal sealed class ColorMap(Scene scene)
     /// <summary>What no model has in any light: neither a model's colour nor the background's.</summary>
     public const int Strange = -3;
 
-    /// <summary>What several models have, or what is too dark to tell.</summary>
-    public const int Several = -2;
-
-    /// <summary>The background's colour.</summary>
-    public const int Background = -1;
+    /// <summary>What several models have, or what is too dark to tell; the background's colour.</summary>
+    private const int Several = -2, Background = -1;
 
     /// <summary>A darker pixel does not show a model's colour.</summary>
     private const int Dark = 24;
 
     private readonly ConcurrentDictionary<(byte R, byte G, byte B), (int Model, string? Kind)> known = [];
 
-    /// <summary>The only model that has a colour, or one of the constants.</summary>
+    /// <summary>The only model that has a colour; <see cref="Strange"/>, or another number below 0 for none or several.</summary>
     public int ModelOf((byte R, byte G, byte B) shown) => Find(shown).Model;
 
     /// <summary>The only kind of shape that has a colour; null if none or several have it.</summary>

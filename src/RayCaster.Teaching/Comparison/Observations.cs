@@ -22,6 +22,9 @@ internal sealed class Observations
     private readonly PictureJudge judge;
     private readonly PictureDifference? difference;
     private readonly ColorMap? colors;
+    private readonly Lazy<Explanation?> best;
+    private readonly Lazy<string?> plain;
+    private readonly Lazy<double> strangeShare; // of the pixels, whose colour no model has
 
     /// <param name="difference">That of the picture to the right one; null if the sizes differ.</param>
     /// <param name="byModels">The difference model by model; null if the scene is not known, or if the right picture is not its own.</param>
@@ -30,6 +33,8 @@ internal sealed class Observations
     {
         (Mine, Right, this.difference, ByModels, this.scene, this.judge) = (mine, right, difference, byModels, scene, judge);
         colors = scene is null ? null : new(scene);
+        (best, plain) = (new(FindBest), new(FindPlain));
+        strangeShare = new(() => colors is null ? 0 : Share(Mine, shown => colors.ModelOf(shown) == ColorMap.Strange));
     }
 
     private Picture Mine { get; }
@@ -39,11 +44,8 @@ internal sealed class Observations
     /// <summary>The difference model by model; null if there is none.</summary>
     public SceneDifference? ByModels { get; }
 
-    /// <summary>What explains the picture by values, places or models, the cheapest first; empty if nothing explains most of it.</summary>
-    public IReadOnlyList<Explanation> Explanations => field ??= FindExplanations();
-
-    /// <summary>The cheapest explanation, if it is shorter than some other program; otherwise null.</summary>
-    public Explanation? Best => Explanations.FirstOrDefault();
+    /// <summary>The cheapest explanation by values, places or models, if it is shorter than some other program; otherwise null.</summary>
+    public Explanation? Best => best.Value;
 
     /// <summary>The names of the models that are missing, if that is the cheapest explanation; otherwise null.</summary>
     public string? MissingModels => Best?.Way == Way.Models && ByModels!.MissingModels is { Count: > 0 } missing
@@ -54,7 +56,7 @@ internal sealed class Observations
 
     /// <summary>What such a picture shows that shows very little, and where to look; null if it shows more, or the right one shows as
     /// little.</summary>
-    public string? Plain => field ??= FindPlain();
+    public string? Plain => plain.Value;
 
     /// <summary>Whether every pixel has the same colour but for a level or two, and neither black nor the background's.</summary>
     public bool IsOneShade => Mine.IsNearlyOneColor && IsColored(Mine.At(Mine.Count / 2));
@@ -64,7 +66,7 @@ internal sealed class Observations
     public IReadOnlyDictionary<string, int> OtherLight => field ??= FindOtherLight();
 
     /// <summary>What is said of the picture where no formula explains it: the cheapest explanation, or what is certain of the rest.</summary>
-    public IReadOnlyList<string> Sentences => field ??= Best is { } best ? [best.Sentence]
+    public IReadOnlyList<string> Sentences => field ??= Best is { } shortest ? [shortest.Sentence]
         : Table().Where(row => row.Holds()).Select(row => row.Say().ToArray()).FirstOrDefault(said => said.Length > 0) ?? [];
 
     /// <summary>Each sentence with its condition; the first that holds is said.</summary>
@@ -75,12 +77,12 @@ internal sealed class Observations
         (() => ByModels is not null && (IsCertain || ModelsText.Reported(ByModels) is [_]
             || ModelsText.Reported(ByModels).All(model => model.IsExplained)),
             () => ModelsText.Sentences(scene!, ByModels!)),
-        (() => StrangeShare > Most, () => [string.Create(CultureInfo.InvariantCulture,
-            $"This is another picture, or its colours were changed: {100 * StrangeShare:0} % of its pixels have a colour " +
+        (() => strangeShare.Value > Most, () => [string.Create(CultureInfo.InvariantCulture,
+            $"This is another picture, or its colours were changed: {100 * strangeShare.Value:0} % of its pixels have a colour " +
             $"that no model of the scene has in any light.")]),
         (() => IsWrongOnlyOnOutlines, () =>
             ["Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?"]),
-        (() => scene is not null && StrangeShare <= 0.1 && (difference is null || difference.Wrong >= difference.Pixels / 3), () =>
+        (() => scene is not null && strangeShare.Value <= 0.1 && (difference is null || difference.Wrong >= difference.Pixels / 3), () =>
             [$"Its colours are those of the scene. {OtherOutlines}"]),
     ];
 
@@ -95,7 +97,7 @@ internal sealed class Observations
             ? $"Only {MissingParts.Many(kind)}: the same outlines, but another light. Is their t right?"
         : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
 
-    private Explanation[] FindExplanations()
+    private Explanation? FindBest()
     {
         double wrong = difference?.Wrong ?? Mine.Count;
         List<Explanation?> found = [PlaceMap.Find(Mine, Right, judge, difference?.Wrong)];
@@ -111,8 +113,8 @@ internal sealed class Observations
                 found.Add(new(Way.Models, ModelsText.Sentences(scene!, ByModels).First(), Priors.OtherColor));
         }
         var offByOne = Priors.WeightOf(0, difference?.OffByOne ?? 0); // formulas pay for truncated bytes, too
-        return [.. found.OfType<Explanation>().Select(one => one.Way == Way.Places ? one : one with { Unexplained = one.Unexplained + offByOne })
-            .Where(one => one.Total(wrong) < Priors.OtherProgram).OrderBy(one => one.Total(wrong))];
+        return found.OfType<Explanation>().Select(one => one.Way == Way.Places ? one : one with { Unexplained = one.Unexplained + offByOne })
+            .Where(one => one.Total(wrong) < Priors.OtherProgram).MinBy(one => one.Total(wrong));
     }
 
     private string? FindPlain()
@@ -139,8 +141,6 @@ internal sealed class Observations
 
     private bool IsColored((byte, byte, byte) shown) =>
         !IsBlack(shown) && (scene is null || !PictureJudge.IsNear(shown, scene.Background.ToBytes()));
-
-    private double StrangeShare => field != 0 || colors is null ? field : field = Share(Mine, shown => colors.ModelOf(shown) == ColorMap.Strange);
 
     /// <summary>Whether most wrong pixels have a neighbour of another colour in the right picture.</summary>
     private bool IsWrongOnlyOnOutlines => difference is not null && Enumerable.Range(0, difference.Pixels).Where(difference.IsWrong).Count(i =>

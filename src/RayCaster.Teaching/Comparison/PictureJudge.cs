@@ -68,10 +68,10 @@ public sealed class PictureJudge(Picture reference, Scene? scene = null)
     /// <summary>Whether two colours are the same but for rounding.</summary>
     internal static bool IsNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) => PictureDifference.Levels(a, b) <= Tolerance;
 
-    /// <summary>Whether a pixel differs from the one to the right or the one below by more than so many levels.</summary>
-    internal static bool IsEdge(Picture picture, int x, int y, int levels = Shading) =>
-        (x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > levels)
-        || (y + 1 < picture.Height && PictureDifference.Levels(picture[x, y], picture[x, y + 1]) > levels);
+    /// <summary>Whether a pixel differs from the one to the right or the one below by more than the attenuation explains.</summary>
+    private static bool IsEdge(Picture picture, int x, int y) =>
+        (x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > Shading)
+        || (y + 1 < picture.Height && PictureDifference.Levels(picture[x, y], picture[x, y + 1]) > Shading);
 
     /// <summary>What rays through a pixel and a thousandth of a pixel beside it show, of several models at the same distance each.</summary>
     private IEnumerable<(byte R, byte G, byte B)> ShownBeside(int pixel)

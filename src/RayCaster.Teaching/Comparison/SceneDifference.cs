@@ -16,7 +16,7 @@ internal sealed class SceneDifference
     private readonly PictureDifference difference;
     private readonly HitMap hits, others; // others: of the scene with fewer models
     private readonly int? threads;
-    private bool isLostKnown;
+    private readonly Lazy<LostPixels?> lostPixels;
 
     /// <param name="scene">The scene in the pictures' size.</param>
     /// <param name="threads">How many threads cast rays; one per core if null.</param>
@@ -31,6 +31,7 @@ internal sealed class SceneDifference
         IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
         IsReferenceOwn = IsOwn(ReferenceToOwn) && !IsMineOwn;
         others = new(own.Width, own.Height);
+        lostPixels = new(() => LostPixels.Find(difference, scene, this.hits.Model));
     }
 
     public PictureDifference ReferenceToOwn { get; }
@@ -52,7 +53,7 @@ internal sealed class SceneDifference
     public int WrongWithoutMissing { get; private set; }
 
     /// <summary>Wrong pixels that lie alone; null if they do not.</summary>
-    public LostPixels? LostPixels => isLostKnown ? field : field = FindLost();
+    public LostPixels? LostPixels => lostPixels.Value;
 
     /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
     public IReadOnlyList<int> ModelAt => hits.Model;
@@ -152,12 +153,6 @@ internal sealed class SceneDifference
             some = [.. some, .. behind];
         }
         return [];
-    }
-
-    private LostPixels? FindLost()
-    {
-        isLostKnown = true;
-        return LostPixels.Find(difference, scene, hits.Model);
     }
 
     /// <summary>The colour that gives the bytes of the model's pixels if it is multiplied by their attenuation; null if none does.</summary>

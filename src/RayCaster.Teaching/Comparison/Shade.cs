@@ -6,9 +6,6 @@ internal static class Shade
     /// <summary>By less than this a channel of a shade differs from the light times the colour.</summary>
     private const int Near = 3;
 
-    /// <summary>A darker pixel does not show a model's colour.</summary>
-    private const int Dark = 24;
-
     /// <summary>Whether bytes are a colour in a light that clamps no channel.</summary>
     public static bool IsOf((byte R, byte G, byte B) bytes, Color color)
     {
@@ -31,11 +28,6 @@ internal static class Shade
             if (Math.Abs(shown - Math.Min(byte.MaxValue, light * channel)) >= Near) return false;
         return true;
     }
-
-    /// <summary>The models that have a colour in some light; none if it is the background's, or too dark to tell.</summary>
-    public static IEnumerable<int> ModelsOf(Scene scene, (byte R, byte G, byte B) shown) =>
-        Math.Max(shown.R, Math.Max(shown.G, shown.B)) < Dark || PictureJudge.IsNear(shown, scene.Background.ToBytes()) ? []
-            : Enumerable.Range(0, scene.Models.Count).Where(model => IsOf(shown, scene.Models[model].Color));
 
     /// <summary>The brightest light in which a shade of a colour is so bright; a shade of black tells nothing of the light.</summary>
     public static double MostLightOf((byte R, byte G, byte B) shade, Color color) =>
