@@ -65,7 +65,8 @@ public sealed class ForeignRepositoryTests : CommandTests
         Assert.Equal(PictureFile.Read(ProjectFolder.PathOf("docs/room.png")).Rgb,
             PictureFile.Read(raycaster.PathOf($"{Folder}/clone/room.png")).Rgb);
         DotnetDoes("clone", "test --project tests/RayCaster.Lab.Tests -c Release");
-        DotnetDoes(".", "clone/src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll handout -q lab"); // which builds the live page
+        DotnetDoes("clone", "build src/RayCaster.Live -c Release"); // a hand-out has the live page, and no command compiles
+        DotnetDoes(".", "clone/src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll handout -q lab");
     }
 
     private void DotnetDoes(string folder, string command)
