@@ -39,7 +39,7 @@ public sealed class Rubric
     {
         var item = ItemOf(change.Id);
         if (item is null || !item.Undone.Any(MissingParts.IsShape)) return item;
-        string[] changed = [.. change.ShapesIn(Scenes[0].Scene.Camera)];
+        string[] changed = [.. change.ChangedShapes];
         return IsOfChanged(item) ? item : Items.FirstOrDefault(IsOfChanged) ?? item;
 
         bool IsOfChanged(RubricItem other) => other.Undone.Any(changed.Contains);

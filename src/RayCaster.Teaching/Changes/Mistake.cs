@@ -53,7 +53,7 @@ public sealed class Mistake
     internal bool IsWithinRounding { get; }
 
     /// <summary>Whether rays pass through the other sample point of each pixel. Beside a mistake that is none.</summary>
-    internal bool IsOtherSample => Steps.All(step => step == StepKind.Sample);
+    internal bool IsOtherSample => Steps.All(step => step.IsOfSample());
 
     /// <summary>Whether a scene has what the mistake changes; if not, its picture is right.</summary>
     public bool Touches(Scene scene) => Touches(scene.Models.Select(model => model.Kind));

@@ -29,7 +29,7 @@ internal static class MistakeBook
             var lines = block.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
             var id = lines[0].TrimEnd(']');
             var words = new Dictionary<string, string>();
-            List<(string Cause, List<ImmutableArray<StepChange>> Ways)> changes = [];
+            List<(string Cause, ImmutableArray<StepChange> OfSteps)> changes = [];
             var cause = "";
             foreach (var line in lines.Skip(1))
             {
@@ -41,10 +41,7 @@ internal static class MistakeBook
                     case "is":
                         foreach (var way in ChangeReader.Read(rest))
                         {
-                            var own = cause.Replace("some shapes", ShapesOf(way), StringComparison.Ordinal);
-                            var same = changes.Find(change => change.Cause == own && IsForAnotherScene(way, change.Ways[^1]));
-                            if (same.Ways is not null) same.Ways.Add(way);
-                            else changes.Add((own, [way]));
+                            changes.Add((cause.Replace("some shapes", ShapesOf(way), StringComparison.Ordinal), way));
                             labels.Add(new(id, null, way, [], []));
                         }
                         break;
@@ -53,14 +50,10 @@ internal static class MistakeBook
             }
             if (id != "")
                 mistakes.Add(new(id, words["slide"], new(words["symptom"], words["question"], words["answer"]), words, changes.Select(change =>
-                    new Change([.. change.Ways], Priors.Known) { Cause = change.Cause })));
+                    new Change(change.OfSteps, Priors.Known) { Cause = change.Cause })));
         }
         return (mistakes, labels);
     }
-
-    /// <summary>Whether it is what another way is in scenes that measure depth, or sample pixels, otherwise.</summary>
-    private static bool IsForAnotherScene(ImmutableArray<StepChange> way, ImmutableArray<StepChange> other) =>
-        (way[0], other[0]) is (StepChange.Written one, StepChange.Written two) && one.IsForAnotherSceneThan(two);
 
     /// <summary>The kinds of shape that a way's first step is for, in words.</summary>
     private static string ShapesOf(ImmutableArray<StepChange> way)
@@ -74,8 +67,10 @@ internal static class MistakeBook
         if (!line.Contains(" = ", StringComparison.Ordinal) && line.LastIndexOf(':') is > 0 and var colon)
         {
             var (step, subjects) = line[..colon].Split(' ', 2) is [var first, var second] ? (first, second) : (line, "");
-            return [new(id, (StepChange.Written)ChangeReader.ReadStep(step)[0], [], subjects.Split(" | "),
-                [.. line[(colon + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(name => MutationBook.Slips[name])])];
+            MutationOperator[] operators =
+                [.. line[(colon + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(name => MutationBook.Slips[name])];
+            return ChangeReader.Read(step).SelectMany(steps => steps).Select(pattern =>
+                new Label(id, (StepChange.Written)pattern, [], subjects.Split(" | "), operators));
         }
         return Alternatives(line).SelectMany(ChangeReader.Read).Select(way => new Label(id, null, way, [], []));
     }

@@ -26,7 +26,7 @@ public static class MistakeCatalog
     /// <returns>The picture; two of the mistakes swap its width and height.</returns>
     /// <exception cref="ArgumentException">Two mistakes are in the same part of a formula.</exception>
     public static Picture Draw(Scene scene, IReadOnlyList<Change> mistakes, int? threads = null) =>
-        mistakes.Aggregate((FormulaProgram?)FormulaProgram.For(scene.Camera), (program, mistake) => program is null ? null : mistake.In(program))
+        mistakes.Aggregate((FormulaProgram?)FormulaProgram.Slides, (program, mistake) => program is null ? null : mistake.In(program))
             is { } wrong ? wrong.Draw(scene, threads)
             : throw new ArgumentException("two of these mistakes are in the same part of a formula, so no program has both", nameof(mistakes));
 }

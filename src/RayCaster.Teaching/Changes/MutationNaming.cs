@@ -8,7 +8,7 @@ public sealed record FormulaPlace
     internal IReadOnlyList<StepKind> Steps { get; }
 
     /// <summary>The step, as its formulas' text calls it; several with commas.</summary>
-    public string Step => string.Join(", ", Steps.Select(MutationNaming.StepOf));
+    public string Step => string.Join(", ", Steps.Select(step => step.InWords()).Distinct());
 
     /// <summary>The name that the edited formula computes; null if several do.</summary>
     public string? Name { get; }
@@ -63,7 +63,7 @@ internal static class MutationNaming
         var first = slips[0];
         var likely = LikelyOf(slips);
         if (Array.Find(likely, other => other.Label is not null) is { } known)
-            return first with { Mistake = MistakeCatalog.Named(known.Label!), Cause = $"{StepOf(known.Step.Kind)}: {Describe(known)}" };
+            return first with { Mistake = MistakeCatalog.Named(known.Label!), Cause = $"{known.Step.Kind.InWords()}: {Describe(known)}" };
         return InOwnWords(first, likely);
     }
 
@@ -102,9 +102,6 @@ internal static class MutationNaming
 
     internal static string InWords(string name) => words.GetValueOrDefault(name, name);
 
-    /// <summary>What texts call a step.</summary>
-    internal static string StepOf(StepKind kind) => kind.ToString().ToLowerInvariant();
-
     private static string Describe(Mutation mutation) => mutation.Operator.Tell(mutation.Meant, mutation.Written)
         + (mutation.Formula is { } formula ? $" in {formula}" : " in the whole formula");
 
@@ -117,9 +114,9 @@ internal static class MutationNaming
     private static string SymptomOf(StepKind kind) => kind switch
     {
         StepKind.Vectors => "Everything that is computed with products and lengths of vectors is wrong.",
-        StepKind.Camera or StepKind.File or StepKind.Sample or StepKind.Pixel =>
+        StepKind.Camera or StepKind.File or StepKind.Corner or StepKind.Center or StepKind.Pixel =>
             "Everything stands elsewhere or is deformed: the rays are wrong.",
-        StepKind.Rule or StepKind.Nearest =>
+        StepKind.Depth or StepKind.Distance or StepKind.Nearest =>
             "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
         StepKind.Light => "All outlines are right, only the light is not.",
         StepKind.Bytes => "All outlines are right, only the colours are not.",

@@ -122,7 +122,7 @@ public sealed class MutationCoverage
     public static bool CanTry(Scene scene, Mistake mistake) => CanTry(scene, mistake.Usual);
 
     /// <summary>The same for what people write.</summary>
-    internal static bool CanTry(Scene scene, Change change) => change.In(FormulaProgram.For(scene.Camera)) is not { MutatesTriangles: true }
+    internal static bool CanTry(Scene scene, Change change) => change.In(FormulaProgram.Slides) is not { MutatesTriangles: true }
         || !scene.Models.Any(model => model is Mesh { TriangleCount: > ShapePart.MaxTriangles });
 
     private static Scene Judged(Scene scene)
@@ -162,7 +162,7 @@ public sealed class MutationCoverage
         {
             this.budget = budget;
             Scene = scene;
-            slides = FormulaProgram.For(scene.Camera);
+            slides = FormulaProgram.Slides;
             right = slides.Draw(scene); // mistakes are edits of its formulas: other last bits than the definition's are none
             var spread = new GoldenRatioSequence(right.Count);
             places = [.. Enumerable.Range(0, right.Count).Select(k => (spread[k] % right.Width, spread[k] / right.Width))];

@@ -74,7 +74,7 @@ internal sealed class Decision(Diagnoser prepared, Picture picture, IReadOnlyCol
 
         // A mistake of the camera may by chance be the last bits of another program.
         bool IsAll(Mistake mistake) => !mistake.Steps.Any(step => step.IsOfRays()) && mistake.Changes.Any(change => ((double[])[0.1, 1]).All(share =>
-            strict.Residual(change.In(FormulaProgram.For(scene.Camera)), share).Unexplained <= Explained * strict.WrongCount));
+            strict.Residual(change.In(FormulaProgram.Slides), share).Unexplained <= Explained * strict.WrongCount));
     }
 
     /// <summary>Searches, and decides: what is shorter than any other explanation is told.</summary>
@@ -113,7 +113,7 @@ internal sealed class Decision(Diagnoser prepared, Picture picture, IReadOnlyCol
         [
             .. ranked.Where(candidate => candidate.Mistakes.Count > 0 && candidate.Mistakes.All(mistake => mistake.Mutation is null)
                     && candidate.Total < Mentioned && IsOfTheseKinds(candidate)
-                    && sample.ShareExplained(candidate.Programs[0], IsDrawnWrong) >= LeastExplained && candidate.Changes.All(IsNeeded(candidate)))
+                    && sample.ShareExplained(candidate.Program, IsDrawnWrong) >= LeastExplained && candidate.Changes.All(IsNeeded(candidate)))
                 .DistinctBy(candidate => IdsOf(candidate.Mistakes)).Take(Shown)
                 .OrderBy(candidate => candidate.Residual.Unexplained).Select(candidate => Suspects.Of(candidate, best)),
         ];
@@ -126,8 +126,8 @@ internal sealed class Decision(Diagnoser prepared, Picture picture, IReadOnlyCol
             : shown != background && shown != default;
 
         Func<Change, bool> IsNeeded(Hypothesis candidate) => change => candidate.Changes.Length == 1
-            || Hypothesis.Create([prepared.Scene], candidate.Changes.Remove(change)) is not { } less
-            || sample.Residual(less.Programs[0]).Unexplained > candidate.Residual.Unexplained + LeastExplained * sample.WrongCount;
+            || Hypothesis.Create(candidate.Changes.Remove(change)) is not { } less
+            || sample.Residual(less.Program).Unexplained > candidate.Residual.Unexplained + LeastExplained * sample.WrongCount;
     }
 
     /// <summary>Names the best candidate, and others that also explain the picture.</summary>

@@ -223,7 +223,7 @@ public static class DiagnosisReport
             text.Wrap("  Besides:  ", "the rays pass through another point of each pixel than the scene's \"sample\" says (corner or center).");
         if (suspect.OtherFormulas.Count > 0)
         {
-            var steps = suspect.Mistakes.SelectMany(mistake => mistake.OwnSteps).Distinct().Select(MutationNaming.StepOf);
+            var steps = suspect.Mistakes.SelectMany(mistake => mistake.OwnSteps).Select(step => step.InWords()).Distinct();
             text.Wrap("  Or:       ", $"a slip in the step {string.Join(", ", steps)} draws the same here: " +
                 $"in {string.Join(", or in ", suspect.OtherFormulas)}.");
         }

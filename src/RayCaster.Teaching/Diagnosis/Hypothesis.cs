@@ -1,10 +1,12 @@
 namespace RayCaster.Teaching.Diagnosis;
 
 /// <summary>A program that may have drawn the pictures: changes of the slides' formulas, and what they leave unexplained.</summary>
-/// <param name="Programs">The program for the scene of each picture.</param>
-internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, ImmutableArray<Change> Changes)
+internal sealed record Hypothesis(FormulaProgram Program, ImmutableArray<Change> Changes)
 {
     private const int MaxMistakes = 2;
+
+    /// <summary>The right program.</summary>
+    public static Hypothesis Right { get; } = new(FormulaProgram.Slides, []);
 
     /// <summary>What it leaves unexplained of each picture.</summary>
     public ImmutableArray<Residual> Residuals { get; init; } = [];
@@ -59,9 +61,9 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
 
     private bool IsOtherSample => Changes.All(change => change.IsOtherSample);
 
-    /// <summary>A program with changes, for each of some scenes; null if they do not fit together.</summary>
-    public static Hypothesis? Create(IEnumerable<Scene> scenes, params IEnumerable<Change> changes) => changes.Aggregate(
-        (Hypothesis?)new([.. scenes.Select(scene => FormulaProgram.For(scene.Camera))], []), (all, change) => all?.Plus(change));
+    /// <summary>A program with changes; null if they do not fit together.</summary>
+    public static Hypothesis? Create(params IEnumerable<Change> changes) =>
+        changes.Aggregate((Hypothesis?)Right, (all, change) => all?.Plus(change));
 
     /// <summary>With one more change; null if it does not fit, or if it is a third mistake: three explain any picture by chance.</summary>
     public Hypothesis? With(Change change)
@@ -71,9 +73,5 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
     }
 
     /// <summary>With one more change, whatever it is; null if it does not fit.</summary>
-    public Hypothesis? Plus(Change change)
-    {
-        var programs = Programs.Select(change.In).ToImmutableArray();
-        return programs.Any(program => program is null) ? null : new([.. programs!], Changes.Add(change));
-    }
+    public Hypothesis? Plus(Change change) => change.In(Program) is { } program ? new(program, Changes.Add(change)) : null;
 }

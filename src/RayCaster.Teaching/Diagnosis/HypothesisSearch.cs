@@ -49,14 +49,13 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     private const int MaxModels = 200;
 
     private readonly List<Hypothesis> found = []; // compared with all of the sample
-    private readonly Hypothesis right = Hypothesis.Create(pictures.Select(picture => picture.Scene))!;
 
     private double Bound => found.Where(of => !of.IsContradicted).Select(of => of.Total).Append(shortest.Value).Min();
 
     /// <summary>The hypotheses that were compared with all of the sample, the shortest explanation first.</summary>
     public List<Hypothesis> Run()
     {
-        found.Add(Measure(right, 1, pictures)); // also if the time is over: there would be nothing to judge by
+        found.Add(Measure(Hypothesis.Right, 1, pictures)); // also if the time is over: there would be nothing to judge by
         try
         {
             Search();
@@ -73,7 +72,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
 
     /// <summary>Without each of its changes.</summary>
     private IEnumerable<Hypothesis?> Less(Hypothesis of) =>
-        of.Changes.Select(change => Hypothesis.Create(pictures.Select(picture => picture.Scene), of.Changes.Remove(change)));
+        of.Changes.Select(change => Hypothesis.Create(of.Changes.Remove(change)));
 
     /// <summary>With a name for each slip: a picture that several slips draw tells the likeliest.</summary>
     /// <param name="alike">The single slips that draw the same.</param>
@@ -97,9 +96,9 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         Change[] cheap = [.. lines, .. missing, .. ChangeSource.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
         // one change, or a program that is not finished
-        var singles = Measured([.. named.Select(right.With)], FirstLook);
+        var singles = Measured([.. named.Select(Hypothesis.Right.With)], FirstLook);
         var ways = Measured([.. Ways(missing, kinds.Length)], FirstLook);
-        Refine([.. singles.Concat(ways).Concat(Measured([.. lines.Concat(wordings).Select(right.With)], FirstLook)).OrderBy(of => of.Total)]);
+        Refine([.. singles.Concat(ways).Concat(Measured([.. lines.Concat(wordings).Select(Hypothesis.Right.With)], FirstLook)).OrderBy(of => of.Total)]);
         if (found.Exists(of => !of.IsContradicted && of.Total < Priors.LeastWithoutFormulas) || Bound < Priors.Known + Priors.MissingPart) return;
 
         // with something that costs little, or in an unfinished program
@@ -132,7 +131,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
 
         // an edit without a name, and two changes of which one may be such an edit
         Change[] edits = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Mutations(scene, known)];
-        Refine(Measured([.. edits.Select(right.With)], FirstLook));
+        Refine(Measured([.. edits.Select(Hypothesis.Right.With)], FirstLook));
         if (Bound < Priors.Known + Priors.Unknown) return;
         foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(1).Concat(ways.Take(1))) Extend(one, edits);
         ExtendBest(MaxExtended);
@@ -158,7 +157,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         from bits in Enumerable.Range(1, (1 << missing.Length) - 1)
         let parts = missing.Where((_, i) => (bits >> i & 1) != 0)
         where parts.Count(part => MissingParts.IsShape(part.Missing!)) < kinds
-        select parts.Aggregate((Hypothesis?)right, (all, part) => all?.With(part));
+        select parts.Aggregate((Hypothesis?)Hypothesis.Right, (all, part) => all?.With(part));
 
     /// <summary>Whether only colours or their places in the file are wrong, in the whole picture, so that it explains little alone.</summary>
     private static bool IsOfBytes(Hypothesis one) => one.Changes[0].Steps.All(step => step.IsOfColors() || step == StepKind.File);
@@ -173,12 +172,12 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         ];
         return from i in Enumerable.Range(0, usual.Length)
                from second in usual[(i + 1)..]
-               select right.With(usual[i])?.With(second);
+               select Hypothesis.Right.With(usual[i])?.With(second);
     }
 
     private void Extend(Hypothesis first, IEnumerable<Change> changes)
     {
-        PictureSample[] left = [.. pictures.Select((picture, i) => new PictureSample(picture, first.Programs[i]))];
+        PictureSample[] left = [.. pictures.Select(picture => new PictureSample(picture, first.Program))];
         var bound = Bound;
         var before = left.Sum(picture => (double)picture.WrongCount);
         var cheap = changes.Select(first.With).Where(with => with is not null && with.Bits < bound + Priors.AsLikely);
@@ -202,7 +201,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     private void Add(IEnumerable<Hypothesis> measured) => found.AddRange(measured.Select(of => of with
     {
         IsContradicted = of.Changes.Length > 0 && of.Total < pictures.Count * Decision.Mentioned
-            && pictures.Index().Any(picture => picture.Item.Contradicts(of.Programs[picture.Index], of.IsAbout)),
+            && pictures.Any(picture => picture.Contradicts(of.Program, of.IsAbout)),
     }));
 
     /// <summary>Compares them with a share of the sample, and sorts them.</summary>
@@ -217,7 +216,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
 
     private static Hypothesis Measure(Hypothesis candidate, double share, IReadOnlyList<PictureSample> sample)
     {
-        ImmutableArray<Residual> residuals = [.. sample.Select((picture, i) => picture.Residual(candidate.Programs[i], share))];
+        ImmutableArray<Residual> residuals = [.. sample.Select(picture => picture.Residual(candidate.Program, share))];
         return candidate with
         {
             Residuals = residuals,

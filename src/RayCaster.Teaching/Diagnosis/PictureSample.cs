@@ -194,9 +194,6 @@ internal sealed class PictureSample
         where !places.Index().Any(place => PictureJudge.IsNear(At(drawn, place.Index), Picture[place.Item.X, place.Item.Y]))
         select shown.Key;
 
-    /// <summary>The slides' program for the scene.</summary>
-    public FormulaProgram Slides => FormulaProgram.For(Scene.Camera);
-
     /// <summary>Whether the picture shows few pixels of a kind of shape, but these in a piece: last bits would scatter them.</summary>
     private bool ShowsOnlyAPieceOf(string kind)
     {
@@ -286,7 +283,7 @@ internal sealed class PictureSample
         if (wrong + other == 0) return [];
         if (program.ByteShift != 0) return FormulaEvaluator.Draw(Scene, program, PixelsOf(wrong, other), budget);
         var idle = evaluators.GetOrAdd((wrong, other), _ => []);
-        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), basis ?? FormulaProgram.For(Scene.Camera));
+        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), basis ?? FormulaProgram.Slides);
         var rgb = evaluator.Draw(program, budget);
         idle.Add(evaluator);
         return rgb;

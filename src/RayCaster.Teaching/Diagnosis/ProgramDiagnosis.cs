@@ -82,7 +82,7 @@ public sealed record ProgramDiagnosis
             observed.Index().Sum(of => of.Item.Best?.Total(wrongSamples[of.Index].WrongCount) ?? Priors.OtherProgram));
         var ranked = new HypothesisSearch(samples, known, [], 1, null, null, null, null, without).Run();
         var verdict = ranked[0];
-        int[] unexplained = [.. wrong.Where(i => !samples[i].IsExplainedBy(verdict.Programs[i]))];
+        int[] unexplained = [.. wrong.Where(i => !samples[i].IsExplainedBy(verdict.Program))];
         if (verdict.Total >= Priors.LeastWithoutFormulas && without.Value < verdict.Total && observed.All(of => of.Best is not null))
             return new(OnlyLight(observed).Steps)
             {
@@ -101,7 +101,7 @@ public sealed record ProgramDiagnosis
                 Note = note ?? OnlyKind(observed),
             };
         }
-        Hypothesis?[] less = [WithoutSlight(verdict, samples, wrongSamples)];
+        Hypothesis?[] less = [WithoutSlight(verdict, wrongSamples)];
         return none with
         {
             Unexplained = unexplained,
@@ -109,13 +109,13 @@ public sealed record ProgramDiagnosis
             Alternatives = [.. AsGood(verdict, ranked).Concat(less.OfType<Hypothesis>()).Select(Find)],
             HidingMistakes = verdict.MissingShapes.Count > 0 ? [.. Hiding(verdict, ranked)] : [],
             Drawn = verdict.Mistakes.Count > 0 ? [.. KindsIn(samples).Where(kind => Draws(verdict, kind, samples))] : [],
-            IsGuess = unexplained.Any(i => IsHardlyExplained(verdict.Programs[i], samples[i])),
+            IsGuess = unexplained.Any(i => IsHardlyExplained(verdict.Program, samples[i])),
         };
     }
 
     /// <summary>Whether something unnamed may be wrong in the formulas of a part of a program (<see cref="MissingParts.All"/>).</summary>
     public bool MayBeIn(string part) =>
-        OpenSteps.Any(step => part == (step is StepKind.Light ? MissingParts.Attenuation : step.ToString().ToLowerInvariant()));
+        OpenSteps.Any(step => part == (step is StepKind.Light ? MissingParts.Attenuation : step.InWords()));
 
     /// <summary>Whether something unnamed may be wrong in the formulas that a mistake changes.</summary>
     public bool MayBeIn(Mistake mistake) => OpenSteps.Any(step => step.IsOfColors() ? mistake.Steps.Any(touched => touched.IsOfColors())
@@ -146,31 +146,27 @@ public sealed record ProgramDiagnosis
     private static bool Draws(Hypothesis program, string kind, PictureSample[] samples)
     {
         if (program.Plus(ChangeSource.Missing(kind)) is not { } without) return false; // it is missing
-        return samples.Index().Any(sample => sample.Item.Scene.Models.Any(model => model.Kind == kind)
-            && Weight(without.Programs[sample.Index], sample.Item)
-                > Weight(program.Programs[sample.Index], sample.Item) + sample.Item.LeastPixels);
+        return samples.Any(sample => sample.Scene.Models.Any(model => model.Kind == kind)
+            && Weight(without.Program, sample) > Weight(program.Program, sample) + sample.LeastPixels);
     }
 
     /// <summary>A program without one of its mistakes or missing parts, if this explains only a few pixels; otherwise null.</summary>
-    private static Hypothesis? WithoutSlight(Hypothesis program, PictureSample[] samples, PictureSample[] wrong)
+    private static Hypothesis? WithoutSlight(Hypothesis program, PictureSample[] wrong)
     {
         var (missing, mistakes) = program.Count;
         return missing + mistakes < 2 ? null : program.Changes
             .Where(change => change.Missing is not null).Concat(program.Mistakes)
-            .Select(change => Hypothesis.Create(samples.Select(sample => sample.Scene), program.Changes.Remove(change)))
-            .FirstOrDefault(less => samples.Index().Where(sample => wrong.Contains(sample.Item)).All(sample =>
-                Weight(less!.Programs[sample.Index], sample.Item) - Weight(program.Programs[sample.Index], sample.Item)
-                    < Slight * Weight(Right(sample.Item), sample.Item)));
+            .Select(change => Hypothesis.Create(program.Changes.Remove(change)))
+            .FirstOrDefault(less => wrong.All(sample => Weight(less!.Program, sample) - Weight(program.Program, sample)
+                < Slight * Weight(FormulaProgram.Slides, sample)));
     }
-
-    private static FormulaProgram Right(PictureSample sample) => FormulaProgram.For(sample.Scene.Camera);
 
     private static double Weight(FormulaProgram program, PictureSample sample) => sample.Residual(program).Weight;
 
     private static bool IsHardlyExplained(FormulaProgram program, PictureSample sample)
     {
         var left = sample.Residual(program);
-        var all = sample.Residual(Right(sample));
+        var all = sample.Residual(FormulaProgram.Slides);
         return left != all && left.Weight > MayLeave * all.Weight;
     }
 

@@ -11,7 +11,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     {
         Mistake[] twins = [];
         string[] others = [];
-        var own = hypothesis.Programs[0];
+        var own = hypothesis.Program;
         var drawn = sample.Draw(own);
         var shown = Visible(hypothesis, drawn);
         if (shown is [var named] && !own.HasNoisyTriangles && prepared.Budget?.IsSpent() != true)
@@ -22,7 +22,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
                 .Where(other => other.Id != named.Id && other.Changes.Any(change => AreAlike(drawn, rest.Plus(change))))];
             if (ReferenceEquals(hypothesis, likeliest)) others = OtherFormulas(named, own, rest, drawn);
         }
-        var isSame = own.HasNoisyTriangles == likeliest.Programs[0].HasNoisyTriangles && sample.AreAlike(drawn, likeliest.Programs[0]);
+        var isSame = own.HasNoisyTriangles == likeliest.Program.HasNoisyTriangles && sample.AreAlike(drawn, likeliest.Program);
         var isTypical = hypothesis.Residual.Unexplained <= Decision.Explained * sample.WrongCount && hypothesis.IsUsual;
         shown = [.. shown.Select(mistake => Fits(mistake, hypothesis, drawn) ? mistake : MutationNaming.Unnamed(mistake))];
         return new(shown, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.Missing, isSame,
@@ -52,7 +52,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     public IEnumerable<Hypothesis> HidingMistakes(Hypothesis best)
     {
         var shapes = best.MissingShapes;
-        var without = sample.Draw(best.Programs[0]);
+        var without = sample.Draw(best.Program);
         var rest = With(best.Changes.Where(change => change.Missing is null || !shapes.Contains(change.Missing)))!;
         return from mistake in prepared.Known
                where shapes.All(mistake.Touches)
@@ -72,18 +72,18 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     private static bool IsAbout(Mistake mistake, Mutation mutation)
     {
         if (mutation.Formula is not { } formula || mutation.Right != FormulaBook.Slides.StylesOf(mutation.Step.Kind)[0]) return true;
-        string[] names = [.. mistake.Changes.SelectMany(change => change.Ways[0]).OfType<StepChange.Written>()
+        string[] names = [.. mistake.Changes.SelectMany(change => change.OfSteps).OfType<StepChange.Written>()
             .Where(step => step.Kind == mutation.Step.Kind && step.Style is null).SelectMany(step => step.Formulas).Select(written => written.Name)];
-        return names.Length == 0 || MistakeBook.Labels.Any(label => label.Id == mistake.Id && label.Subjects.Contains(formula.Computed))
+        return names.Length == 0 || mutation.Step.Kind.IsOfHits() || MistakeBook.Labels.Any(label => label.Id == mistake.Id && label.Subjects.Contains(formula.Computed))
             || names.Contains(formula.Name == Formula.Near || formula.Name == Formula.Far ? "hits" : formula.Name.Text);
     }
 
     private static bool IsOfSize(Mutation mutation) => mutation.Operator.IsOfSize
         || mutation is { Step.Kind: StepKind.Camera, Formula.Right.Dimension.Kind: ValueKind.Number };
 
-    private bool AreAlike(PictureSample.Drawn drawn, Hypothesis? other) => other is not null && sample.AreAlike(drawn, other.Programs[0]);
+    private bool AreAlike(PictureSample.Drawn drawn, Hypothesis? other) => other is not null && sample.AreAlike(drawn, other.Program);
 
-    private Hypothesis? With(IEnumerable<Change> changes) => Hypothesis.Create([prepared.Scene], changes);
+    private Hypothesis? With(IEnumerable<Change> changes) => Hypothesis.Create(changes);
 
     /// <summary>The mistakes that show. Of zNear and zFar, which are not written yet, the picture may show only one.</summary>
     private Change[] Visible(Hypothesis hypothesis, PictureSample.Drawn drawn)

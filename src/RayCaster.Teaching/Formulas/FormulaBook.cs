@@ -22,8 +22,8 @@ internal sealed class FormulaBook
 
     /// <summary>What every scene gives.</summary>
     private static Dictionary<string, Expression> OfScene { get; } = Names(
-        "P: point, T: point, up: direction, fovY: angle, width: pixels, height: pixels, zNear: length, zFar: length, bias: length, ∞: length, "
-        + "π: none");
+        "P: point, T: point, up: direction, fovY: angle, width: pixels, height: pixels, byDepth: truth, zNear: length, zFar: length, bias: length, "
+        + "∞: length, π: none");
 
     /// <summary>The pixel: x from the left, y from the top. The camera is made before there is one.</summary>
     private static Dictionary<string, Expression> OfPixel { get; } = Names("x: pixels, y: pixels");
@@ -70,8 +70,8 @@ internal sealed class FormulaBook
         StepKind[] before = kind switch
         {
             StepKind.Vectors or StepKind.Camera or StepKind.File or StepKind.Bytes => [],
-            StepKind.Sample => [StepKind.File],
-            StepKind.Pixel => [StepKind.Camera, StepKind.Sample],
+            StepKind.Corner or StepKind.Center => [StepKind.File],
+            StepKind.Pixel => [StepKind.Camera, StepKind.Corner],
             _ => [StepKind.Camera, StepKind.Pixel],
         };
         var scope = new Dictionary<string, Expression>();

@@ -59,6 +59,7 @@ internal sealed class FormulaEvaluator
         Give("fovY", PixelValues.From(camera.FovY));
         Give("width", PixelValues.From(camera.Width));
         Give("height", PixelValues.From(camera.Height));
+        Give("byDepth", PixelValues.From(camera.Clip == ClipMode.Depth ? 1 : 0));
         Give("zNear", PixelValues.From(camera.ZNear));
         Give("zFar", PixelValues.From(Math.Min(camera.ZFar, double.MaxValue))); // so that the infinite t of a parallel ray never counts
         Give("bias", PixelValues.From(camera.Bias == 0 ? -double.Epsilon : camera.Bias)); // with a bias of 0, t = 0 counts
@@ -124,7 +125,7 @@ internal sealed class FormulaEvaluator
         if (program.SwapsEyeAndTarget)
             (frame[pointP.Place], frame[pointT.Place]) = (frame[pointT.Place], frame[pointP.Place]);
         if (basis is not null && basis.Program.SwapsEyeAndTarget != program.SwapsEyeAndTarget) changed |= pointP.Bit | pointT.Bit;
-        foreach (var kind in (ReadOnlySpan<StepKind>)[StepKind.Camera, StepKind.File, StepKind.Sample, StepKind.Pixel])
+        foreach (var kind in (ReadOnlySpan<StepKind>)[StepKind.Camera, StepKind.File, StepKinds.SampleOf(scene.Camera), StepKind.Pixel])
             arithmetic.Define(program[kind], frame, basis?.Program[kind], basis?.Frame, ref changed);
 
         var nearestStep = program[StepKind.Nearest];
@@ -132,11 +133,12 @@ internal sealed class FormulaEvaluator
         var sameLoop = basis is not null && nearestStep == basis.Program[StepKind.Nearest];
         var areNew = !sameLoop || !program.LeftOut.SetEquals(basis!.Program.LeftOut) || program.HasNoisyTriangles != basis.Program.HasNoisyTriangles;
         var crossed = new PartHits[parts.Length];
+        var kindOfRule = StepKinds.RuleOf(scene.Camera);
         for (var i = 0; i < parts.Length; i++)
         {
             var part = parts[i];
-            var rule = program.RuleOf(part.Kind);
-            var isSame = sameLoop && ReferenceEquals(rule, basis!.Program.RuleOf(part.Kind)) && (rule.Reads & changed) == 0
+            var rule = program.RuleOf(part.Kind, kindOfRule);
+            var isSame = sameLoop && ReferenceEquals(rule, basis!.Program.RuleOf(part.Kind, kindOfRule)) && (rule.Reads & changed) == 0
                 && (part.Kind is { } kind ? IsSame(kind) : (changed & ofRay) == 0);
             areNew |= !isSame;
             crossed[i] = isSame ? basis!.Hits[i] : crosser.Cross(i, program, rule, frame, changed, basis?.Frame, !isUsual);

@@ -105,7 +105,7 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
     /// <summary>The hits of a model whose own formulas are the definition's: a large mesh, a shape of one's own.</summary>
     private PartHits HitsOf(Model model, Step rule, PixelValues[] camera)
     {
-        var isUsual = FormulaBook.Slides.StylesOf(StepKind.Rule).Contains(rule) && rule.Style != "aim";
+        var isUsual = FormulaBook.Slides.StylesOf(rule.Kind)[0] == rule;
         var hits = arithmetic.New(count);
         arithmetic.Work += WorkOfRay * count;
         for (var i = 0; i < count; i++)

@@ -75,7 +75,7 @@ public class StepHintTests
     [InlineData("far-plane", Explicit = true)]
     public void DividedDepthIsAVariantWhoseSymptomIsNotClaimed(string file)
     {
-        var (hint, _) = Hint(file, 6, ProgramInWords.Written("rule/depth z = t / (-d·W)"));
+        var (hint, _) = Hint(file, 6, ProgramInWords.Written("depth z = t / (-d·W)"));
         Assert.StartsWith($"  Ask yourself: {MistakeCatalog.Named("zboth-t")!.Hint.Question}", hint);
     }
 
@@ -83,7 +83,7 @@ public class StepHintTests
     [Fact(Explicit = true)]
     public void OfMistakesThatDrawTheSameTheUsualVariantIsNamed()
     {
-        var (hint, _) = Hint("near-plane", 6, ProgramInWords.Written("rule/depth z = t / (-d·W)"));
+        var (hint, _) = Hint("near-plane", 6, ProgramInWords.Written("depth z = t / (-d·W)"));
         Assert.StartsWith("  " + MistakeCatalog.Named("no-znear")!.Hint.Symptom, hint);
     }
 
