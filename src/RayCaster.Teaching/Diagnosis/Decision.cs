@@ -68,7 +68,7 @@ internal sealed class Decision(Diagnoser prepared, Picture picture, IReadOnlyCol
     {
         var (scene, right) = (prepared.Scene, prepared.Right);
         var sample = new PictureSample(scene, right, picture, Pixels, !prepared.TooManyModels, prepared.Budget);
-        if (sample.WrongCount >= sample.OutlineCount || sample.OutlineCount <= MutationCoverage.LeastPixels) return sample;
+        if (sample.WrongCount >= sample.OutlineCount || sample.OutlineCount <= Rendering.LeastPixels) return sample;
         var strict = new PictureSample(scene, right, picture, Pixels, forgiveOutlines: false, prepared.Budget);
         return prepared.Known.Any(IsAll) ? strict : sample;
 

@@ -29,6 +29,7 @@ public sealed class Diagnoser
             && possible?.Invoke(mistake.Usual) != false).ToArray();
         Known = [.. visible.Where(mistake => mistake.Changes.All(change => MutationCoverage.CanTry(scene, change)))];
         NotTried = [.. visible.Except(Known)];
+        Rendering = Rendering.Of(scene, MutationCoverage.MoreSamples, budget);
         hidden = new(() => TooManyModels ? ([], 0) : MutationCoverage.HiddenIn(scene, threads, budget));
     }
 
@@ -52,6 +53,9 @@ public sealed class Diagnoser
     internal Predicate<Change>? Possible { get; }
 
     internal SearchBudget? Budget { get; }
+
+    /// <summary>What programs draw of the picture, as <see cref="MutationCoverage"/> judges it.</summary>
+    internal Rendering Rendering { get; }
 
     /// <summary>The mistakes that can show in this scene at all.</summary>
     public IReadOnlyList<Mistake> Known { get; }
