@@ -63,7 +63,7 @@ internal static class FeedbackPage
         else if (scene.Verdict == SceneVerdict.Right) page.Html($"<p>{mine}</p>");
         else
         {
-            var wrong = 100.0 * submitted.Scene.Judge.WrongPixels(submitted.Picture!) / submitted.Picture!.Count;
+            var wrong = 100.0 * submitted.Scene.Diagnoser.WrongPixels(submitted.Picture!) / submitted.Picture!.Count;
             page.Element("p",
                 FormattableString.Invariant($"{wrong:0.##} % of the pixels ") +
                 $"differ by more than {PictureJudge.Tolerance} level. " +

@@ -41,9 +41,9 @@ internal sealed class Marker(Rubric rubric)
     {
         List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = diagnoses.GetOrAdd(string.Join(' ', pictures.Select(picture => $"{picture.Scene.Name}/{picture.Digest}")),
-            _ => new(() => ProgramDiagnosis.Find([.. pictures.Select(picture => (picture.Scene.Judge, picture.Picture!))], rubric.Known))).Value;
+            _ => new(() => ProgramDiagnosis.Find([.. pictures.Select(picture => (picture.Scene.Diagnoser, picture.Picture!))], rubric.Known))).Value;
         var verdict = diagnosis.Verdict;
-        return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Judge(picture, pictures.IndexOf(picture), diagnosis))],
+        return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Verdict(picture, pictures.IndexOf(picture), diagnosis))],
             [.. MissingParts.All.Intersect(verdict.NotYet)],
             [.. verdict.AllMistakes.Where(mistake => mistake.Place is null).Select(mistake => mistake.Id)],
             [.. verdict.Mistakes.Where(mistake => diagnosis.IsCertain && mistake.IsUsual).Select(mistake => mistake.Id)],
@@ -142,7 +142,7 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <param name="place">The picture's place among those that can be judged.</param>
-    private static SceneMarks Judge(SubmittedPicture picture, int place, ProgramDiagnosis diagnosis)
+    private static SceneMarks Verdict(SubmittedPicture picture, int place, ProgramDiagnosis diagnosis)
     {
         var verdict = !picture.CanBeJudged ? SceneVerdict.NoPicture
             : !diagnosis.Wrong.Contains(place) ? SceneVerdict.Right

@@ -6,7 +6,7 @@ public sealed class Rubric
     internal Rubric(IReadOnlyList<MarkedScene> scenes)
     {
         Scenes = scenes;
-        var judges = scenes.Select(scene => scene.Judge).ToArray();
+        var judges = scenes.Select(scene => scene.Diagnoser).ToArray();
         Known = judges.Any(judge => judge.TooManyModels) ? []
             : [.. MistakeCatalog.All.Intersect(judges.SelectMany(judge => judge.Known)).Except(judges.SelectMany(judge => judge.NotTried))];
     }

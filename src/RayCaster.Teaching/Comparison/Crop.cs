@@ -38,7 +38,7 @@ internal sealed record Crop(int Left, int Top, int Right, int Bottom)
                 if (misses > Samples / 20) continue;
                 var part = Picture.Create(mine.Width, mine.Height, (x, y) => reference[x + across, y + down]);
                 var difference = new PictureDifference(mine, part);
-                if (new PictureJudge(part).Judge(difference) != Likeness.Wrong && !(best?.Wrong <= difference.Wrong))
+                if (new PictureJudge(part).Compare(difference) != Likeness.Wrong && !(best?.Wrong <= difference.Wrong))
                     best = (new(left, top, columns - left, lines - top), difference.Wrong);
             }
         }

@@ -12,20 +12,20 @@ public static class StepHint
     /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
     /// test of no step.
     /// </param>
-    public static string Format(Scene scene, Picture picture, int step, HintLevel level) => Format(scene, Judge(scene, picture, step), step, level);
+    public static string Format(Scene scene, Picture picture, int step, HintLevel level) => Format(scene, Diagnose(scene, picture, step), step, level);
 
     /// <summary>The same, on a new line, where a mistake in a step's code explains all wrong pixels; otherwise empty.</summary>
     public static string OfAllPixels(Scene scene, Picture picture, int step, HintLevel level) =>
-        Judge(scene, picture, step, new()) is { Kind: DiagnosisKind.Mistake, Suspects: [{ Unexplained: 0, Mistakes: [var mistake] }, ..] } diagnosis
+        Diagnose(scene, picture, step, new()) is { Kind: DiagnosisKind.Mistake, Suspects: [{ Unexplained: 0, Mistakes: [var mistake] }, ..] } diagnosis
             && LabSteps.IsOf(mistake, step) ? "\n" + Format(scene, diagnosis, step, level) : "";
 
     internal static string Format(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 
-    internal static DiagnosisResult Judge(Scene scene, Picture picture, int step, SearchBudget? budget = null) => step == 0
+    internal static DiagnosisResult Diagnose(Scene scene, Picture picture, int step, SearchBudget? budget = null) => step == 0
         ? DiagnosisResult.Find(scene, picture)
         : new Diagnoser(scene, budget: budget, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
-            .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
+            .Diagnose(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 
     private static IEnumerable<string> Lines(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level)
     {

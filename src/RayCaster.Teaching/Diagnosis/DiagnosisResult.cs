@@ -73,5 +73,5 @@ public sealed record DiagnosisResult
     /// <param name="budget">How much may be done; any amount if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public static DiagnosisResult Find(Scene scene, Picture picture, SearchBudget? budget = null) =>
-        new Diagnoser(scene, budget: budget).Judge(picture);
+        new Diagnoser(scene, budget: budget).Diagnose(picture);
 }

@@ -5,17 +5,10 @@ namespace RayCaster.Teaching.Diagnosis;
 /// tried on few pixels and the best on more; then the shortest so far are extended by second changes that explain what they leave.
 /// </summary>
 /// <param name="pictures">The pictures, each of another scene; the bits of all are added.</param>
-/// <param name="known">The known mistakes that are tried.</param>
-/// <param name="done">What the program certainly draws.</param>
-/// <param name="threads">How many threads draw; one per core if null.</param>
-/// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
-/// <param name="budget">How much the search may do; null for any amount. The pictures spend it.</param>
-/// <param name="possible">Which edits are tried that have no name; all if null.</param>
 /// <param name="unreached">Lines that no loop may have reached; null for none.</param>
 /// <param name="shortest">The bits of the shortest explanation without formulas; not found where one mistake is shorter than any.</param>
-internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
-    int? threads, Predicate<Change>? likely, SearchBudget? budget, Predicate<Change>? possible,
-    UnreachedLines? unreached, Lazy<double> shortest)
+internal sealed class HypothesisSearch(
+    IReadOnlyList<PictureSample> pictures, SearchOptions options, UnreachedLines? unreached, Lazy<double> shortest)
 {
     // How much of the sample is looked at, as a share of it: by all hypotheses, and by the best of these. The last look is at all of it.
     private const double FirstLook = 0.008, SecondLook = 0.05;
@@ -67,7 +60,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         var alike = found.Where(of => of.Changes is [{ Mutation: not null }]).ToLookup(of => of.Left);
         // in the order in which it is told, too
         return [.. found.Where(of => !of.IsContradicted).OrderBy(of => of.Total).Select(of => Named(of, alike[of.Left]))
-            .Where(of => of.Changes.All(change => change.Place is null || possible?.Invoke(change) != false))];
+            .Where(of => of.Changes.All(change => change.Place is null || options.Possible?.Invoke(change) != false))];
     }
 
     /// <summary>Without each of its changes.</summary>
@@ -88,10 +81,10 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     {
         string[] kinds = ShownColors.KindsOf(pictures);
         string[] parts = [.. kinds.Length > 1 ? kinds : [], MissingParts.Attenuation, MissingParts.Clipping];
-        Change[] missing = [.. ChangeSource.Missing(parts.Except(done))];
-        Change[] named = [.. ChangeSource.Of(known, likely)];
+        Change[] missing = [.. ChangeSource.Missing(parts.Except(options.Done))];
+        Change[] named = [.. ChangeSource.Of(options.Known, options.Likely)];
         var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
-        Change[] wordings = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Wordings(scene, known)];
+        Change[] wordings = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Wordings(scene, options.Known)];
         Change[] lines = unreached is null ? [] : [ChangeSource.Of(unreached)];
         Change[] cheap = [.. lines, .. missing, .. ChangeSource.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
@@ -105,7 +98,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         var shortest = found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(MaxBesideCheap).ToArray();
         foreach (var one in shortest) Extend(one, cheap);
         if (Bound < Priors.Unknown) return;
-        var byColors = ShownColors.MissingParts(pictures, done).Take(MaxUnfinished)
+        var byColors = ShownColors.MissingParts(pictures, options.Done).Take(MaxUnfinished)
             .Select(way => ways.Find(other => other.Changes.Select(change => change.Missing).ToHashSet().SetEquals(way)));
         Hypothesis[] unfinished = [.. ways.Take(MaxUnfinished).Concat(byColors.OfType<Hypothesis>()).Distinct()];
         foreach (var way in unfinished) Extend(way, named);
@@ -130,7 +123,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         if (Bound < NearPairBits) return;
 
         // an edit without a name, and two changes of which one may be such an edit
-        Change[] edits = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Mutations(scene, known)];
+        Change[] edits = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Mutations(scene, options.Known)];
         Refine(Measured([.. edits.Select(Hypothesis.Right.With)], FirstLook));
         if (Bound < Priors.Known + Priors.Unknown) return;
         foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(1).Concat(ways.Take(1))) Extend(one, edits);
@@ -167,7 +160,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     {
         Change[] usual =
         [
-            .. ChangeSource.Of(known.Where(mistake => mistake.Steps.Any(step => step.IsOfRays() || step.IsOfHits())), likely)
+            .. ChangeSource.Of(options.Known.Where(mistake => mistake.Steps.Any(step => step.IsOfRays() || step.IsOfHits())), options.Likely)
                 .DistinctBy(change => change.Id),
         ];
         return from i in Enumerable.Range(0, usual.Length)
@@ -200,7 +193,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     /// pictures prove.</summary>
     private void Add(IEnumerable<Hypothesis> measured) => found.AddRange(measured.Select(of => of with
     {
-        IsContradicted = of.Changes.Length > 0 && of.Total < pictures.Count * Decision.Mentioned
+        IsContradicted = of.Changes.Length > 0 && of.Total < pictures.Count * Priors.Mentioned
             && pictures.Any(picture => picture.Contradicts(of.Program, of.IsAbout)),
     }));
 
@@ -209,7 +202,7 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     {
         var sample = left ?? pictures;
         Hypothesis[] measured = [.. candidates.OfType<Hypothesis>()];
-        var done = SearchBudget.Do(budget, measured.Length, Together, threads, i => measured[i] = Measure(measured[i], share, sample));
+        var done = SearchBudget.Do(options.Budget, measured.Length, Together, options.Threads, i => measured[i] = Measure(measured[i], share, sample));
         if (done < measured.Length) throw new TimeoutException();
         return [.. measured.OrderBy(one => one.Total)]; // those with the same total in the order of the candidates
     }

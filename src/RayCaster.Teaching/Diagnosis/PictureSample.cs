@@ -12,9 +12,6 @@ internal sealed class PictureSample
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.05;
 
-    /// <summary>The share of a picture's pixels that last bits may change.</summary>
-    private const double LastBits = 0.002;
-
     /// <summary>Of so many pixels one may differ in pictures that are the same.</summary>
     private const int MostAlike = 2000;
 
@@ -150,10 +147,6 @@ internal sealed class PictureSample
 
     /// <summary>The bits of the pixels that are left unexplained.</summary>
     public double BitsOf(Residual residual) => Priors.BitsOf(residual.Weight, allWrong);
-
-    /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
-    public bool IsExplainedBy(FormulaProgram program) => Residual(program).Weight <= Math.Min(0.5 * WrongCount,
-        Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LastBits * PixelCount, 3 * LastBits * PixelCount)));
 
     /// <summary>
     /// Whether the picture proves that another program drew it: it shows the colour of a kind of shape, but the program draws nothing of this kind,

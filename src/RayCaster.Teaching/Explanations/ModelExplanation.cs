@@ -75,7 +75,7 @@ internal sealed class ModelExplanation
         {
             var t = term.Value;
             if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed only once, or the same reason again
-            var (outcome, reason) = Outcomes.Judge(t, pixel.Ray) switch
+            var (outcome, reason) = Outcomes.Classify(t, pixel.Ray) switch
             {
                 Outcome.Shows when crossings is [{ Outcome: Outcome.Shows or Outcome.Hidden }] =>
                     (Outcome.NotNeeded, "the crossing before it counts already"),

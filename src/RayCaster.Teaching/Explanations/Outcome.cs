@@ -33,7 +33,7 @@ internal static class Outcomes
 {
     /// <summary>Why a crossing does not count; <see cref="Outcome.Shows"/> if it does, whatever else is in the scene.</summary>
     /// <param name="t">The crossing; NaN or infinite for none.</param>
-    public static Outcome Judge(double t, Ray ray) =>
+    public static Outcome Classify(double t, Ray ray) =>
         !double.IsFinite(t) ? Outcome.Misses
         : t < 0 ? Outcome.Behind
         : !ray.ClipRange.IsAhead<Scalar>(t).Holds ? Outcome.UnderBias

@@ -33,8 +33,8 @@ public class MissingPartsTests
     public void WhatIsDoneIsNotTakenForMissing()
     {
         var picture = ProgramInWords.Draw(scene, "without sphere");
-        Assert.Equal(["sphere"], new Diagnoser(scene).Judge(picture).NotYet);
-        var diagnosis = new Diagnoser(scene).Judge(picture, ["sphere", "plane"]);
+        Assert.Equal(["sphere"], new Diagnoser(scene).Diagnose(picture).NotYet);
+        var diagnosis = new Diagnoser(scene).Diagnose(picture, ["sphere", "plane"]);
         Assert.DoesNotContain("sphere", diagnosis.NotYet);
     }
 
@@ -45,7 +45,7 @@ public class MissingPartsTests
         foreach (var id in new[] { "ok", "rows" })
         {
             var picture = ProgramInWords.Draw(scene, id);
-            var (one, other) = (prepared.Judge(picture), DiagnosisTests.OfPlanted(id));
+            var (one, other) = (prepared.Diagnose(picture), DiagnosisTests.OfPlanted(id));
             Assert.Equal(DiagnosisReport.Json(other, default, default, [], null), DiagnosisReport.Json(one, default, default, [], null));
         }
     }

@@ -131,7 +131,7 @@ public class StepHintTests
     {
         var scene = LabSteps.SceneAt(SceneFolder.Small(file, 5), step);
         var picture = MistakeCatalog.Draw(scene, step < 5 ? [.. planted, MistakeCatalog.Named("att-none")!.Usual] : planted);
-        var diagnosis = StepHint.Judge(scene, picture, step);
+        var diagnosis = StepHint.Diagnose(scene, picture, step);
         return (StepHint.Format(scene, diagnosis, step, HintLevel.Question), diagnosis.Kind);
     }
 }
