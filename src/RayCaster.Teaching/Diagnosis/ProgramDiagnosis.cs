@@ -7,9 +7,6 @@ public sealed record ProgramDiagnosis
     /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
     private const double OneKind = 0.9;
 
-    /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
-    private const double Slight = 0.05;
-
     /// <summary>How many pixels of each picture are compared with each mistake, at most.</summary>
     private const int Pixels = 3000;
 
@@ -86,12 +83,11 @@ public sealed record ProgramDiagnosis
                     Note = note ?? OnlyKind(decision.Observed),
                 };
         }
-        Hypothesis?[] less = [WithoutSlight(verdict, [.. wrong.Select(i => samples[i])])];
         return none with
         {
             Unexplained = decision.Unexplained,
             Verdict = Find(verdict),
-            Alternatives = [.. AsGood(verdict, ranked).Concat(less.OfType<Hypothesis>()).Select(Find)],
+            Alternatives = [.. AsGood(verdict, ranked).Select(Find)],
             HidingMistakes = verdict.MissingShapes.Count > 0 ? [.. Hiding(verdict, ranked)] : [],
             Drawn = verdict.Mistakes.Count > 0 ? [.. KindsIn(samples).Where(kind => Draws(verdict, kind, samples))] : [],
             IsGuess = decision.Unexplained.Any(i => Weight(verdict.Program, samples[i]) != Weight(FormulaProgram.Slides, samples[i])),
@@ -114,7 +110,7 @@ public sealed record ProgramDiagnosis
     /// <summary>Programs of as many mistakes as the verdict that are about as short.</summary>
     private static IEnumerable<Hypothesis> AsGood(Hypothesis verdict, List<Hypothesis> ranked) =>
         ranked.TakeWhile(other => other.Total < verdict.Total + Priors.AsLikely)
-            .Where(other => other.Count == verdict.Count && other.Key != verdict.Key).DistinctBy(other => other.Key);
+            .Where(other => other.Key != verdict.Key).DistinctBy(other => other.Key);
 
     private static IEnumerable<Change> Hiding(Hypothesis verdict, List<Hypothesis> ranked) =>
         ranked.TakeWhile(other => other.Total < verdict.Total + Priors.Known)
@@ -130,17 +126,6 @@ public sealed record ProgramDiagnosis
         if (program.Plus(ChangeSource.Missing(kind)) is not { } without) return false; // it is missing
         return samples.Any(sample => sample.Scene.Models.Any(model => model.Kind == kind)
             && Weight(without.Program, sample) > Weight(program.Program, sample) + sample.LeastPixels);
-    }
-
-    /// <summary>A program without one of its mistakes or missing parts, if this explains only a few pixels; otherwise null.</summary>
-    private static Hypothesis? WithoutSlight(Hypothesis program, PictureSample[] wrong)
-    {
-        var (missing, mistakes) = program.Count;
-        return missing + mistakes < 2 ? null : program.Changes
-            .Where(change => change.Missing is not null).Concat(program.Mistakes)
-            .Select(change => Hypothesis.Create(program.Changes.Remove(change)))
-            .FirstOrDefault(less => wrong.All(sample => Weight(less!.Program, sample) - Weight(program.Program, sample)
-                < Slight * Weight(FormulaProgram.Slides, sample)));
     }
 
     private static double Weight(FormulaProgram program, PictureSample sample) => sample.Residual(program).Weight;
