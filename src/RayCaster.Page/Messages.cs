@@ -104,7 +104,7 @@ internal static class Messages
         {
             Name = ModelName.Plain(scene, i),
             Shows = entry[Outcome.Shows],
-            Reason = entry[Outcome.Shows] > 0 ? "" : InWords(entry.Reason),
+            Reason = entry[Outcome.Shows] > 0 ? "" : OutcomeText.Of(entry.Reason).Place,
         }),
         Report = ledger.Report(),
     });
@@ -124,16 +124,6 @@ internal static class Messages
     /// <summary>A link that opens VS Code at a place.</summary>
     private static string LinkTo(string file, int line, int column) =>
         $"vscode://file/{Uri.EscapeDataString(file.Replace('\\', '/').TrimStart('/')).Replace("%2F", "/")}{(line > 0 ? $":{line}:{column}" : "")}";
-
-    private static string InWords(Outcome outcome) => outcome switch
-    {
-        Outcome.Hidden => "hidden by nearer models",
-        Outcome.Behind => "behind the camera",
-        Outcome.UnderBias => "nearer than bias",
-        Outcome.BeforeNear => "nearer than zNear",
-        Outcome.BeyondFar => "beyond zFar",
-        _ => "the rays miss it",
-    };
 
     private static double[] Numbers(Vector3 v) => [v.X, v.Y, v.Z];
 }

@@ -145,7 +145,7 @@ public static class DiagnosisReport
             ["scene"] = Json(scene),
             ["pixels"] = diagnosis.PixelCount,
             ["wrong"] = diagnosis.WrongCount,
-            ["darkerByOne"] = diagnosis.DarkerShare,
+            ["rounding"] = diagnosis.Rounding,
             ["missing"] = diagnosis.MissingModel ?? diagnosis.Missing,
             ["notYet"] = Json(diagnosis.NotYet),
             ["likely"] = Json(diagnosis.Likely),

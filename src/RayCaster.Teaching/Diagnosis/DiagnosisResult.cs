@@ -64,9 +64,6 @@ public sealed record DiagnosisResult
     /// <summary>In how many pixels more it shows what the scene shows a thousandth of a pixel away, where the last bits decide.</summary>
     public int OutlineCount { get; internal init; }
 
-    /// <summary>The share of pixels that are right but for a channel that is one level darker: rounding instead of truncating.</summary>
-    public double DarkerShare { get; internal init; }
-
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="Diagnoser"/>.</summary>
     /// <param name="scene">The scene that it should show, at the picture's size.</param>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>

@@ -27,7 +27,6 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
         PixelCount = sample.PixelCount,
         WrongCount = sample.WrongCount,
         OutlineCount = sample.OutlineCount,
-        DarkerShare = sample.DarkerShare,
     };
 
     /// <summary>The result of a picture that is wrong, or nearly.</summary>

@@ -41,7 +41,6 @@ internal sealed class PictureSample
         List<int> wrong = [], other = [];
         for (var i = 0; i < PixelCount; i++)
             (difference is null || difference.IsWrong(i) ? wrong : other).Add(i);
-        DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
         if (forgiveOutlines && difference is not null && wrong.Count <= FewPixels * PixelCount)
         {
             OutlineCount = wrong.Count;
@@ -116,9 +115,6 @@ internal sealed class PictureSample
     /// That is not wrong, and must not be evidence: a mistake that changes a camera's number by its last bit would explain it.
     /// </summary>
     public int OutlineCount { get; }
-
-    /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
-    public double DarkerShare { get; }
 
     /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
     public bool IsOnlyOutlines { get; }

@@ -43,7 +43,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         [
             .. slips.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
                 .Where(mutation => AreAlike(own, rest.Plus(ChangeSource.Of(mutation)))).AsEnumerable()
-                .Select(mutation => mutation.Formula!.Computed).Distinct().Except(changed).Select(MutationNaming.InWords).Take(MaxFormulas),
+                .Select(mutation => mutation.Formula!.Computed).Distinct().Except(changed).Select(FormulaBook.Slides.InWords).Take(MaxFormulas),
         ];
     }
 

@@ -44,6 +44,27 @@ internal static class Outcomes
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;
 }
 
+/// <summary>An outcome in words.</summary>
+/// <param name="Title">Of a column.</param>
+/// <param name="Place">Where a model lies that has it.</param>
+/// <param name="One">What a model does that has it for each ray; empty for those that are hit.</param>
+/// <param name="Many">What several models do.</param>
+internal sealed record OutcomeText(Outcome Outcome, string Title, string Place, string One = "", string Many = "")
+{
+    public static readonly OutcomeText[] All =
+    [
+        new(Outcome.Shows, "shows", ""),
+        new(Outcome.Hidden, "hidden", "hidden by nearer models"),
+        new(Outcome.Behind, "behind", "behind the camera", "lies behind the camera", "lie behind the camera"),
+        new(Outcome.UnderBias, "t <= bias", "nearer than bias", "is crossed only at t <= bias", "are crossed only at t <= bias"),
+        new(Outcome.BeforeNear, "z < zNear", "nearer than zNear", "lies nearer than zNear", "lie nearer than zNear"),
+        new(Outcome.BeyondFar, "z > zFar", "beyond zFar", "lies beyond zFar", "lie beyond zFar"),
+        new(Outcome.Misses, "misses", "missed", "is missed by every ray", "are missed by every ray"),
+    ];
+
+    public static OutcomeText Of(Outcome outcome) => All.First(text => text.Outcome == outcome);
+}
+
 /// <summary>How many models, triangles or rays have each outcome.</summary>
 public class Tally
 {
