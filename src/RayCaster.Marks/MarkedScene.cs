@@ -12,7 +12,7 @@ internal sealed record MarkedScene(string Name, Diagnoser Diagnoser)
     /// <summary>Whether a mistake changes the picture. The first call tries all mistakes, which takes a second or two.</summary>
     public bool Shows(string mistake) => !Diagnoser.Hidden.Any(hidden => hidden.Id == mistake);
 
-    /// <summary>Whether the picture needs a part of a program (<see cref="MissingParts.All"/>).</summary>
+    /// <summary>Whether the picture needs a part of a program (<see cref="MissingPart.All"/>).</summary>
     public bool Needs(string part) =>
         Scene.Models.Any(model => model.Kind == part) || MistakeCatalog.DrawnWithout(part).Any(mistake => Shows(mistake.Id));
 }

@@ -38,10 +38,10 @@ public sealed class Rubric
     internal RubricItem? ItemOf(Change change)
     {
         var item = ItemOf(change.Id);
-        if (item is null || !item.Undone.Any(MissingParts.IsShape)) return item;
+        if (item is null || !item.MissingParts.Any(MissingPart.IsShape)) return item;
         string[] changed = [.. change.ChangedShapes];
         return IsOfChanged(item) ? item : Items.FirstOrDefault(IsOfChanged) ?? item;
 
-        bool IsOfChanged(RubricItem other) => other.Undone.Any(changed.Contains);
+        bool IsOfChanged(RubricItem other) => other.MissingParts.Any(changed.Contains);
     }
 }

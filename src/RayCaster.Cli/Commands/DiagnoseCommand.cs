@@ -8,7 +8,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         text => text switch { "symptom" => HintLevel.Symptom, "question" => HintLevel.Question, "answer" => HintLevel.Answer, _ => null });
     private static readonly Option<string[]> parts = Option.List("--done", "<parts>",
         "What your program draws already, for example plane,sphere: plane, sphere, aabb, circle, triangle, mesh, attenuation, clipping. " +
-        "If one of these does not show, that is a mistake; other parts may be missing.", MissingParts.All);
+        "If one of these does not show, that is a mistake; other parts may be missing.", MissingPart.All);
     private static readonly Option<bool> asJson = Option.Switch("--json", "Prints everything as JSON, also the answers and errors.");
 
     public override string Description =>

@@ -30,7 +30,7 @@ public sealed record Change
     internal Mutation? Mutation { get; init; }
 
     /// <summary>What is not written yet: a kind of shape, attenuation or clipping; null for others.</summary>
-    internal string? Missing { get; init; }
+    internal string? MissingPart { get; init; }
 
     /// <summary>The lines that no loop reaches; null for others.</summary>
     internal UnreachedLines? Unreached { get; init; }

@@ -33,7 +33,8 @@ internal static class ChangeReader
             from before in all from choice in ReadStep(step[0], step[1..], shapes) select before.AddRange(choice));
     }
 
-    /// <summary>Reads "STEP/STYLE NAME = EXPRESSION", all but the step left out, or what no formula says. "rule" and "sample" are two steps.</summary>
+    /// <summary>Reads "STEP/STYLE NAME = EXPRESSION", all but the step left out, or what no formula says. "rule" and "sample" are two
+    /// steps.</summary>
     private static IEnumerable<StepChange[]> ReadStep(string text, List<string> more, ImmutableArray<StepKind> shapes)
     {
         if (UnsaidOf(text) is { } unsaid) return [[unsaid]];

@@ -10,18 +10,18 @@ internal static class ChangeSource
     public static Change Missing(string part)
     {
         Change[] same = [.. MistakeCatalog.DrawnWithout(part).Select(mistake => mistake.Usual)];
-        return new(same.Length == 0 ? [new StepChange.LeftOut(part)] : [.. same.SelectMany(change => change.OfSteps)], Priors.MissingPart)
+        return new(same.Length == 0 ? [new StepChange.MissingShape(part)] : [.. same.SelectMany(change => change.OfSteps)], Priors.MissingPart)
         {
-            Missing = part,
+            MissingPart = part,
         };
     }
 
     /// <summary>Lines that no loop reaches.</summary>
-    public static Change Of(UnreachedLines lines) => new([new StepChange.Unreached(lines)], Priors.BitsOf(lines)) { Unreached = lines };
+    public static Change From(UnreachedLines lines) => new([new StepChange.Unreached(lines)], Priors.BitsOf(lines)) { Unreached = lines };
 
     /// <summary>Known mistakes, each in all its ways.</summary>
     /// <param name="likely">Which are likelier than the others; null for none.</param>
-    public static IEnumerable<Change> Of(IEnumerable<Mistake> known, Predicate<Change>? likely) =>
+    public static IEnumerable<Change> From(IEnumerable<Mistake> known, Predicate<Change>? likely) =>
         from mistake in known
         from change in mistake.Changes
         select likely is null || change.IsOtherSample || likely(change) ? change : change with { Bits = change.Bits + Priors.Unlikely };
@@ -31,17 +31,17 @@ internal static class ChangeSource
         from step in StepsOf(scene)
         from mutation in MutationFactory.NamedMutationsOf(step)
         where known.Any(mistake => mistake.Id == mutation.Label)
-        select Of(mutation);
+        select From(mutation);
 
     /// <summary>The slips in each step that a scene shows, in each style. Those of a mistake that is not among the known ones are left out.
     /// </summary>
     public static IEnumerable<Change> Mutations(Scene scene, IReadOnlyCollection<Mistake> known) =>
         from mutation in MutationsIn(scene)
         where mutation.Label is null || known.Any(mistake => mistake.Id == mutation.Label)
-        select Of(mutation);
+        select From(mutation);
 
     /// <summary>A slip.</summary>
-    public static Change Of(Mutation mutation) => new([.. mutation.Beside.Append(mutation.Step).Select(step => new StepChange.Mutated(step))],
+    public static Change From(Mutation mutation) => new([.. mutation.Beside.Append(mutation.Step).Select(step => new StepChange.Mutated(step))],
         mutation.Label is null ? Priors.Unknown + Priors.PerCost * (mutation.Cost - 0.8) : Priors.Known + Priors.Wording * mutation.Cost)
     {
         Mutation = mutation,

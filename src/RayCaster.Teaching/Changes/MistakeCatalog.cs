@@ -18,7 +18,7 @@ public static class MistakeCatalog
     public static Mistake? Named(string id) => byId.GetValueOrDefault(id);
 
     /// <summary>The mistakes that together draw the same as a program in which a part is missing; none for shapes.</summary>
-    public static IEnumerable<Mistake> DrawnWithout(string part) => All.Where(mistake => mistake.Missing == part);
+    public static IEnumerable<Mistake> DrawnWithout(string part) => All.Where(mistake => mistake.MissingPart == part);
 
     /// <summary>Draws a scene as a program with mistakes does: for exams, and for testing a rubric.</summary>
     /// <param name="mistakes">All its mistakes, each in one of its ways, such as <see cref="Mistake.Usual"/>.</param>

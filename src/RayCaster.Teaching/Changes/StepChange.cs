@@ -51,16 +51,17 @@ internal abstract class StepChange
     {
         public override IEnumerable<StepKind> Steps => [];
 
-        public override FormulaProgram? In(FormulaProgram program) => program[style.Kind] == FormulaBook.Slides.StylesOf(style.Kind)[0] ? program.With(style) : null;
+        public override FormulaProgram? In(FormulaProgram program) =>
+            program[style.Kind] == FormulaBook.Slides.StylesOf(style.Kind)[0] ? program.With(style) : null;
     }
 
     /// <summary>A kind of shape, by its name in scene files, that is not drawn.</summary>
-    public sealed class LeftOut(string kind) : StepChange
+    public sealed class MissingShape(string kind) : StepChange
     {
         public override IEnumerable<StepKind> Steps => [];
 
         public override FormulaProgram? In(FormulaProgram program) =>
-            program.LeftOut.Contains(kind) ? null : program with { LeftOut = program.LeftOut.Add(kind) };
+            program.MissingShapes.Contains(kind) ? null : program with { MissingShapes = program.MissingShapes.Add(kind) };
     }
 
     /// <summary>The camera stands at T and looks at P.</summary>

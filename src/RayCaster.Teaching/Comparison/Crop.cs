@@ -10,7 +10,7 @@ internal sealed record Crop(int Left, int Top, int Right, int Bottom)
     private const int Samples = 200;
 
     /// <summary>What is missing, for a sentence: <c>its first line and its last column</c>.</summary>
-    public string Missing => string.Join(" and ", ((string?[])
+    public string CroppedPart => string.Join(" and ", ((string?[])
     [
         Some(Top, "first", "line"), Some(Bottom, "last", "line"), Some(Left, "first", "column"), Some(Right, "last", "column"),
     ]).OfType<string>());

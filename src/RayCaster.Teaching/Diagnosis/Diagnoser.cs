@@ -91,7 +91,7 @@ public sealed class Diagnoser
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for a scene of {Scene.Camera.Width} x {Scene.Camera.Height}", nameof(picture));
         if (Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
-            return new() { Kind = DiagnosisKind.Cropped, Missing = crop.Missing };
+            return new() { Kind = DiagnosisKind.Cropped, CroppedPart = crop.CroppedPart };
         return new PictureDiagnosis(this, StrictWhereNeeded(picture), new(Known, done ?? [], likely, Possible, Budget, Threads)).Find();
     }
 

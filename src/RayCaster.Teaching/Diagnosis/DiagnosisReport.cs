@@ -24,7 +24,7 @@ public static class DiagnosisReport
             AppendMatch(text, diagnosis, picture, scene);
             return text.ToString();
         }
-        if (diagnosis.Missing is { } missingPart)
+        if (diagnosis.CroppedPart is { } missingPart)
         {
             text.Wrap("", $"{picture} is the picture of {scene} without {missingPart}. {ComparisonText.Cropped}");
             return text.ToString();
@@ -32,9 +32,9 @@ public static class DiagnosisReport
         text.AppendLine($"{picture} is not the picture of {scene}: {Digits.Part(diagnosis.WrongCount, diagnosis.PixelCount)} " +
             $"differ by more than {PictureJudge.Tolerance} level.");
         text.AppendLine();
-        if (diagnosis.NotYet.Count > 0)
-            text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(!IsRestRight(diagnosis) ? ""
-                : diagnosis.NotYet.Any(MissingParts.IsShape) ? " All other pixels are right." : " The rest is right.")}");
+        if (diagnosis.MissingParts.Count > 0)
+            text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.MissingParts)}.{(!IsRestRight(diagnosis) ? ""
+                : diagnosis.MissingParts.Any(MissingPart.IsShape) ? " All other pixels are right." : " The rest is right.")}");
         AppendLost(text, diagnosis);
         foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
         if (diagnosis.Kind == DiagnosisKind.TellsNothing)
@@ -51,7 +51,7 @@ public static class DiagnosisReport
     private static bool IsOnlyUnwritten(Suspect suspect) => !Beside(suspect).Any();
 
     /// <summary>The mistakes that are not a part that is not written yet.</summary>
-    private static IEnumerable<Change> Beside(Suspect suspect) => suspect.Mistakes.Except(MissingParts.AsMistakes(suspect.NotYet));
+    private static IEnumerable<Change> Beside(Suspect suspect) => suspect.Mistakes.Except(MissingPart.AsMistakes(suspect.MissingParts));
 
     private static void AppendMatch(StringBuilder text, DiagnosisResult diagnosis, string picture, string scene)
     {
@@ -105,7 +105,7 @@ public static class DiagnosisReport
         if (diagnosis.Kind == DiagnosisKind.Unfinished && diagnosis.Suspects.Count > 0)
             text.Wrap("", $"If that is written already, a slip in it, or in what it uses, hides it; so do the mistakes " +
                 $"{string.Join(", ", diagnosis.Suspects.Select(Names))}.");
-        else if (diagnosis.NotYet.FirstOrDefault(MissingParts.IsShape) is { } shape)
+        else if (diagnosis.MissingParts.FirstOrDefault(MissingPart.IsShape) is { } shape)
             text.Wrap("", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes hide it.");
     }
 
@@ -146,8 +146,8 @@ public static class DiagnosisReport
             ["pixels"] = diagnosis.PixelCount,
             ["wrong"] = diagnosis.WrongCount,
             ["rounding"] = diagnosis.Rounding,
-            ["missing"] = diagnosis.MissingModel ?? diagnosis.Missing,
-            ["notYet"] = Json(diagnosis.NotYet),
+            ["missing"] = diagnosis.MissingModel ?? diagnosis.CroppedPart,
+            ["notYet"] = Json(diagnosis.MissingParts),
             ["likely"] = Json(diagnosis.Likely),
             ["cannotShow"] = Json(hidden.Select(mistake => mistake.Id)),
             ["suspects"] = new JsonArray([.. suspects]),
@@ -169,7 +169,7 @@ public static class DiagnosisReport
         ["otherSample"] = suspect.OtherSample,
         ["samePicture"] = suspect.SamePicture,
         ["twins"] = Json(suspect.Twins.Select(twin => twin.Id)),
-        ["notYet"] = Json(suspect.NotYet),
+        ["notYet"] = Json(suspect.MissingParts),
     };
 
     private static JsonObject Json(Change mistake, bool hasSymptom) => WithoutNulls(new()
@@ -181,8 +181,8 @@ public static class DiagnosisReport
         ["question"] = mistake.Hint.Question,
         ["answer"] = mistake.Hint.Answer,
         ["slide"] = mistake.Slide,
-        ["section"] = mistake.Place?.Step,
-        ["step"] = mistake.Place?.Name,
+        ["step"] = mistake.Place?.Step,
+        ["name"] = mistake.Place?.Name,
         ["formula"] = mistake.Place?.Formula,
     });
 

@@ -16,10 +16,10 @@ public sealed record DiagnosisResult
     public DiagnosisKind Kind { get; internal init; }
 
     /// <summary>
-    /// What the program does not do yet, as far as the picture shows, as <see cref="MissingParts"/> calls it. With
+    /// What the program does not do yet, as far as the picture shows, as <see cref="MissingPart"/> calls it. With
     /// <see cref="DiagnosisKind.Unfinished"/> everything else is right; otherwise there are also mistakes.
     /// </summary>
-    public IReadOnlyList<string> NotYet { get; internal init; } = [];
+    public IReadOnlyList<string> MissingParts { get; internal init; } = [];
 
     /// <summary>The kind of difference, if no mistake explains it: sentences, the most informative first.</summary>
     public IReadOnlyList<string> Likely { get; internal init; } = [];
@@ -35,7 +35,7 @@ public sealed record DiagnosisResult
 
     /// <summary>The lines and columns without which the scene's picture is this one, with <see cref="DiagnosisKind.Cropped"/>; otherwise null.
     /// </summary>
-    public string? Missing { get; internal init; }
+    public string? CroppedPart { get; internal init; }
 
     /// <summary>Whether models that agree, or all kinds of shape but one, prove that the picture is of this scene.</summary>
     public bool IsOfScene { get; internal init; }

@@ -30,10 +30,10 @@ internal sealed record Hypothesis(FormulaProgram Program, ImmutableArray<Change>
     public Residual Residual => Residuals.Aggregate((sum, residual) => sum + residual);
 
     /// <summary>The parts that are not written yet.</summary>
-    public IReadOnlyList<string> Missing => [.. Changes.Select(change => change.Missing).OfType<string>()];
+    public IReadOnlyList<string> MissingParts => [.. Changes.Select(change => change.MissingPart).OfType<string>()];
 
     /// <summary>The kinds of shape that are not drawn.</summary>
-    public IReadOnlyList<string> MissingShapes => [.. Missing.Where(MissingParts.IsShape)];
+    public IReadOnlyList<string> MissingShapes => [.. MissingParts.Where(MissingPart.IsShape)];
 
     /// <summary>Whether rays also pass through the other sample point of each pixel.</summary>
     public bool HasOtherSample => Changes.Any(change => change.IsOtherSample) && !IsOtherSample;
@@ -42,16 +42,10 @@ internal sealed record Hypothesis(FormulaProgram Program, ImmutableArray<Change>
     public IReadOnlyList<Change> Mistakes => [.. Changes.Where(change => change.IsMistake || (change.IsOtherSample && IsOtherSample))];
 
     /// <summary>The mistakes as they are told: "no attenuation" is one, too, if all shapes are drawn.</summary>
-    public IReadOnlyList<Change> Reported => MissingShapes.Count > 0 ? Mistakes : [.. Mistakes, .. MissingParts.AsMistakes(Missing)];
-
-    /// <summary>The mistakes, and the other sample point in any case.</summary>
-    public IEnumerable<Change> AllMistakes => HasOtherSample ? Mistakes.Concat(Changes.Where(change => change.IsOtherSample)) : Mistakes;
-
-    /// <summary>How many parts are missing, and how many mistakes there are.</summary>
-    public (int Missing, int Mistakes) Count => (Missing.Count, AllMistakes.Count());
+    public IReadOnlyList<Change> Reported => MissingShapes.Count > 0 ? Mistakes : [.. Mistakes, .. MissingPart.AsMistakes(MissingParts)];
 
     /// <summary>Equal for hypotheses of the same parts and mistakes, in any order and any way of writing them.</summary>
-    public string Key => string.Join(' ', Missing.Concat(Mistakes.Select(mistake => mistake.Id)).Order(StringComparer.Ordinal));
+    public string Key => string.Join(' ', MissingParts.Concat(Mistakes.Select(mistake => mistake.Id)).Order(StringComparer.Ordinal));
 
     /// <summary>Whether each mistake is what most people write who make it.</summary>
     public bool IsUsual => Mistakes.All(mistake => mistake.Place is not null || mistake.IsUsual);

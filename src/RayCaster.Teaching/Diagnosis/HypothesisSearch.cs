@@ -80,18 +80,19 @@ internal sealed class HypothesisSearch(
     private void Search()
     {
         string[] kinds = ShownColors.KindsOf(pictures);
-        string[] parts = [.. kinds.Length > 1 ? kinds : [], MissingParts.Attenuation, MissingParts.Clipping];
+        string[] parts = [.. kinds.Length > 1 ? kinds : [], MissingPart.Attenuation, MissingPart.Clipping];
         Change[] missing = [.. ChangeSource.Missing(parts.Except(options.Done))];
-        Change[] named = [.. ChangeSource.Of(options.Known, options.Likely)];
+        Change[] named = [.. ChangeSource.From(options.Known, options.Likely)];
         var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
         Change[] wordings = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Wordings(scene, options.Known)];
-        Change[] lines = unreached is null ? [] : [ChangeSource.Of(unreached)];
+        Change[] lines = unreached is null ? [] : [ChangeSource.From(unreached)];
         Change[] cheap = [.. lines, .. missing, .. ChangeSource.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
         // one change, or a program that is not finished
         var singles = Measured([.. named.Select(Hypothesis.Right.With)], FirstLook);
         var ways = Measured([.. Ways(missing, kinds.Length)], FirstLook);
-        Refine([.. singles.Concat(ways).Concat(Measured([.. lines.Concat(wordings).Select(Hypothesis.Right.With)], FirstLook)).OrderBy(of => of.Total)]);
+        var others = Measured([.. lines.Concat(wordings).Select(Hypothesis.Right.With)], FirstLook);
+        Refine([.. singles.Concat(ways).Concat(others).OrderBy(of => of.Total)]);
         if (found.Exists(of => !of.IsContradicted && of.Total < Priors.LeastWithoutFormulas) || Bound < Priors.Known + Priors.MissingPart) return;
 
         // with something that costs little, or in an unfinished program
@@ -99,7 +100,7 @@ internal sealed class HypothesisSearch(
         foreach (var one in shortest) Extend(one, cheap);
         if (Bound < Priors.Unknown) return;
         var byColors = ShownColors.MissingParts(pictures, options.Done).Take(MaxUnfinished)
-            .Select(way => ways.Find(other => other.Changes.Select(change => change.Missing).ToHashSet().SetEquals(way)));
+            .Select(way => ways.Find(other => other.Changes.Select(change => change.MissingPart).ToHashSet().SetEquals(way)));
         Hypothesis[] unfinished = [.. ways.Take(MaxUnfinished).Concat(byColors.OfType<Hypothesis>()).Distinct()];
         foreach (var way in unfinished) Extend(way, named);
         if (Bound < PairBits) return;
@@ -149,7 +150,7 @@ internal sealed class HypothesisSearch(
     private IEnumerable<Hypothesis?> Ways(Change[] missing, int kinds) =>
         from bits in Enumerable.Range(1, (1 << missing.Length) - 1)
         let parts = missing.Where((_, i) => (bits >> i & 1) != 0)
-        where parts.Count(part => MissingParts.IsShape(part.Missing!)) < kinds
+        where parts.Count(part => MissingPart.IsShape(part.MissingPart!)) < kinds
         select parts.Aggregate((Hypothesis?)Hypothesis.Right, (all, part) => all?.With(part));
 
     /// <summary>Whether only colours or their places in the file are wrong, in the whole picture, so that it explains little alone.</summary>
@@ -160,7 +161,7 @@ internal sealed class HypothesisSearch(
     {
         Change[] usual =
         [
-            .. ChangeSource.Of(options.Known.Where(mistake => mistake.Steps.Any(step => step.IsOfRays() || step.IsOfHits())), options.Likely)
+            .. ChangeSource.From(options.Known.Where(mistake => mistake.Steps.Any(step => step.IsOfRays() || step.IsOfHits())), options.Likely)
                 .DistinctBy(change => change.Id),
         ];
         return from i in Enumerable.Range(0, usual.Length)
@@ -202,7 +203,8 @@ internal sealed class HypothesisSearch(
     {
         var sample = left ?? pictures;
         Hypothesis[] measured = [.. candidates.OfType<Hypothesis>()];
-        var done = SearchBudget.Do(options.Budget, measured.Length, Together, options.Threads, i => measured[i] = Measure(measured[i], share, sample));
+        var done = SearchBudget.Do(options.Budget, measured.Length, Together, options.Threads,
+            i => measured[i] = Measure(measured[i], share, sample));
         if (done < measured.Length) throw new TimeoutException();
         return [.. measured.OrderBy(one => one.Total)]; // those with the same total in the order of the candidates
     }

@@ -76,7 +76,7 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
                     && decision.IsMentioned(candidate) && IsOfTheseKinds(candidate)
                     && sample.ShareExplained(candidate.Program, IsDrawnWrong) >= LeastExplained && candidate.Changes.All(IsNeeded(candidate)))
                 .DistinctBy(candidate => IdsOf(candidate.Mistakes)).Take(Shown)
-                .OrderBy(candidate => candidate.Residual.Unexplained).Select(candidate => Suspects.Of(candidate, decision.Best)),
+                .OrderBy(candidate => candidate.Residual.Unexplained).Select(candidate => Suspects.Examine(candidate, decision.Best)),
         ];
 
         bool IsOfTheseKinds(Hypothesis candidate) => wrong is null or { Kinds.Count: 0, Agreeing.Count: 0 } || candidate.Mistakes.All(mistake =>
@@ -106,7 +106,7 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
                 return Facts with
                 {
                     Kind = rest.Kind,
-                    NotYet = [.. missing, .. rest.NotYet],
+                    MissingParts = [.. missing, .. rest.MissingParts],
                     Suspects = rest.Suspects,
                     Likely = rest.Likely,
                     IsOfScene = rest.IsOfScene,
@@ -116,16 +116,16 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
         var named = decision.Ranked.Where(candidate => candidate.Reported.Count > 0 && candidate.Total < Priors.OtherProgram)
             .DistinctBy(candidate => candidate.Key).Take(Examined);
         if (best.Reported.Count == 0) // what may have lost those shapes, if they are written already
-            named = named.Where(candidate => candidate.Missing.Count == 0 && candidate.Total < best.Total + Priors.Known);
+            named = named.Where(candidate => candidate.MissingParts.Count == 0 && candidate.Total < best.Total + Priors.Known);
         else if (missing.Length > 0) named = named.Take(1);
         if (missing.Length > 0 && prepared.Budget?.IsSpent() != true) named = named.Concat(Suspects.HidingMistakes(best));
         Hypothesis[] first = [.. named.DistinctBy(candidate => IdsOf(candidate.Reported)).Take(MaxNamed)];
-        Suspect[] suspects = [.. first.Select(candidate => Suspects.Of(candidate, first[0])).DistinctBy(suspect => IdsOf(suspect.Mistakes))];
+        Suspect[] suspects = [.. first.Select(candidate => Suspects.Examine(candidate, first[0])).DistinctBy(suspect => IdsOf(suspect.Mistakes))];
         return Facts with
         {
-            Kind = best.Reported.Count > 0 ? DiagnosisKind.Mistake : best.Missing.Count > 0 ? DiagnosisKind.Unfinished
+            Kind = best.Reported.Count > 0 ? DiagnosisKind.Mistake : best.MissingParts.Count > 0 ? DiagnosisKind.Unfinished
                 : DiagnosisKind.NotTheFormulas,
-            NotYet = best.Missing,
+            MissingParts = best.MissingParts,
             Likely = [.. best.Changes.Select(change => change.Unreached?.Sentence).OfType<string>()],
             Suspects = suspects is [{ Twins: var twins }, ..] // no mistake is told twice
                 ? [.. suspects.Where((suspect, i) => i == 0 || suspect.Mistakes is not [var one] || twins.All(twin => twin.Id != one.Id))] : [],

@@ -195,7 +195,8 @@ internal sealed class PictureSample
     {
         if (program is null || !CanDraw(program)) return new(PixelCount, PixelCount); // nothing is explained
         var some = Compared(share);
-        return ResidualOf(rendering.Draw(program, some), program.HasNoisyTriangles ? rendering.Draw(program with { HasNoisyTriangles = false }, some) : null);
+        return ResidualOf(rendering.Draw(program, some),
+            program.HasNoisyTriangles ? rendering.Draw(program with { HasNoisyTriangles = false }, some) : null);
     }
 
     /// <summary>The same of a program for which the scene gives another number.</summary>

@@ -94,9 +94,9 @@ public sealed record ProgramDiagnosis
         };
     }
 
-    /// <summary>Whether something unnamed may be wrong in the formulas of a part of a program (<see cref="MissingParts.All"/>).</summary>
+    /// <summary>Whether something unnamed may be wrong in the formulas of a part of a program (<see cref="MissingPart.All"/>).</summary>
     public bool MayBeIn(string part) =>
-        OpenSteps.Any(step => part == (step is StepKind.Light ? MissingParts.Attenuation : step.InWords()));
+        OpenSteps.Any(step => part == (step is StepKind.Light ? MissingPart.Attenuation : step.InWords()));
 
     /// <summary>Whether something unnamed may be wrong in the formulas that a mistake changes.</summary>
     public bool MayBeIn(Mistake mistake) => OpenSteps.Any(step => step.IsOfColors() ? mistake.Steps.Any(touched => touched.IsOfColors())
@@ -105,7 +105,8 @@ public sealed record ProgramDiagnosis
     private IEnumerable<StepKind> OpenSteps => Slips.SelectMany(slip => slip.Place!.Steps).Concat(stepsOfLight ?? []);
 
     private static Suspect Find(Hypothesis hypothesis) => new(
-        hypothesis.Mistakes, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, [], hypothesis.Missing, false, false, hypothesis.IsUsual);
+        hypothesis.Mistakes, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, [], hypothesis.MissingParts,
+        false, false, hypothesis.IsUsual);
 
     /// <summary>Programs of as many mistakes as the verdict that are about as short.</summary>
     private static IEnumerable<Hypothesis> AsGood(Hypothesis verdict, List<Hypothesis> ranked) =>
@@ -114,7 +115,7 @@ public sealed record ProgramDiagnosis
 
     private static IEnumerable<Change> Hiding(Hypothesis verdict, List<Hypothesis> ranked) =>
         ranked.TakeWhile(other => other.Total < verdict.Total + Priors.Known)
-            .Where(other => other is { Missing.Count: 0, HasOtherSample: false, Mistakes.Count: 1 })
+            .Where(other => other is { MissingParts.Count: 0, HasOtherSample: false, Mistakes.Count: 1 })
             .Select(other => other.Mistakes[0]).DistinctBy(mistake => mistake.Id);
 
     private static IEnumerable<string> KindsIn(PictureSample[] samples) =>
@@ -150,6 +151,6 @@ public sealed record ProgramDiagnosis
     {
         var kinds = wrong.Select(of => of.ByModels?.FaultLocalization.Kinds ?? []).ToArray();
         return kinds.All(kind => kind.Count == 1) && kinds.Select(kind => kind[0]).Distinct().ToArray() is [var only]
-            ? $"only {MissingParts.Many(only)} are wrong" : null;
+            ? $"only {MissingPart.Many(only)} are wrong" : null;
     }
 }

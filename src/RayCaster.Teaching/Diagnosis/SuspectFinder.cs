@@ -7,7 +7,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     private const int MaxFormulas = 3;
 
     /// <param name="likeliest">The first suspect.</param>
-    public Suspect Of(Hypothesis hypothesis, Hypothesis likeliest)
+    public Suspect Examine(Hypothesis hypothesis, Hypothesis likeliest)
     {
         Mistake[] twins = [];
         string[] others = [];
@@ -16,7 +16,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         if (shown is [var named] && !own.HasNoisyTriangles && prepared.Budget?.IsSpent() != true)
         {
             var rest = With(hypothesis.Changes.Where(change => hypothesis.HasOtherSample && change.IsOtherSample
-                || (change.Missing is not null && hypothesis.Mistakes.Count > 0)))!;
+                || (change.MissingPart is not null && hypothesis.Mistakes.Count > 0)))!;
             twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
                 .Where(other => other.Id != named.Id && other.Changes.Any(change => AreTwins(own, rest.Plus(change))))];
             if (ReferenceEquals(hypothesis, likeliest)) others = OtherFormulas(named, own, rest);
@@ -24,7 +24,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         var isSame = own.HasNoisyTriangles == likeliest.Program.HasNoisyTriangles && sample.AreAlike(own, likeliest.Program);
         var isTypical = hypothesis.Residual.Unexplained <= Decision.Explained * sample.WrongCount && hypothesis.IsUsual;
         shown = [.. shown.Select(mistake => Fits(mistake, hypothesis) ? mistake : MutationNaming.Unnamed(mistake))];
-        return new(shown, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.Missing, isSame,
+        return new(shown, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.MissingParts, isSame,
             isSame || hypothesis.Total - likeliest.Total < Priors.AsLikely, isTypical)
         {
             OtherFormulas = others,
@@ -42,7 +42,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         return
         [
             .. slips.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
-                .Where(mutation => AreAlike(own, rest.Plus(ChangeSource.Of(mutation)))).AsEnumerable()
+                .Where(mutation => AreAlike(own, rest.Plus(ChangeSource.From(mutation)))).AsEnumerable()
                 .Select(mutation => mutation.Formula!.Computed).Distinct().Except(changed).Select(FormulaBook.Slides.InWords).Take(MaxFormulas),
         ];
     }
@@ -51,7 +51,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     public IEnumerable<Hypothesis> HidingMistakes(Hypothesis best)
     {
         var shapes = best.MissingShapes;
-        var rest = With(best.Changes.Where(change => change.Missing is null || !shapes.Contains(change.Missing)))!;
+        var rest = With(best.Changes.Where(change => change.MissingPart is null || !shapes.Contains(change.MissingPart)))!;
         return from mistake in prepared.Known
                where shapes.All(mistake.Touches)
                let hiding = mistake.Changes.Select(rest.Plus).FirstOrDefault(other => AreAlike(best.Program, other))
@@ -72,7 +72,8 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         if (mutation.Formula is not { } formula || mutation.Right != FormulaBook.Slides.StylesOf(mutation.Step.Kind)[0]) return true;
         string[] names = [.. mistake.Changes.SelectMany(change => change.OfSteps).OfType<StepChange.Written>()
             .Where(step => step.Kind == mutation.Step.Kind && step.Style is null).SelectMany(step => step.Formulas).Select(written => written.Name)];
-        return names.Length == 0 || mutation.Step.Kind.IsOfHits() || MistakeBook.Labels.Any(label => label.Id == mistake.Id && label.Subjects.Contains(formula.Computed))
+        return names.Length == 0 || mutation.Step.Kind.IsOfHits()
+            || MistakeBook.Labels.Any(label => label.Id == mistake.Id && label.Subjects.Contains(formula.Computed))
             || names.Contains(formula.Name == Formula.Near || formula.Name == Formula.Far ? "hits" : formula.Name.Text);
     }
 
@@ -92,7 +93,8 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     {
         var reported = hypothesis.Reported;
         var hidden = reported.Count < 2 ? null : reported.Except(hypothesis.Mistakes).FirstOrDefault(part => AreAlike(hypothesis.Program, With(
-            hypothesis.Changes.Where(change => change.Missing is null).Concat(reported.Except(hypothesis.Mistakes).Where(other => other != part)))));
+            hypothesis.Changes.Where(change => change.MissingPart is null)
+                .Concat(reported.Except(hypothesis.Mistakes).Where(other => other != part)))));
         return [.. reported.Where(mistake => mistake != hidden)];
     }
 }

@@ -131,7 +131,8 @@ internal sealed class FormulaEvaluator
         var nearestStep = program[StepKind.Nearest];
         var isUsual = nearestStep == FormulaBook.Slides.StylesOf(StepKind.Nearest)[0];
         var sameLoop = basis is not null && nearestStep == basis.Program[StepKind.Nearest];
-        var areNew = !sameLoop || !program.LeftOut.SetEquals(basis!.Program.LeftOut) || program.HasNoisyTriangles != basis.Program.HasNoisyTriangles;
+        var areNew = !sameLoop || !program.MissingShapes.SetEquals(basis!.Program.MissingShapes)
+            || program.HasNoisyTriangles != basis.Program.HasNoisyTriangles;
         var crossed = new PartHits[parts.Length];
         var kindOfRule = StepKinds.RuleOf(scene.Camera);
         for (var i = 0; i < parts.Length; i++)

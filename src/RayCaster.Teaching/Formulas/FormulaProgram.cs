@@ -15,7 +15,7 @@ internal sealed record FormulaProgram
         ImmutableDictionary<(StepKind Shape, StepKind Rule), Step>.Empty;
 
     /// <summary>The kinds of shape, by their names in scene files, that are not drawn.</summary>
-    public ImmutableHashSet<string> LeftOut { get; init; } = [];
+    public ImmutableHashSet<string> MissingShapes { get; init; } = [];
 
     /// <summary>By how many bytes all bytes of the picture are farther on in the file.</summary>
     public int ByteShift { get; init; }

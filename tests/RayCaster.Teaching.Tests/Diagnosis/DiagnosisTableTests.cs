@@ -17,7 +17,7 @@ public class DiagnosisTableTests
         var diagnosis = judge.Diagnose(ProgramInWords.Draw(judge.Scene, program));
         Assert.Equal(finding, $"{diagnosis.Kind}");
         Assert.Equal(mistakes, Named(diagnosis, mistakes));
-        Assert.Equal(notYet, string.Join(' ', diagnosis.NotYet.Order()));
+        Assert.Equal(notYet, string.Join(' ', diagnosis.MissingParts.Order()));
         Assert.Contains(says, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings(" "));
     }
 

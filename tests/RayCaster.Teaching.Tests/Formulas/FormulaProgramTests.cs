@@ -15,7 +15,7 @@ public class FormulaProgramTests
         var slides = FormulaProgram.Slides;
         var evaluator = new FormulaEvaluator(generic, [(1, 2), (30, 20), (70, 40)], slides);
         foreach (var edit in Enum.GetValues<StepKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(MutationFactory.MutationsOf)
-            .Where((_, i) => i % step == 0)) Assert.Null(Record.Exception(() => evaluator.Draw(ChangeSource.Of(edit).In(slides)!)));
+            .Where((_, i) => i % step == 0)) Assert.Null(Record.Exception(() => evaluator.Draw(ChangeSource.From(edit).In(slides)!)));
     }
 
     [Theory]

@@ -96,7 +96,7 @@ public class MarkerTests
     public void AMistakeThatLosesAShapeIsNamedBesideTheMissingShape()
     {
         var marks = Mark(two, scene => EditedLab.Render(scene, PlantedMistake.Named("slab-noswap")));
-        Assert.Equal(["aabb"], marks.NotDrawn);
+        Assert.Equal(["aabb"], marks.MissingParts);
         Assert.Contains("slab-noswap", marks.HidingMistakes);
         Assert.StartsWith("If they are written: ", MarkWords.Question("aabb", marks.HidingMistakes));
     }
