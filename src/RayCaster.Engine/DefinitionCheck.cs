@@ -41,7 +41,7 @@ internal sealed class DefinitionCheck
         var most = (long)camera.Width * (end - first) / 500 + triangles / 2000;
         if (others > 0) most = Math.Min(most, 20_000 / others);
         var wanted = screen.IsFine ? Math.Clamp(most, MinPixels, MaxPixels) : MinPixels;
-        var squares = 8 + 100_000 / (1 + triangles / TriangleCluster.Length);
+        var squares = 8 + 100_000 / (1 + triangles / TriangleBoxes.ClusterLength);
         if (others > FewModels) squares = Math.Min(squares, 1 + 20_000 / others);
         squares = Math.Min(squares, wanted);
         side = (int)Math.Ceiling(Math.Sqrt((double)wanted / squares));

@@ -5,12 +5,15 @@ namespace RayCaster.Engine;
 /// triangle; a mesh whose triangles share their corners takes 24.</remarks>
 internal sealed class TriangleBoxes
 {
+    /// <summary>The number of triangles in a cluster; less at the mesh's end.</summary>
+    public const int ClusterLength = 16;
+
     /// <summary>The number of clusters that a thread takes at once.</summary>
     private const int ClustersAtOnce = 1 << 10;
 
     /// <summary>How many triangles ahead memory is fetched: waiting for it would take longer than finding the boxes. Vertices are fetched later than
     /// indices, which must be there first.</summary>
-    private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
+    private const int VerticesAhead = 6 * ClusterLength, IndicesAhead = 24 * ClusterLength;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
 
@@ -24,7 +27,7 @@ internal sealed class TriangleBoxes
     public TriangleBoxes(Vector3[] vertices, int[] indices, int threads, CancellationToken cancellation = default)
     {
         (this.vertices, this.indices) = (vertices, indices);
-        Count = (indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length;
+        Count = (indices.Length / 3 + ClusterLength - 1) / ClusterLength;
         var bounds = Bounds.Empty;
         for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1)
             if (double.IsFinite(vertices[i].X + vertices[i].Y + vertices[i].Z))
@@ -64,8 +67,8 @@ internal sealed class TriangleBoxes
 
     public (int First, int End) TrianglesOf(int cluster)
     {
-        var first = cluster * TriangleCluster.Length;
-        return (first, Math.Min(first + TriangleCluster.Length, indices.Length / 3));
+        var first = cluster * ClusterLength;
+        return (first, Math.Min(first + ClusterLength, indices.Length / 3));
     }
 
     /// <summary>The least coordinates of several clusters, one in each lane. A corner that is NaN does not count, since it is part of no
@@ -117,10 +120,10 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {
-        if (end - first != TriangleCluster.Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
+        if (end - first != ClusterLength || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
         var vertexIndices = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
-        if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Prefetch(first);
+        if (first + IndicesAhead + ClusterLength <= indices.Length / 3) Prefetch(first);
 
         // Separate bounds for each corner, so that no comparison waits for the one before it.
         var none = Vector256.Create(double.PositiveInfinity);
@@ -168,7 +171,7 @@ internal sealed class TriangleBoxes
     private void Prefetch(int first)
     {
         var vertexIndices = new RawSpan<int>(indices);
-        for (var i = 3 * first; i < 3 * (first + TriangleCluster.Length); i += TriangleCluster.Length)
+        for (var i = 3 * first; i < 3 * (first + ClusterLength); i += ClusterLength)
         {
             Lanes.Prefetch(ref vertexIndices[i + 3 * IndicesAhead]);
             PrefetchVertex(vertexIndices[i + 3 * VerticesAhead]);

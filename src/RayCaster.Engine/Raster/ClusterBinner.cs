@@ -149,7 +149,7 @@ internal sealed class ClusterBinner<N>(ScreenSpace screen, TriangleBoxes boxes, 
         var (first, end) = boxes.TrianglesOf(cluster + i);
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
         if ((x1 - x0 + 1L) * (y1 - y0 + 1L) > LargeArea) each.Add(first, end);
-        else each.Lists.Add(new(first, TriangleCluster.Length), (float)most[i], x0, x1, y0, y1);
+        else each.Lists.Add(new(first, TriangleBoxes.ClusterLength), (float)most[i], x0, x1, y0, y1);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
