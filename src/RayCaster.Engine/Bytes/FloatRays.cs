@@ -12,7 +12,7 @@ internal sealed class FloatRays(Camera camera)
     public Floats Upwards { get; } = new(Tile.MaxSide);
 
     /// <summary>Goes to the strip of a part; returns whether it is a new one.</summary>
-    public bool Enter(in PixelRect part)
+    public bool Begin(in PixelRect part)
     {
         var strip = new PixelRect(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
         if (strip == Strip) return false;
@@ -40,14 +40,12 @@ internal sealed class FloatRays(Camera camera)
     {
         private readonly float[] x = new float[count], y = new float[count], z = new float[count];
 
-        /// <summary>Those of some columns.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Vector3<FloatPacket> Load(int first) => new(FloatPacket.Load(x, first), FloatPacket.Load(y, first), FloatPacket.Load(z, first));
 
         /// <summary>That of a row, in each lane.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector3<FloatPacket> At(int row) =>
-            new(x[row], y[row], z[row]);
+        public Vector3<FloatPacket> At(int row) => new(x[row], y[row], z[row]);
 
         public void Set(int first, in Vector3<Packet> lower, in Vector3<Packet> upper)
         {

@@ -34,9 +34,9 @@ internal sealed class TriangleBoxes
                 bounds = bounds.With(vertices[i]);
         Middle = 0.5 * (bounds.Min + bounds.Max);
         var size = bounds.Max - bounds.Min;
-        Unit = Math.Max(size.X, Math.Max(size.Y, size.Z));
-        if (!(Unit > 0)) Unit = 1;
-        (middle, perUnit) = (Vector256.Create(Middle.X, Middle.Y, Middle.Z, 0), Vector256.Create(1 / Unit));
+        Extent = Math.Max(size.X, Math.Max(size.Y, size.Z));
+        if (!(Extent > 0)) Extent = 1;
+        (middle, perUnit) = (Vector256.Create(Middle.X, Middle.Y, Middle.Z, 0), Vector256.Create(1 / Extent));
         for (var i = 0; i < numbers.Length; i++) numbers[i] = GC.AllocateUninitializedArray<float>(Count + 7); // room for a packet at the end
         ThreadTeam.Each((Count + ClustersAtOnce - 1) / ClustersAtOnce, threads, piece =>
         {
@@ -49,7 +49,7 @@ internal sealed class TriangleBoxes
     public Vector3 Middle { get; }
 
     /// <summary>The length that is 1 in the boxes.</summary>
-    public double Unit { get; }
+    public double Extent { get; }
 
     /// <summary>A box around all triangles.</summary>
     public Bounds Bounds => new(new(least[0], least[1], least[2]), new(most[0], most[1], most[2]));
@@ -91,12 +91,12 @@ internal sealed class TriangleBoxes
         {
             var (first, end) = TrianglesOf(cluster);
             var (low, high) = Around(first, end);
-            (least, most) = (Lanes.Lesser(low, least), Lanes.Greater(high, most));
+            (least, most) = (Lanes.MinOrLast(low, least), Lanes.MaxOrLast(high, most));
             (low, high) = ((low - middle) * perUnit, (high - middle) * perUnit);
             Set(0, cluster, low - Padding(low));
             Set(3, cluster, high + Padding(high));
         }
-        lock (numbers) (this.least, this.most) = (Lanes.Lesser(least, this.least), Lanes.Greater(most, this.most));
+        lock (numbers) (this.least, this.most) = (Lanes.MinOrLast(least, this.least), Lanes.MaxOrLast(most, this.most));
 
         // Rounding to a float changes a number by at most 2⁻²⁴ of itself.
         static Vector256<double> Padding(Vector256<double> number) => Vector256.Create(1e-7) * (Vector256.Abs(number) + Vector256<double>.One);
@@ -134,10 +134,10 @@ internal sealed class TriangleBoxes
             // A vertex's three numbers and the next vertex's first.
             var (a, b) = (numbers.Load256((nint)3 * vertexIndices[i]), numbers.Load256((nint)3 * vertexIndices[i + 1]));
             var c = numbers.Load256((nint)3 * vertexIndices[i + 2]);
-            (lowA, lowB, lowC) = (Lanes.Lesser(a, lowA), Lanes.Lesser(b, lowB), Lanes.Lesser(c, lowC));
-            (highA, highB, highC) = (Lanes.Greater(a, highA), Lanes.Greater(b, highB), Lanes.Greater(c, highC));
+            (lowA, lowB, lowC) = (Lanes.MinOrLast(a, lowA), Lanes.MinOrLast(b, lowB), Lanes.MinOrLast(c, lowC));
+            (highA, highB, highC) = (Lanes.MaxOrLast(a, highA), Lanes.MaxOrLast(b, highB), Lanes.MaxOrLast(c, highC));
         }
-        return (Lanes.Lesser(Lanes.Lesser(lowA, lowB), lowC), Lanes.Greater(Lanes.Greater(highA, highB), highC));
+        return (Lanes.MinOrLast(Lanes.MinOrLast(lowA, lowB), lowC), Lanes.MaxOrLast(Lanes.MaxOrLast(highA, highB), highC));
     }
 
     /// <summary>The same with checks: for a cluster that is shorter than the others, that has the last vertex, behind which there is no number, or a
@@ -150,7 +150,7 @@ internal sealed class TriangleBoxes
         for (var i = 3 * first; i < 3 * end; i++)
         {
             var corner = CornerAt(i);
-            (low, high) = (Lanes.Lesser(corner, low), Lanes.Greater(corner, high));
+            (low, high) = (Lanes.MinOrLast(corner, low), Lanes.MaxOrLast(corner, high));
         }
         return (low, high);
     }

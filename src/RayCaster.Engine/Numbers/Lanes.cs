@@ -32,19 +32,19 @@ internal static class Lanes
     /// <summary>The lesser in each lane: a where a &lt; b, else b, so b where a is NaN. This is what x86 does in one instruction; those of
     /// other processors differ where there is NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<T> Lesser<T>(Vector256<T> a, Vector256<T> b) where T : struct =>
+    public static Vector256<T> MinOrLast<T>(Vector256<T> a, Vector256<T> b) where T : struct =>
         X86Base.IsSupported ? Vector256.MinNative(a, b) : Vector256.ConditionalSelect(Vector256.LessThan(a, b), a, b);
 
-    /// <summary>The greater in each lane: a where a &gt; b, else b, so b where a is NaN.</summary>
+    /// <inheritdoc cref="MinOrLast{T}(Vector256{T}, Vector256{T})"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<T> Greater<T>(Vector256<T> a, Vector256<T> b) where T : struct =>
+    public static Vector256<T> MaxOrLast<T>(Vector256<T> a, Vector256<T> b) where T : struct =>
         X86Base.IsSupported ? Vector256.MaxNative(a, b) : Vector256.ConditionalSelect(Vector256.GreaterThan(a, b), a, b);
 
-    /// <summary>The least of three in each lane; where one is NaN, it or one of the others.</summary>
+    /// <summary>The least of three; where one is NaN, it or one of the others.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<float> Least(Vector256<float> a, Vector256<float> b, Vector256<float> c) => Lesser(a, Lesser(b, c));
+    public static Vector256<float> MinOrLast(Vector256<float> a, Vector256<float> b, Vector256<float> c) => MinOrLast(a, MinOrLast(b, c));
 
-    /// <summary>The greatest of three in each lane; where one is NaN, it or one of the others.</summary>
+    /// <inheritdoc cref="MinOrLast(Vector256{float}, Vector256{float}, Vector256{float})"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<float> Most(Vector256<float> a, Vector256<float> b, Vector256<float> c) => Greater(a, Greater(b, c));
+    public static Vector256<float> MaxOrLast(Vector256<float> a, Vector256<float> b, Vector256<float> c) => MaxOrLast(a, MaxOrLast(b, c));
 }

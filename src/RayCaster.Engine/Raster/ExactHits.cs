@@ -54,6 +54,6 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
         var crossings = Intersect(new Ray<N>(screen.Camera.Position, direction), new(triangles), 0);
         var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.DepthPerT(direction));
         hit.Store(hits, 0);
-        (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(inverseDepth, 0);
+        (Lanes.Broadcast<N>(screen.ReferenceDepth * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(inverseDepth, 0);
     }
 }

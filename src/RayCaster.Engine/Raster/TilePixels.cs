@@ -44,7 +44,7 @@ internal sealed class TilePixels
     public void SetMesh(Vector3[] vertices, int[] indices) => duplicates.SetMesh(vertices, indices);
 
     /// <summary>Forgets all. Places outside the tile are covered, so that they do not affect the coarse depth.</summary>
-    public void Enter(in PixelRect tile)
+    public void Begin(in PixelRect tile)
     {
         Rect = tile;
         HasExactT = false;

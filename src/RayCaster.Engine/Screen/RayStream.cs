@@ -14,7 +14,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// larger.)</summary>
     public const int MaxArea = 256;
 
-    private readonly Columns columns = new(camera, MaxLength);
+    private readonly ColumnDirections columns = new(camera, MaxLength);
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
     private readonly double[] depthPerT = new double[capacity];
     private readonly double[] near = new double[capacity], far = new double[capacity]; // the crossings with one model
@@ -52,10 +52,10 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>Prepares the columns that the next rows have in common.</summary>
     /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
     /// <param name="pitch">The distance from row to row; the number of columns if left out.</param>
-    public void Enter<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
+    public void Begin<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
     {
         (Column, Width, Pitch, Rows) = (column, length, pitch ?? length, 1);
-        columns.Enter<N>(column, length);
+        columns.Begin<N>(column, length);
     }
 
     /// <summary>Computes the directions of a row's rays, or of several rows', and forgets all hits.</summary>
