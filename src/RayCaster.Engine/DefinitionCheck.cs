@@ -72,7 +72,6 @@ internal sealed class DefinitionCheck
         return (seen.Column + (int)(x * Math.Max(0, width - 1)), seen.Row + (int)(y * Math.Max(0, height - 1)));
     }
 
-    /// <summary>Takes the next lines that were drawn.</summary>
     /// <param name="rgb">Whole lines, three bytes a pixel.</param>
     public void Sample(ReadOnlySpan<byte> rgb)
     {

@@ -9,7 +9,6 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
     /// <summary>Paints covered parts without exact hits; made when it is first needed.</summary>
     private FloatPainter Painter => field ??= new(shader.Scene);
 
-    /// <summary>Sets the target buffer.</summary>
     /// <param name="rgb">Room for the lines, three bytes a pixel.</param>
     /// <param name="topRow">The row, from the bottom, that is the first of the lines.</param>
     public void SetTarget(byte[] rgb, int topRow) => (this.rgb, this.topRow) = (rgb, topRow);
@@ -18,7 +17,7 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
 
     public void FillBackground(in PixelRect part)
     {
-        for (var row = part.Row; row < part.EndRow; row++) shader.ShadeMiss(rgb.AsSpan(OffsetOf(part.Column, row), 3 * part.Width));
+        for (var row = part.Row; row < part.EndRow; row++) shader.ShadeBackground(rgb.AsSpan(OffsetOf(part.Column, row), 3 * part.Width));
     }
 
     public bool PaintCovered(in CoveredTile covered) =>

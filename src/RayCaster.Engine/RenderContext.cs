@@ -11,7 +11,6 @@ internal abstract class RenderContext(Scene scene, Plan plan) : IDisposable
 
     public Plan Plan => plan;
 
-    /// <summary>Turns hits into bytes; made on first use.</summary>
     public HitShader Shader => field ??= new(scene, plan.Threads);
 
     /// <summary>A frame for packets of the plan's width; everything else is generic over this choice.</summary>

@@ -14,12 +14,10 @@ internal sealed class RenderContext<N> : RenderContext where N : struct, IPacket
         ShowIn = Array.ConvertAll(Views, view => view.ShowsIn);
     }
 
-    /// <summary>Views of the models that are not in the batch.</summary>
     public ModelView[] Views { get; }
 
     public int[] ModelIndices { get; }
 
-    /// <summary>Where in the picture each of them can show at all.</summary>
     public PixelRect[] ShowIn { get; }
 
     /// <summary>The other models; null if there are few.</summary>

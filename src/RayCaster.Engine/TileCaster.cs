@@ -128,14 +128,12 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
             }
     }
 
-    /// <summary>Casts a part with the models that may show in it.</summary>
     private void CastPart(in PixelRect part, List<Candidate> list)
     {
         if (list.Count == 0 && !hasSeveralMeshes) consumer.FillBackground(part);
         else CastRows(part, list);
     }
 
-    /// <summary>Finds out which models may show in which part.</summary>
     private void Narrow(RegionPacket parts, List<Candidate> whole, List<Candidate>[] lists)
     {
         Span<double> farthestTs = stackalloc double[RegionPacket.Count];
@@ -156,7 +154,6 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         for (var i = 0; i < RegionPacket.Count; i++) DropHidden(lists[i], farthestTs[i]);
     }
 
-    /// <summary>Whether a single shape certainly covers the part.</summary>
     private bool IsCoveredByOne(List<Candidate> list) =>
         list.Count == 1 && list[0].Range.FarthestT < double.PositiveInfinity && isShape(list[0]);
 

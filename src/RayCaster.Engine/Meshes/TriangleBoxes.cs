@@ -8,7 +8,6 @@ internal sealed class TriangleBoxes
     /// <summary>The number of triangles in a cluster; less at the mesh's end.</summary>
     public const int ClusterLength = 16;
 
-    /// <summary>The number of clusters that a thread takes at once.</summary>
     private const int ClustersAtOnce = 1 << 10;
 
     /// <summary>How many triangles ahead memory is fetched: waiting for it would take longer than finding the boxes. Vertices are fetched later than
@@ -51,7 +50,6 @@ internal sealed class TriangleBoxes
     /// <summary>The length that is 1 in the boxes.</summary>
     public double Extent { get; }
 
-    /// <summary>A box around all triangles.</summary>
     public Bounds Bounds => new(new(least[0], least[1], least[2]), new(most[0], most[1], most[2]));
 
     public int Count { get; }

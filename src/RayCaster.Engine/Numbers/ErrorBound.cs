@@ -23,7 +23,6 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
 
     private static ErrorBound Unsure => new(0, 1, 0);
 
-    /// <summary>The greatest absolute value.</summary>
     private double Size => Max(-Lo, Hi);
 
     public static ErrorBound From(double lo, double hi) => Result(lo, hi, 0);

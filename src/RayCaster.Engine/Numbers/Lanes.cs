@@ -9,15 +9,12 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Broadcast<N>(double number) where N : struct, IReal<N> => number;
 
-    /// <summary>One lane of a vector in memory.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static T At<T>(in Vector256<T> vector, int lane) where T : struct => vector[lane & (Vector256<T>.Count - 1)]; // no range check
 
-    /// <summary>One lane of a vector in memory, in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector512<float> Broadcast(in Vector256<float> vector, int lane) => Vector512.Create(At(vector, lane));
 
-    /// <summary>Whether a mask holds in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool All<N>(N mask) where N : struct, IPacket<N> => N.Bits(mask) == (1u << N.Count) - 1;
 

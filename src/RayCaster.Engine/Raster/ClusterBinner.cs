@@ -93,7 +93,6 @@ internal sealed class ClusterBinner<N>(ScreenSpace screen, TriangleBoxes boxes, 
         firstOfMax = first;
     }
 
-    /// <summary>Boxes seen from the camera's position.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private (Vector3<N> Low, Vector3<N> High) Bounds(int first)
     {

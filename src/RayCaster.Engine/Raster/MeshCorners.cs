@@ -4,7 +4,6 @@ namespace RayCaster.Engine;
 /// than arithmetic.</summary>
 internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : CornerSource where N : struct, IPacket<N>
 {
-    /// <summary>How many indices a cache line holds.</summary>
     private const int IndicesPerCacheLine = 16;
 
     public override int Count => indices.Length / 3;

@@ -40,7 +40,6 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     /// <summary>Triangles with a corner that is not fit for floats; they are not sorted.</summary>
     public List<int> Unfit { get; } = [];
 
-    /// <summary>What may show in a tile.</summary>
     public ReadOnlySpan<TriangleCluster> Of(in PixelRect tile) => triangles[tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide];
 
     /// <summary>Finds the triangles that may show in a tile and many others.</summary>

@@ -7,7 +7,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <summary>After this many runs or triangles the coarse depth is computed again.</summary>
     private const int RunsAtOnce = 128, TrianglesAtOnce = 512;
 
-    /// <summary>How many runs ahead memory is fetched.</summary>
     private const int Ahead = 16;
 
     private readonly ScreenSpace screen;
@@ -28,7 +27,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         rasterizer = new(screen, pixels, hits.Decide);
     }
 
-    /// <summary>Goes to a tile and a mesh; returns where its hits lie.</summary>
+    /// <summary>Sets the tile and the mesh; returns where its hits lie.</summary>
     public HitRange Begin(in PixelRect tile, Vector3[] vertices, int[] indices, ScreenTriangles<N>[] sets)
     {
         this.tile = tile;

@@ -24,7 +24,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     private PixelRect tile;
     private Vector256<float> maxInverseDepth;
 
-    /// <summary>The greatest inverse depth of the tile's triangles.</summary>
     public float MaxInverseDepth
     {
         get

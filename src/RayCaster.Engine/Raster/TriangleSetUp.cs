@@ -127,7 +127,6 @@ internal readonly struct EightFunctions(Vector256<float> start, Vector256<float>
 {
     public readonly Vector256<float> Start = start, Right = right, Up = up;
 
-    /// <summary>The values at one sample of each box.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<float> At(Vector256<float> x, Vector256<float> y) =>
         Vector256.MultiplyAddEstimate(y, Up, Vector256.MultiplyAddEstimate(x, Right, Start));

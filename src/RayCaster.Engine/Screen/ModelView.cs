@@ -19,7 +19,7 @@ internal abstract class ModelView
     /// <param name="shared">What the thread's views share; null until the first view that needs it has made it.</param>
     public virtual ModelView ForThread(ref object? shared) => this;
 
-    /// <summary>Goes to a tile, before <see cref="Intersect"/> is called for its rows; returns the range of the model's hits.</summary>
+    /// <summary>Sets the tile, before <see cref="Intersect"/> is called for its rows; returns the range of the model's hits.</summary>
     public virtual HitRange Begin(in PixelRect tile, HitRange known) => known;
 
     /// <summary>Returns the ranges of the model's hits in some parts.</summary>

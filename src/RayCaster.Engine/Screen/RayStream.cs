@@ -41,7 +41,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>The t of the nearest hit of each pixel, +∞ for none; numbers beyond the stream's length mean nothing.</summary>
     public ReadOnlySpan<double> T => t;
 
-    /// <summary>Copies the indices of the models that some pixels hit; −1 for none.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void CopyModels(int first, Span<int> to)
     {
@@ -95,18 +94,15 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     public Ray<N> RaysAt<N>(int pixel) where N : struct, IPacket<N> =>
         new(Origin, new Vector3<N>(N.Load(x, pixel), N.Load(y, pixel), N.Load(z, pixel)));
 
-    /// <summary>The t of the nearest hits so far of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N NearestAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(t, pixel);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N ModelsAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(model, pixel);
 
-    /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N DepthPerTAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(depthPerT, pixel);
 
-    /// <summary>Sets the hits of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set<N>(int pixel, N hits, N models) where N : struct, IPacket<N>
     {

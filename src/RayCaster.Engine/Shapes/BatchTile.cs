@@ -15,7 +15,6 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     private PixelRect tile;
     private uint touched; // the cells whose farthest hit may have changed
 
-    /// <summary>Its rays, and the nearest hits so far.</summary>
     public RayStream Rays { get; } = new(camera, Side * Side);
 
     public void Begin(in PixelRect tile)
