@@ -44,11 +44,11 @@ internal sealed class MeshProbe(Mesh mesh, ScreenSpace screen, int threads) : Mo
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override double? Intersect(Ray ray)
     {
-        var nearest = double.PositiveInfinity;
+        var (nearest, pixel) = (double.PositiveInfinity, Pixel);
         var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
         foreach (var first in near)
         {
-            for (var left = Near(first, Pixel); left != 0; left &= left - 1)
+            for (var left = Near(first, pixel); left != 0; left &= left - 1)
             {
                 var (triangle, end) = boxes.TrianglesOf(first + BitOperations.TrailingZeroCount(left));
                 for (; triangle < end; triangle++)

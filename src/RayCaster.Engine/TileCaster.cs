@@ -157,7 +157,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     private bool IsCoveredByOne(List<Candidate> list) =>
         list.Count == 1 && list[0].Range.FarthestT < double.PositiveInfinity && isShape(list[0]);
 
-    /// <summary>Whether the part is taken at once, by a kernel for its only shape.</summary>
+    /// <summary>Whether a kernel for its only shape paints the part.</summary>
     private bool HasKernel(List<Candidate> list) => context.Plan.UsesShapeKernels && IsCoveredByOne(list);
 
     /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
@@ -179,12 +179,9 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
             if (!isBackground && !list[0].Range.IsFirstCrossing) only = list[0];
         }
         if (isBackground) consumer.FillBackground(whole);
-        else if (!TryCover(whole, only)) return 0;
+        else if (!consumer.PaintCovered(new(whole, views[only.Index], modelIndices[only.Index], only.Range.IsFirstCrossing))) return 0;
         return end - first;
     }
-
-    private bool TryCover(in PixelRect part, Candidate only) =>
-        consumer.PaintCovered(new CoveredTile(part, views[only.Index], modelIndices[only.Index], only.Range.IsFirstCrossing));
 
     /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
     private static void DropHidden(List<Candidate> list, double farthestT)

@@ -6,7 +6,7 @@ internal interface IHitConsumer
     /// <summary>Takes the hits of a stream, before the next stream is cast into it.</summary>
     void Consume(RayStream rays);
 
-    /// <summary>Takes a part without any hit.</summary>
+    /// <summary>Fills a part without any hit.</summary>
     void FillBackground(in PixelRect part);
 
     /// <summary>Offers a part that one shape covers; returns whether the consumer can do it without exact hits.</summary>
