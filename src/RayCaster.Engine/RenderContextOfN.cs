@@ -3,7 +3,6 @@ namespace RayCaster.Engine;
 /// <summary>The models of a picture as the camera sees them, each by itself or as one of a batch.</summary>
 internal sealed class RenderContext<N> : RenderContext where N : struct, IPacket<N>
 {
-    /// <inheritdoc cref="RenderContext.Of"/>
     public RenderContext(Scene scene, Plan plan, CancellationToken cancellation) : base(scene, plan)
     {
         var (camera, models) = (scene.Camera, scene.Models);
