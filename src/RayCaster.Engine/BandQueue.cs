@@ -13,7 +13,7 @@ internal sealed class BandQueue
 {
     private const int BytesOfBand = 1 << 24;
 
-    private readonly Frame frame;
+    private readonly RenderContext context;
     private readonly Camera camera;
     private readonly Action<int>? linesDone;
     private readonly CancellationToken cancellation;
@@ -28,9 +28,9 @@ internal sealed class BandQueue
     private ExceptionDispatchInfo? failure;
 
     /// <param name="linesDone">Called from any thread with the number of further lines that are done.</param>
-    public BandQueue(Frame frame, int firstLine, int endLine, int threads, Action<int>? linesDone, CancellationToken cancellation)
+    public BandQueue(RenderContext context, int firstLine, int endLine, int threads, Action<int>? linesDone, CancellationToken cancellation)
     {
-        (this.frame, camera) = (frame, frame.Scene.Camera);
+        (this.context, camera) = (context, context.Scene.Camera);
         (this.linesDone, this.cancellation) = (linesDone, cancellation);
 
         // A band is a row of tiles (in very wide pictures a half, a quarter … of one), so that no tile lies in two bands.
@@ -48,7 +48,7 @@ internal sealed class BandQueue
 
     public void WriteAll(Action<ReadOnlySpan<byte>> write)
     {
-        var shader = frame.Shader; // before other threads need it
+        var shader = context.Shader; // before other threads need it
         if (threadCount == 1) WriteAll(write, shader);
         else ThreadTeam.Help(threadCount - 1, () => Help(shader), () => WriteAll(write, shader));
     }
@@ -57,7 +57,7 @@ internal sealed class BandQueue
     {
         try
         {
-            var caster = frame.NewCaster();
+            var caster = context.NewCaster();
             var consumer = new PictureConsumer(shader, camera.Width);
             for (var band = 0L; band < bandCount; band++)
             {
@@ -79,7 +79,7 @@ internal sealed class BandQueue
         try
         {
             var consumer = new PictureConsumer(shader, camera.Width);
-            for (StripCaster? caster = null; Next() is >= 0 and var strip;) Cast(strip, caster ??= frame.NewCaster(), consumer);
+            for (StripCaster? caster = null; Next() is >= 0 and var strip;) Cast(strip, caster ??= context.NewCaster(), consumer);
         }
         catch (Exception e)
         {
@@ -92,7 +92,7 @@ internal sealed class BandQueue
         var (band, column) = Math.DivRem(strip, stripsAcross);
         var (row, height) = RowsOf(band);
         var (left, buffer) = ((int)column * stripWidth, (int)(band % buffers.Length));
-        consumer.Enter(buffers[buffer], row + height - 1);
+        consumer.SetTarget(buffers[buffer], row + height - 1);
         caster(new(left, row, Math.Min(stripWidth, camera.Width - left), height), consumer);
         lock (gate)
         {

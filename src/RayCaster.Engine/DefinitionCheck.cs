@@ -32,7 +32,7 @@ internal sealed class DefinitionCheck
         for (var i = 0; i < models.Length; i++)
         {
             var model = scene.Models[i];
-            models[i] = model is Mesh mesh ? new MeshPart(SpatialOrder.Of(mesh), screen, threads) { Color = mesh.Color } : model;
+            models[i] = model is Mesh mesh ? new MeshProbe(SpatialOrder.Of(mesh), screen, threads) { Color = mesh.Color } : model;
             if (model is Mesh { TriangleCount: var count }) triangles += count;
             else others++;
         }
@@ -41,7 +41,7 @@ internal sealed class DefinitionCheck
         var most = (long)camera.Width * (end - first) / 500 + triangles / 2000;
         if (others > 0) most = Math.Min(most, 20_000 / others);
         var wanted = screen.IsFine ? Math.Clamp(most, MinPixels, MaxPixels) : MinPixels;
-        var squares = 8 + 100_000 / (1 + triangles / TriangleCluster.Length);
+        var squares = 8 + 100_000 / (1 + triangles / TriangleBoxes.ClusterLength);
         if (others > FewModels) squares = Math.Min(squares, 1 + 20_000 / others);
         squares = Math.Min(squares, wanted);
         side = (int)Math.Ceiling(Math.Sqrt((double)wanted / squares));
@@ -56,14 +56,14 @@ internal sealed class DefinitionCheck
     private void AddSquare(Random random, long number, long count, int first, int end)
     {
         var model = models.Length > 0 ? models[number * models.Length / count] : null;
-        var (column, row) = (model as MeshPart)?.AnyPixel(random) ?? AnyPixel(random, model?.Bounds);
+        var (column, row) = (model as MeshProbe)?.RandomPixel(random) ?? RandomPixelIn(random, model?.Bounds);
         var (left, top) = (column - (side - 1) * step / 2, Math.Clamp(camera.Height - 1 - row, first, end - 1) - (side - 1) * step / 2);
         for (var i = 0; i < side * side; i++)
             pixels.Add((Math.Clamp(left + i % side * step, 0, camera.Width - 1), Math.Clamp(top + i / side * step, first, end - 1)));
     }
 
     /// <summary>A pixel in which something within bounds may show; each fourth lies on the border of such pixels.</summary>
-    private (int Column, int Row) AnyPixel(Random random, Bounds? bounds)
+    private (int Column, int Row) RandomPixelIn(Random random, Bounds? bounds)
     {
         var seen = bounds is { } known ? new ScreenBounds(camera).TileOf(known) : PixelRect.Everywhere;
         var (x, y) = (random.NextDouble(), random.NextDouble());
@@ -72,9 +72,8 @@ internal sealed class DefinitionCheck
         return (seen.Column + (int)(x * Math.Max(0, width - 1)), seen.Row + (int)(y * Math.Max(0, height - 1)));
     }
 
-    /// <summary>Takes the next lines that were drawn.</summary>
     /// <param name="rgb">Whole lines, three bytes a pixel.</param>
-    public void Take(ReadOnlySpan<byte> rgb)
+    public void Sample(ReadOnlySpan<byte> rgb)
     {
         var (width, lines) = (camera.Width, rgb.Length / 3 / camera.Width);
         for (var i = 0; i < pixels.Count; i++)
@@ -84,18 +83,18 @@ internal sealed class DefinitionCheck
     }
 
     /// <summary>Draws while another thread, if there is one, casts the pixels by the definition.</summary>
-    public void Beside(Action draw, int threads)
+    public void RunAlongside(Action draw, int threads)
     {
-        if (threads > 1) ThreadTeam.Help(1, () => right = Defined(PixelOf), draw);
+        if (threads > 1) ThreadTeam.Help(1, () => right = Reference(PixelOf), draw);
         else draw();
-        right ??= Defined(PixelOf);
+        right ??= Reference(PixelOf);
 
         static (byte R, byte G, byte B) PixelOf(Scene part, int[] near, int column, int line) => ScalarRenderer.Pixel(part, column, line);
     }
 
     /// <summary>What the definition gives for each pixel, from a scene of the models that its ray may meet.</summary>
     /// <param name="define">Of a scene, the places of its models in the whole scene, a column, and a line from the top.</param>
-    private T[] Defined<T>(Func<Scene, int[], int, int, T> define)
+    private T[] Reference<T>(Func<Scene, int[], int, int, T> define)
     {
         var defined = new T[pixels.Count];
         for (var first = 0; first < defined.Length; first += side * side)
@@ -105,7 +104,8 @@ internal sealed class DefinitionCheck
             for (var i = first; i < first + side * side; i++)
             {
                 var pyramid = PyramidOf(i, i);
-                foreach (var model in part.Models) (model as MeshPart)?.EnterPixel(pyramid);
+                foreach (var model in part.Models)
+                    if (model is MeshProbe probe) probe.Pixel = pyramid;
                 defined[i] = define(part, near, pixels[i].Column, pixels[i].Line);
             }
         }
@@ -118,7 +118,7 @@ internal sealed class DefinitionCheck
         var pyramid = PyramidOf(first, first + side * side - 1);
         var near = new List<int>();
         for (var i = 0; i < models.Length; i++)
-            if (models[i] is MeshPart part ? part.EnterSquare(pyramid)
+            if (models[i] is MeshProbe part ? part.SetSquare(pyramid)
                 : models.Length <= FewModels || pyramid is not { } rays || models[i].Bounds is not { } bounds
                 || !IsOutside(rays, bounds.PaddedFrom(camera.Position)))
                 near.Add(i);
@@ -151,7 +151,7 @@ internal sealed class DefinitionCheck
     /// <summary>The first pixel whose hit differs from the definition's, as a message; null if all are equal.</summary>
     public string? Difference(HitMap hits)
     {
-        var defined = Defined((part, near, column, line) =>
+        var defined = Reference((part, near, column, line) =>
             ScalarRenderer.Cast(part, column, camera.Height - 1 - line) is { Model: >= 0 and var i } hit ? hit with { Model = near[i] } : Hit.None);
         for (var i = 0; i < defined.Length; i++)
         {

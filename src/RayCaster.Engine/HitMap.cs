@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>What each pixel of a picture hits, and where: line 0 at the top.</summary>
-/// <param name="width">Pixels in a line.</param>
 public sealed class HitMap(int width, int height)
 {
     /// <summary>Pixels in a line.</summary>

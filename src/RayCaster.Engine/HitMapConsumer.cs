@@ -5,7 +5,7 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
 {
     private readonly CoveredHits<N> coveredHits = new(camera);
 
-    public void Take(RayStream rays)
+    public void Consume(RayStream rays)
     {
         for (var i = 0; i < rays.Rows; i++)
         {
@@ -15,20 +15,20 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
         }
     }
 
-    public void TakeMiss(in PixelRect part)
+    public void FillBackground(in PixelRect part)
     {
         for (var row = part.Row; row < part.EndRow; row++) map.T.AsSpan(IndexOf(part.Column, row), part.Width).Fill(double.PositiveInfinity);
         FillModels(part, -1);
     }
 
-    public bool TryTake(in CoveredTile covered)
+    public bool PaintCovered(in CoveredTile covered)
     {
         if (!coveredHits.Write(covered, map.T, IndexOf(covered.Part.Column, covered.Part.Row), -map.Width)) return false;
         FillModels(covered.Part, covered.Index);
         return true;
     }
 
-    public bool TryTake(in PixelRect tile, ModelView view, int index) => false; // bytes without exact hits are of no use here
+    public bool PaintMesh(in PixelRect tile, ModelView view, int index) => false; // bytes without exact hits are of no use here
 
     private void FillModels(in PixelRect part, int index)
     {

@@ -9,22 +9,21 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
     /// <summary>Paints covered parts without exact hits; made when it is first needed.</summary>
     private FloatPainter Painter => field ??= new(shader.Scene);
 
-    /// <summary>Sets the target buffer.</summary>
     /// <param name="rgb">Room for the lines, three bytes a pixel.</param>
     /// <param name="topRow">The row, from the bottom, that is the first of the lines.</param>
-    public void Enter(byte[] rgb, int topRow) => (this.rgb, this.topRow) = (rgb, topRow);
+    public void SetTarget(byte[] rgb, int topRow) => (this.rgb, this.topRow) = (rgb, topRow);
 
-    public void Take(RayStream rays) => shader.Shade(rays, rgb, OffsetOf(rays.Column, rays.Row), -3 * width);
+    public void Consume(RayStream rays) => shader.Shade(rays, rgb, OffsetOf(rays.Column, rays.Row), -3 * width);
 
-    public void TakeMiss(in PixelRect part)
+    public void FillBackground(in PixelRect part)
     {
-        for (var row = part.Row; row < part.EndRow; row++) shader.ShadeMiss(rgb.AsSpan(OffsetOf(part.Column, row), 3 * part.Width));
+        for (var row = part.Row; row < part.EndRow; row++) shader.ShadeBackground(rgb.AsSpan(OffsetOf(part.Column, row), 3 * part.Width));
     }
 
-    public bool TryTake(in CoveredTile covered) =>
+    public bool PaintCovered(in CoveredTile covered) =>
         FloatBytes.IsSupported && Painter.Paint(covered, rgb, OffsetOf(covered.Part.Column, covered.Part.Row), -3 * width);
 
-    public bool TryTake(in PixelRect tile, ModelView view, int index) =>
+    public bool PaintMesh(in PixelRect tile, ModelView view, int index) =>
         view.Paint(shader.Scene, index, rgb, OffsetOf(tile.Column, tile.Row), -3 * width);
 
     private int OffsetOf(int column, int row) => 3 * ((topRow - row) * width + column);

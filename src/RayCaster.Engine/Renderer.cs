@@ -42,19 +42,19 @@ public sealed class Renderer
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
-        using var frame = Frame.Of(scene, Plan, cancellation);
+        using var context = RenderContext.Of(scene, Plan, cancellation);
         var check = new DefinitionCheck(scene, 0, camera.Height, threadCount);
-        check.Beside(() =>
+        check.RunAlongside(() =>
         {
-            var shader = frame.Shader; // before other threads need it
-            Cast(frame, cancellation, () =>
+            var shader = context.Shader; // before other threads need it
+            Cast(context, cancellation, () =>
             {
                 var consumer = new PictureConsumer(shader, picture.Width);
-                consumer.Enter(picture.Rgb, picture.Height - 1);
+                consumer.SetTarget(picture.Rgb, picture.Height - 1);
                 return consumer;
             });
         }, threadCount);
-        check.Take(picture.Rgb);
+        check.Sample(picture.Rgb);
         EngineDisagreesException.ThrowIf(check.Difference());
     }
 
@@ -67,7 +67,7 @@ public sealed class Renderer
         var hits = map ?? new(camera.Width, camera.Height);
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(map));
-        using (var frame = Frame.Of(scene, Plan, cancellation)) Cast(frame, cancellation, () => frame.HitsInto(hits));
+        using (var context = RenderContext.Of(scene, Plan, cancellation)) Cast(context, cancellation, () => context.HitsInto(hits));
         EngineDisagreesException.ThrowIf(new DefinitionCheck(scene, 0, camera.Height, threadCount).Difference(hits));
         return hits;
     }
@@ -85,13 +85,13 @@ public sealed class Renderer
         var (first, end) = (lines.Start.GetOffset(camera.Height), lines.End.GetOffset(camera.Height));
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
-        using var frame = Frame.Of(scene, Plan, cancellation);
+        using var context = RenderContext.Of(scene, Plan, cancellation);
         var check = new DefinitionCheck(scene, first, end, threadCount);
-        check.Beside(() =>
+        check.RunAlongside(() =>
         {
-            new BandQueue(frame, first, end, threadCount, linesDone, cancellation).WriteAll(lines =>
+            new BandQueue(context, first, end, threadCount, linesDone, cancellation).WriteAll(lines =>
             {
-                check.Take(lines);
+                check.Sample(lines);
                 write(lines);
             });
         }, threadCount);
@@ -99,7 +99,7 @@ public sealed class Renderer
     }
 
     /// <summary>Casts all rays, on this thread and others.</summary>
-    private void Cast(Frame frame, CancellationToken cancellation, Func<IHitConsumer> newConsumer)
+    private void Cast(RenderContext context, CancellationToken cancellation, Func<IHitConsumer> newConsumer)
     {
         var up = Tile.TilesOf(camera.Height);
         var width = Tile.StripWidth(camera.Width, up, threadCount);
@@ -108,7 +108,7 @@ public sealed class Renderer
         var next = -1;
         ThreadTeam.Each(workers, workers, _ =>
         {
-            var caster = frame.NewCaster();
+            var caster = context.NewCaster();
             var consumer = newConsumer();
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {

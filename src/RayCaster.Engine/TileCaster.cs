@@ -7,9 +7,9 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     /// <summary>The side of a small part: a row of it is a few packets, for which a call is still cheap.</summary>
     private const int PartSide = 16;
 
-    private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = EightParts.Count / PartsAcross;
+    private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = RegionPacket.Count / PartsAcross;
 
-    private readonly Frame<N> frame;
+    private readonly RenderContext<N> context;
     private readonly ModelView[] views;
     private readonly PixelRect[] showIn;
     private readonly int[] modelIndices; // of the views' models in the scene
@@ -20,18 +20,18 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     private readonly Predicate<Candidate> isShape;
     private IHitConsumer consumer = null!;
     private readonly List<Candidate> candidates = []; // of the strip
-    private readonly EightParts tiles, parts;         // the strip's, and some of a tile
+    private readonly RegionPacket tiles, parts;         // the strip's, and some of a tile
     private readonly List<Candidate>[] ofTiles = [[], [], [], [], [], [], [], []], ofParts = [[], [], [], [], [], [], [], []];
 
-    public TileCaster(Frame<N> frame)
+    public TileCaster(RenderContext<N> context)
     {
-        this.frame = frame;
+        this.context = context;
         object? shared = null;
-        views = Array.ConvertAll(frame.Views, view => view.ForThread(ref shared));
-        (showIn, modelIndices) = (frame.ShowIn, frame.ModelIndices);
-        if (frame.PrimitiveBatch is not null) batch = new(frame.PrimitiveBatch, frame.Scene.Camera);
-        rays = new(frame.Scene.Camera, RayStream.MaxArea);
-        (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
+        views = Array.ConvertAll(context.Views, view => view.ForThread(ref shared));
+        (showIn, modelIndices) = (context.ShowIn, context.ModelIndices);
+        if (context.PrimitiveBatch is not null) batch = new(context.PrimitiveBatch, context.Scene.Camera);
+        rays = new(context.Scene.Camera, RayStream.MaxArea);
+        (tiles, parts) = (new(context.Scene.Camera), new(context.Scene.Camera));
         isShape = candidate => views[candidate.Index].IsShape;
     }
 
@@ -43,13 +43,13 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         for (var i = 0; i < views.Length; i++)
             if (showIn[i].Overlaps(strip))
                 candidates.Add(new(i, new(0, double.PositiveInfinity))); // nothing is known yet
-        tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
+        tiles.Cut(strip, Tile.MaxSide, RegionPacket.Count);
         Narrow(tiles, candidates, ofTiles);
         var areAllKnown = batch?.IsFor(strip) != true;
-        for (var i = 0; i < EightParts.Count; i++)
+        for (var i = 0; i < RegionPacket.Count; i++)
         {
             if (tiles[i].Area == 0) continue;
-            if (areAllKnown && TakeAlike(tiles, ofTiles, i) is > 0 and var count) i += count - 1;
+            if (areAllKnown && MergeUniform(tiles, ofTiles, i) is > 0 and var count) i += count - 1;
             else Cast(tiles[i], ofTiles[i]);
         }
     }
@@ -60,7 +60,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         for (var i = 0; i < list.Count; i++)
         {
             var view = views[list[i].Index];
-            var range = view.Enter(tile, list[i].Range);
+            var range = view.Begin(tile, list[i].Range);
             farthestT = Math.Min(farthestT, range.FarthestT);
             list[i] = list[i] with { Range = range };
             if (!view.HoldsTile || range == HitRange.None) continue;
@@ -70,7 +70,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         if (hasSeveralMeshes) IntersectMesh(tile, list, last, farthestT);
         DropHidden(list, farthestT);
         if (batch?.IsFor(tile) == true) CastBatch(batch, tile, list);
-        else if (hasSeveralMeshes && list.Count == 0) consumer.Take(ofMeshes!);
+        else if (hasSeveralMeshes && list.Count == 0) consumer.Consume(ofMeshes!);
         else if (list.Count == 1 && !isShape(list[0]) && !hasSeveralMeshes) CastAlone(tile, list);
         else Cut(tile, list);
         hasSeveralMeshes = false;
@@ -85,8 +85,8 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         if (range.NearestT > farthestT) return;
         if (!hasSeveralMeshes)
         {
-            ofMeshes ??= new(frame.Scene.Camera, Tile.MaxSide * Tile.MaxSide);
-            ofMeshes.Enter<N>(tile.Column, tile.Width, Tile.MaxSide);
+            ofMeshes ??= new(context.Scene.Camera, Tile.MaxSide * Tile.MaxSide);
+            ofMeshes.Begin<N>(tile.Column, tile.Width, Tile.MaxSide);
             ofMeshes.Aim<N>(tile.Row, tile.Height);
             hasSeveralMeshes = true;
         }
@@ -108,7 +108,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     private void CastAlone(in PixelRect tile, List<Candidate> list)
     {
         var only = list[0].Index;
-        if (!(frame.Plan.UsesShapeKernels && consumer.TryTake(tile, views[only], modelIndices[only]))) CastRows(tile, list);
+        if (!(context.Plan.UsesShapeKernels && consumer.PaintMesh(tile, views[only], modelIndices[only]))) CastRows(tile, list);
     }
 
     private void Cut(in PixelRect tile, List<Candidate> list)
@@ -119,33 +119,31 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
             {
                 parts.Cut(tile with { Row = tile.Row + row, Height = Math.Min(PartsUp * PartSide, tile.Height - row) }, PartSide, PartsAcross);
                 Narrow(parts, list, ofParts);
-                for (var i = 0; i < EightParts.Count; i++)
+                for (var i = 0; i < RegionPacket.Count; i++)
                 {
                     if (parts[i].Area == 0) continue;
-                    if (TakeAlike(parts, ofParts, i) is > 0 and var count) i += count - 1;
+                    if (MergeUniform(parts, ofParts, i) is > 0 and var count) i += count - 1;
                     else CastPart(parts[i], ofParts[i]);
                 }
             }
     }
 
-    /// <summary>Casts a part with the models that may show in it.</summary>
     private void CastPart(in PixelRect part, List<Candidate> list)
     {
-        if (list.Count == 0 && !hasSeveralMeshes) consumer.TakeMiss(part);
+        if (list.Count == 0 && !hasSeveralMeshes) consumer.FillBackground(part);
         else CastRows(part, list);
     }
 
-    /// <summary>Finds out which models may show in which part.</summary>
-    private void Narrow(EightParts parts, List<Candidate> whole, List<Candidate>[] lists)
+    private void Narrow(RegionPacket parts, List<Candidate> whole, List<Candidate>[] lists)
     {
-        Span<double> farthestTs = stackalloc double[EightParts.Count];
+        Span<double> farthestTs = stackalloc double[RegionPacket.Count];
         farthestTs.Fill(double.PositiveInfinity);
         foreach (var list in lists) list.Clear();
         foreach (var candidate in whole)
         {
             ref var showsIn = ref showIn[candidate.Index];
-            var ranges = frame.Plan.UsesIntervals ? views[candidate.Index].Narrow(parts, candidate.Range) : new(candidate.Range);
-            for (var i = 0; i < EightParts.Count; i++)
+            var ranges = context.Plan.UsesIntervals ? views[candidate.Index].Narrow(parts, candidate.Range) : new(candidate.Range);
+            for (var i = 0; i < RegionPacket.Count; i++)
             {
                 if (!showsIn.Overlaps(parts[i])) continue;
                 var range = ranges[i];
@@ -153,41 +151,37 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
                 lists[i].Add(candidate with { Range = range });
             }
         }
-        for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], farthestTs[i]);
+        for (var i = 0; i < RegionPacket.Count; i++) DropHidden(lists[i], farthestTs[i]);
     }
 
-    /// <summary>Whether a single shape certainly covers the part.</summary>
     private bool IsCoveredByOne(List<Candidate> list) =>
         list.Count == 1 && list[0].Range.FarthestT < double.PositiveInfinity && isShape(list[0]);
 
-    /// <summary>Whether the part is taken at once, by a kernel for its only shape.</summary>
-    private bool HasKernel(List<Candidate> list) => frame.Plan.UsesShapeKernels && IsCoveredByOne(list);
+    /// <summary>Whether a kernel for its only shape paints the part.</summary>
+    private bool HasKernel(List<Candidate> list) => context.Plan.UsesShapeKernels && IsCoveredByOne(list);
 
     /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
     /// ones.</summary>
     /// <returns>How many parts are done, from the first on.</returns>
-    private int TakeAlike(EightParts parts, List<Candidate>[] lists, int first)
+    private int MergeUniform(RegionPacket parts, List<Candidate>[] lists, int first)
     {
         if (hasSeveralMeshes) return 0;
-        var isMiss = lists[first].Count == 0;
-        if (!isMiss && !HasKernel(lists[first])) return 0;
-        var only = isMiss ? default : lists[first][0];
+        var isBackground = lists[first].Count == 0;
+        if (!isBackground && !HasKernel(lists[first])) return 0;
+        var only = isBackground ? default : lists[first][0];
         var whole = parts[first];
         var end = first + 1;
         for (; end % parts.Across != 0; end++)
         {
             var list = lists[end];
-            if (isMiss ? list.Count > 0 : !HasKernel(list) || list[0].Index != only.Index) break;
+            if (isBackground ? list.Count > 0 : !HasKernel(list) || list[0].Index != only.Index) break;
             whole = whole with { Width = whole.Width + parts[end].Width };
-            if (!isMiss && !list[0].Range.IsNear) only = list[0];
+            if (!isBackground && !list[0].Range.IsFirstCrossing) only = list[0];
         }
-        if (isMiss) consumer.TakeMiss(whole);
-        else if (!TryCover(whole, only)) return 0;
+        if (isBackground) consumer.FillBackground(whole);
+        else if (!consumer.PaintCovered(new(whole, views[only.Index], modelIndices[only.Index], only.Range.IsFirstCrossing))) return 0;
         return end - first;
     }
-
-    private bool TryCover(in PixelRect part, Candidate only) =>
-        consumer.TryTake(new CoveredTile(part, views[only.Index], modelIndices[only.Index], only.Range.IsNear));
 
     /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
     private static void DropHidden(List<Candidate> list, double farthestT)
@@ -204,13 +198,13 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     {
         var isSmall = part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isShape);
         var rows = isSmall ? part.Height : 1;
-        rays.Enter<N>(part.Column, part.Width);
+        rays.Begin<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row += rows)
         {
             rays.Aim<N>(row, rows);
             if (hasSeveralMeshes) rays.CopyHits<N>(ofMeshes!);
             foreach (var candidate in list) views[candidate.Index].Intersect(rays, modelIndices[candidate.Index]);
-            consumer.Take(rays);
+            consumer.Consume(rays);
         }
     }
 }

@@ -78,7 +78,7 @@ internal sealed class FloatPainter : IShapeVisitor
     /// <remarks>A bound for the whole strip is usually good enough, and serves its other parts, too.</remarks>
     private double Error<P>(in P shape, int index, double goodError) where P : struct, IPrimitive
     {
-        if (rays.Enter(part)) Array.Fill(knownErrors, (-1, 0));
+        if (rays.Begin(part)) Array.Fill(knownErrors, (-1, 0));
         ref var known = ref knownErrors[index % knownErrors.Length];
         if (known.Index != index) known = (index, Error(rays.Strip, shape));
         return known.Error < goodError ? known.Error : Error(part, shape);
@@ -96,7 +96,7 @@ internal sealed class FloatPainter : IShapeVisitor
     {
         Vector3<FloatPacket> origin = camera.Position;
         var (rgb, doubts) = (this.rgb, this.doubts);
-        var isNear = covered.IsNear; // a local stays in a register
+        var isFirstCrossing = covered.IsFirstCrossing; // a local stays in a register
         var columns = rays.Across;
         var firstColumn = part.Column - rays.Strip.Column;
         var packets = part.Width / FloatPacket.Count;
@@ -108,7 +108,7 @@ internal sealed class FloatPainter : IShapeVisitor
             {
                 var direction = camera.Direction(columns.Load(firstColumn + packet * FloatPacket.Count), upwards);
                 var crossings = shape.Intersect(new Ray<FloatPacket>(origin, direction));
-                var t = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.DepthPerT(direction));
+                var t = isFirstCrossing ? crossings.Near : camera.ClipRange.First(crossings, camera.DepthPerT(direction));
                 doubts[next] = t.Write(levels, rgb, place);
             }
         }

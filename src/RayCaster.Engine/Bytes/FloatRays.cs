@@ -11,8 +11,8 @@ internal sealed class FloatRays(Camera camera)
     /// <summary>What the directions of each row have in common, from the lowest row.</summary>
     public Floats Upwards { get; } = new(Tile.MaxSide);
 
-    /// <summary>Goes to the strip of a part; returns whether it is a new one.</summary>
-    public bool Enter(in PixelRect part)
+    /// <summary>Sets the strip of a part; returns whether it is a new one.</summary>
+    public bool Begin(in PixelRect part)
     {
         var strip = new PixelRect(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
         if (strip == Strip) return false;
@@ -24,7 +24,6 @@ internal sealed class FloatRays(Camera camera)
         return true;
     }
 
-    /// <summary>The directions of all rays of a part.</summary>
     public Vector3<ErrorBound> Directions(in PixelRect part)
     {
         var across = camera.Across(new ErrorBound(part.Column, part.EndColumn - 1, 0));
@@ -40,14 +39,11 @@ internal sealed class FloatRays(Camera camera)
     {
         private readonly float[] x = new float[count], y = new float[count], z = new float[count];
 
-        /// <summary>Those of some columns.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Vector3<FloatPacket> Load(int first) => new(FloatPacket.Load(x, first), FloatPacket.Load(y, first), FloatPacket.Load(z, first));
 
-        /// <summary>That of a row, in each lane.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector3<FloatPacket> At(int row) =>
-            new(x[row], y[row], z[row]);
+        public Vector3<FloatPacket> At(int row) => new(x[row], y[row], z[row]);
 
         public void Set(int first, in Vector3<Packet> lower, in Vector3<Packet> upper)
         {

@@ -17,7 +17,6 @@ internal sealed class HitShader
 
     public Scene Scene { get; }
 
-    /// <summary>Writes the pixels of a stream.</summary>
     /// <param name="first">The position of the lowest row's first pixel.</param>
     /// <param name="step">The distance from a pixel to the one above it.</param>
     public void Shade(RayStream rays, byte[] rgb, int first, int step)
@@ -25,7 +24,6 @@ internal sealed class HitShader
         for (var i = 0; i < rays.Length; i += rays.Pitch, first += step) Shade(rays, i, rgb.AsSpan(first, 3 * rays.Width));
     }
 
-    /// <summary>Writes some pixels.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, int first, Span<byte> rgb)
     {
@@ -50,8 +48,7 @@ internal sealed class HitShader
         }
     }
 
-    /// <summary>Writes pixels that show the background.</summary>
-    public void ShadeMiss(Span<byte> rgb)
+    public void ShadeBackground(Span<byte> rgb)
     {
         for (; rgb.Length > missed.Length; rgb = rgb[missed.Length..]) missed.CopyTo(rgb);
         missed.AsSpan(0, rgb.Length).CopyTo(rgb);

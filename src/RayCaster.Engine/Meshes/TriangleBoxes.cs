@@ -5,12 +5,14 @@ namespace RayCaster.Engine;
 /// triangle; a mesh whose triangles share their corners takes 24.</remarks>
 internal sealed class TriangleBoxes
 {
-    /// <summary>The number of clusters that a thread takes at once.</summary>
+    /// <summary>The number of triangles in a cluster; less at the mesh's end.</summary>
+    public const int ClusterLength = 16;
+
     private const int ClustersAtOnce = 1 << 10;
 
     /// <summary>How many triangles ahead memory is fetched: waiting for it would take longer than finding the boxes. Vertices are fetched later than
     /// indices, which must be there first.</summary>
-    private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
+    private const int VerticesAhead = 6 * ClusterLength, IndicesAhead = 24 * ClusterLength;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
 
@@ -24,16 +26,16 @@ internal sealed class TriangleBoxes
     public TriangleBoxes(Vector3[] vertices, int[] indices, int threads, CancellationToken cancellation = default)
     {
         (this.vertices, this.indices) = (vertices, indices);
-        Count = (indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length;
+        Count = (indices.Length / 3 + ClusterLength - 1) / ClusterLength;
         var bounds = Bounds.Empty;
         for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1)
             if (double.IsFinite(vertices[i].X + vertices[i].Y + vertices[i].Z))
                 bounds = bounds.With(vertices[i]);
         Middle = 0.5 * (bounds.Min + bounds.Max);
         var size = bounds.Max - bounds.Min;
-        Unit = Math.Max(size.X, Math.Max(size.Y, size.Z));
-        if (!(Unit > 0)) Unit = 1;
-        (middle, perUnit) = (Vector256.Create(Middle.X, Middle.Y, Middle.Z, 0), Vector256.Create(1 / Unit));
+        Extent = Math.Max(size.X, Math.Max(size.Y, size.Z));
+        if (!(Extent > 0)) Extent = 1;
+        (middle, perUnit) = (Vector256.Create(Middle.X, Middle.Y, Middle.Z, 0), Vector256.Create(1 / Extent));
         for (var i = 0; i < numbers.Length; i++) numbers[i] = GC.AllocateUninitializedArray<float>(Count + 7); // room for a packet at the end
         ThreadTeam.Each((Count + ClustersAtOnce - 1) / ClustersAtOnce, threads, piece =>
         {
@@ -46,9 +48,8 @@ internal sealed class TriangleBoxes
     public Vector3 Middle { get; }
 
     /// <summary>The length that is 1 in the boxes.</summary>
-    public double Unit { get; }
+    public double Extent { get; }
 
-    /// <summary>A box around all triangles.</summary>
     public Bounds Bounds => new(new(least[0], least[1], least[2]), new(most[0], most[1], most[2]));
 
     public int Count { get; }
@@ -64,8 +65,8 @@ internal sealed class TriangleBoxes
 
     public (int First, int End) TrianglesOf(int cluster)
     {
-        var first = cluster * TriangleCluster.Length;
-        return (first, Math.Min(first + TriangleCluster.Length, indices.Length / 3));
+        var first = cluster * ClusterLength;
+        return (first, Math.Min(first + ClusterLength, indices.Length / 3));
     }
 
     /// <summary>The least coordinates of several clusters, one in each lane. A corner that is NaN does not count, since it is part of no
@@ -88,12 +89,12 @@ internal sealed class TriangleBoxes
         {
             var (first, end) = TrianglesOf(cluster);
             var (low, high) = Around(first, end);
-            (least, most) = (Lanes.Lesser(low, least), Lanes.Greater(high, most));
+            (least, most) = (Lanes.MinOrLast(low, least), Lanes.MaxOrLast(high, most));
             (low, high) = ((low - middle) * perUnit, (high - middle) * perUnit);
             Set(0, cluster, low - Padding(low));
             Set(3, cluster, high + Padding(high));
         }
-        lock (numbers) (this.least, this.most) = (Lanes.Lesser(least, this.least), Lanes.Greater(most, this.most));
+        lock (numbers) (this.least, this.most) = (Lanes.MinOrLast(least, this.least), Lanes.MaxOrLast(most, this.most));
 
         // Rounding to a float changes a number by at most 2⁻²⁴ of itself.
         static Vector256<double> Padding(Vector256<double> number) => Vector256.Create(1e-7) * (Vector256.Abs(number) + Vector256<double>.One);
@@ -117,10 +118,10 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {
-        if (end - first != TriangleCluster.Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
+        if (end - first != ClusterLength || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
         var vertexIndices = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
-        if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Prefetch(first);
+        if (first + IndicesAhead + ClusterLength <= indices.Length / 3) Prefetch(first);
 
         // Separate bounds for each corner, so that no comparison waits for the one before it.
         var none = Vector256.Create(double.PositiveInfinity);
@@ -131,10 +132,10 @@ internal sealed class TriangleBoxes
             // A vertex's three numbers and the next vertex's first.
             var (a, b) = (numbers.Load256((nint)3 * vertexIndices[i]), numbers.Load256((nint)3 * vertexIndices[i + 1]));
             var c = numbers.Load256((nint)3 * vertexIndices[i + 2]);
-            (lowA, lowB, lowC) = (Lanes.Lesser(a, lowA), Lanes.Lesser(b, lowB), Lanes.Lesser(c, lowC));
-            (highA, highB, highC) = (Lanes.Greater(a, highA), Lanes.Greater(b, highB), Lanes.Greater(c, highC));
+            (lowA, lowB, lowC) = (Lanes.MinOrLast(a, lowA), Lanes.MinOrLast(b, lowB), Lanes.MinOrLast(c, lowC));
+            (highA, highB, highC) = (Lanes.MaxOrLast(a, highA), Lanes.MaxOrLast(b, highB), Lanes.MaxOrLast(c, highC));
         }
-        return (Lanes.Lesser(Lanes.Lesser(lowA, lowB), lowC), Lanes.Greater(Lanes.Greater(highA, highB), highC));
+        return (Lanes.MinOrLast(Lanes.MinOrLast(lowA, lowB), lowC), Lanes.MaxOrLast(Lanes.MaxOrLast(highA, highB), highC));
     }
 
     /// <summary>The same with checks: for a cluster that is shorter than the others, that has the last vertex, behind which there is no number, or a
@@ -147,7 +148,7 @@ internal sealed class TriangleBoxes
         for (var i = 3 * first; i < 3 * end; i++)
         {
             var corner = CornerAt(i);
-            (low, high) = (Lanes.Lesser(corner, low), Lanes.Greater(corner, high));
+            (low, high) = (Lanes.MinOrLast(corner, low), Lanes.MaxOrLast(corner, high));
         }
         return (low, high);
     }
@@ -168,7 +169,7 @@ internal sealed class TriangleBoxes
     private void Prefetch(int first)
     {
         var vertexIndices = new RawSpan<int>(indices);
-        for (var i = 3 * first; i < 3 * (first + TriangleCluster.Length); i += TriangleCluster.Length)
+        for (var i = 3 * first; i < 3 * (first + ClusterLength); i += ClusterLength)
         {
             Lanes.Prefetch(ref vertexIndices[i + 3 * IndicesAhead]);
             PrefetchVertex(vertexIndices[i + 3 * VerticesAhead]);

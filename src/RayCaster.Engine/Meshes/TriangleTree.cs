@@ -77,17 +77,14 @@ public sealed class TriangleTree
         return hit;
     }
 
-    /// <summary>Where rays hit triangles.</summary>
     private interface ITriangleHits<N> where N : struct, IReal<N>
     {
         /// <summary>Each ray's t with a triangle, by its number in the mesh; NaN for none.</summary>
         N Of(int triangle);
 
-        /// <summary>Whether a mask holds for all rays.</summary>
         static abstract bool All(N mask);
     }
 
-    /// <summary>By the triangle's formula.</summary>
     private readonly struct FormulaHits<N>(Vector3[] vertices, int[] indices, RayStream rays, int pixel, in Ray<N> ray) : ITriangleHits<N>
         where N : struct, IPacket<N>
     {
@@ -103,7 +100,6 @@ public sealed class TriangleTree
         public static bool All(N mask) => Lanes.All(mask);
     }
 
-    /// <summary>By a function.</summary>
     private readonly struct FunctionHits(Func<int, double?> hit) : ITriangleHits<Scalar>
     {
         public Scalar Of(int triangle) => hit(triangle) ?? double.NaN;

@@ -9,32 +9,26 @@ internal static class ArrayVectors
     public static Vector128<T> Load128<T>(this T[] numbers, int index) where T : struct =>
         Vector128.LoadUnsafe(ref At(numbers, index, Vector128<T>.Count));
 
-    /// <summary>As many as fill 32 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<T> Load256<T>(this T[] numbers, int index) where T : struct =>
         Vector256.LoadUnsafe(ref At(numbers, index, Vector256<T>.Count));
 
-    /// <summary>As many as fill 64 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector512<T> Load512<T>(this T[] numbers, int index) where T : struct =>
         Vector512.LoadUnsafe(ref At(numbers, index, Vector512<T>.Count));
 
-    /// <summary>Writes numbers into an array.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void StoreTo<T>(this Vector256<T> vector, T[] numbers, int index) where T : struct =>
         vector.StoreUnsafe(ref At(numbers, index, Vector256<T>.Count));
 
-    /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void StoreTo<T>(this Vector64<T> vector, T[] numbers, int index) where T : struct =>
         vector.StoreUnsafe(ref At(numbers, index, Vector64<T>.Count));
 
-    /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void StoreTo<T>(this Vector128<T> vector, T[] numbers, int index) where T : struct =>
         vector.StoreUnsafe(ref At(numbers, index, Vector128<T>.Count));
 
-    /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void StoreTo<T>(this Vector512<T> vector, T[] numbers, int index) where T : struct =>
         vector.StoreUnsafe(ref At(numbers, index, Vector512<T>.Count));

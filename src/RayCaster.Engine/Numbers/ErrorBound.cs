@@ -6,7 +6,7 @@ namespace RayCaster.Engine;
 /// </summary>
 /// <remarks>
 /// Each operation passes on the errors of its operands and adds what rounding its own result adds: half a unit in the last place of a float, 2⁻²⁴ of
-/// its size, or 2⁻¹⁴⁹ for numbers too small for that. Doubles, and these bounds, round by 2⁻⁵³; <see cref="Unit"/> is a little larger
+/// its size, or 2⁻¹⁴⁹ for numbers too small for that. Doubles, and these bounds, round by 2⁻⁵³; <see cref="HalfUlp"/> is a little larger
 /// to cover that. An infinite error means that nothing is known. (An <see cref="Interval"/> knows more of NaN and of infinite numbers; where one
 /// of these may occur, floats are not used.)
 /// </remarks>
@@ -15,7 +15,7 @@ namespace RayCaster.Engine;
 /// <param name="Error">No float is farther from its double than this.</param>
 internal readonly record struct ErrorBound(double Lo, double Hi, double Error) : IReal<ErrorBound>
 {
-    private const double Unit = 1.000001 / (1 << 24);
+    private const double HalfUlp = 1.000001 / (1 << 24);
     private const double Least = 1.5e-45;
     private const double Most = 1e38;
 
@@ -23,8 +23,7 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
 
     private static ErrorBound Unsure => new(0, 1, 0);
 
-    /// <summary>The greatest absolute value.</summary>
-    private double Size => Greater(-Lo, Hi);
+    private double Size => Max(-Lo, Hi);
 
     public static ErrorBound From(double lo, double hi) => Result(lo, hi, 0);
 
@@ -43,7 +42,7 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
     /// <summary>With a' and b' for the floats, a' / b' − a / b = ((a' − a) − (b' − b) a / b) / b'.</summary>
     public static ErrorBound operator /(ErrorBound a, ErrorBound b)
     {
-        var leastDivisor = Greater(b.Lo, -b.Hi) - b.Error;
+        var leastDivisor = Max(b.Lo, -b.Hi) - b.Error;
         if (!(leastDivisor > 0)) return Unknown;
         var exact = Result(a.Lo / b.Lo, a.Lo / b.Hi, a.Hi / b.Lo, a.Hi / b.Hi, 0);
         return Result(exact.Lo, exact.Hi, (a.Error + b.Error * exact.Size) / leastDivisor);
@@ -69,9 +68,9 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
     }
 
     /// <summary>The lesser of two moves no farther than the one that moves farther; and it is not rounded.</summary>
-    public static ErrorBound Min(ErrorBound a, ErrorBound b) => new(Lesser(a.Lo, b.Lo), Lesser(a.Hi, b.Hi), Greater(a.Error, b.Error));
+    public static ErrorBound Min(ErrorBound a, ErrorBound b) => new(Min(a.Lo, b.Lo), Min(a.Hi, b.Hi), Max(a.Error, b.Error));
 
-    public static ErrorBound Max(ErrorBound a, ErrorBound b) => new(Greater(a.Lo, b.Lo), Greater(a.Hi, b.Hi), Greater(a.Error, b.Error));
+    public static ErrorBound Max(ErrorBound a, ErrorBound b) => new(Max(a.Lo, b.Lo), Max(a.Hi, b.Hi), Max(a.Error, b.Error));
 
     public static ErrorBound Select(ErrorBound mask, ErrorBound a, ErrorBound b) => mask.Lo == 1 ? a : mask.Hi == 0 ? b : Unknown;
 
@@ -85,7 +84,7 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
         static ErrorBound Mended(ErrorBound a, ErrorBound b, ErrorBound inverse)
         {
             var exact = a / b;
-            return exact with { Error = Greater((a * inverse).Error, exact.Error) };
+            return exact with { Error = Max((a * inverse).Error, exact.Error) };
         }
     }
 
@@ -93,16 +92,16 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
     private static bool IsBelow(ErrorBound a, ErrorBound b) => a.Hi + a.Error < b.Lo - b.Error;
 
     private static ErrorBound Result(double p, double q, double r, double s, double error) =>
-        Result(Lesser(Lesser(p, q), Lesser(r, s)), Greater(Greater(p, q), Greater(r, s)), error);
+        Result(Min(Min(p, q), Min(r, s)), Max(Max(p, q), Max(r, s)), error);
 
     private static ErrorBound Result(double lo, double hi, double error)
     {
-        var size = Greater(-lo, hi) + error;
-        return size < Most ? new(lo, hi, error + size * Unit + Least) : Unknown;
+        var size = Max(-lo, hi) + error;
+        return size < Most ? new(lo, hi, error + size * HalfUlp + Least) : Unknown;
     }
 
     // There is no NaN here: all numbers are less than a float can be, or the error is infinite.
-    private static double Lesser(double a, double b) => double.MinNative(a, b);
+    private static double Min(double a, double b) => double.MinNative(a, b);
 
-    private static double Greater(double a, double b) => double.MaxNative(a, b);
+    private static double Max(double a, double b) => double.MaxNative(a, b);
 }

@@ -20,7 +20,6 @@ internal static class FloatBytes
     public static Vector256<int> Packed(Vector256<float> r, Vector256<float> g, Vector256<float> b) =>
         Vector256.ConvertToInt32Native(r) | (Vector256.ConvertToInt32Native(g) << 8) | (Vector256.ConvertToInt32Native(b) << 16);
 
-    /// <summary>Writes three bytes of each pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Store(Vector256<int> pixels, byte[] rgb, int offset)
     {

@@ -23,7 +23,6 @@ internal readonly struct FloatLevel
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<float> Most(Vector256<float> least) => least + Vector256.Create(width);
 
-    /// <summary>The change of the level for one unit of t.</summary>
     public static double SlopeOf(double channel, double fade) => ((double)Color.Level<Scalar>(0) - Color.Level<Scalar>(channel)) / fade;
 }
 

@@ -64,11 +64,6 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IReal<FloatPacket
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Load(float[] numbers, int first) => new(numbers.Load256(first));
 
-    /// <summary>Loads and rounds.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Load(double[] numbers, int first) =>
-        new(Vector256.Narrow(Packet.Load(numbers, first).Lanes, Packet.Load(numbers, first + Packet.Count).Lanes));
-
     /// <summary>One division and three products, each of which rounds.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<FloatPacket> Divide(Vector3<FloatPacket> a, FloatPacket b) => (FloatPacket)1 / b * a;
@@ -77,8 +72,7 @@ internal readonly struct FloatPacket(Vector256<float> lanes) : IReal<FloatPacket
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<int> Pixels(FloatPacket r, FloatPacket g, FloatPacket b) => FloatBytes.Packed(r.Lanes, g.Lanes, b.Lanes);
 
-    /// <summary>Writes the bytes of some pixels of <see cref="Pixels"/> with the least levels, and says which differ from those with the
-    /// greatest.</summary>
+    /// <summary>Writes the bytes of pixels with the least levels, and says which differ from those with the greatest.</summary>
     /// <param name="misses">The mask of pixels without a hit, which show the background.</param>
     /// <returns>A bit for each uncertain pixel.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,4 +1,4 @@
-using Numbers = RayCaster.Engine.WidePacket;
+using Lanes8 = RayCaster.Engine.WidePacket;
 
 namespace RayCaster.Engine;
 
@@ -13,7 +13,7 @@ namespace RayCaster.Engine;
 /// <param name="nan">The <see cref="Occurrence"/> of NaN; where it is always, the ends mean nothing.</param>
 /// <param name="gap">The least absolute value of a number in it, which interval arithmetic calls mignitude; or less, down to 0.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly struct Interval(Numbers lo, Numbers hi, Numbers nan, Numbers gap) : IReal<Interval>
+internal readonly struct Interval(Lanes8 lo, Lanes8 hi, Lanes8 nan, Lanes8 gap) : IReal<Interval>
 {
     /// <summary>Whether rays have NaN; a lane holds its number.</summary>
     private enum Occurrence
@@ -23,20 +23,20 @@ internal readonly struct Interval(Numbers lo, Numbers hi, Numbers nan, Numbers g
         Always,
     }
 
-    public readonly Numbers Lo = lo, Hi = hi, NaN = nan, Gap = gap;
+    public readonly Lanes8 Lo = lo, Hi = hi, NaN = nan, Gap = gap;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Interval(Numbers lo, Numbers hi) : this(lo, hi, In(Occurrence.Never), 0) { }
+    public Interval(Lanes8 lo, Lanes8 hi) : this(lo, hi, In(Occurrence.Never), 0) { }
 
     /// <summary>A mask: no ray has a number.</summary>
-    public Numbers IsAlwaysNaN
+    public Lanes8 IsAlwaysNaN
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get => NaN > In(Occurrence.Maybe);
     }
 
     /// <summary>A mask: some rays may have no number.</summary>
-    public Numbers MayBeNaN
+    public Lanes8 MayBeNaN
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get => NaN > In(Occurrence.Never);
@@ -63,10 +63,10 @@ internal readonly struct Interval(Numbers lo, Numbers hi, Numbers nan, Numbers g
     {
         // A quotient by NaN is NaN, which Hull takes for anything.
         var mayBeZero = (b.Lo <= 0) & (b.Hi >= 0);
-        var divisor = Numbers.Select(mayBeZero, double.NaN, b.Lo);
-        var gap = Numbers.Greater(0, Numbers.Greater(a.Lo, -a.Hi)) / Numbers.Greater(-b.Lo, b.Hi);
+        var divisor = Lanes8.Select(mayBeZero, double.NaN, b.Lo);
+        var gap = Lanes8.MaxNative(0, Lanes8.MaxNative(a.Lo, -a.Hi)) / Lanes8.MaxNative(-b.Lo, b.Hi);
         var isGap = mayBeZero & (gap > 0); // not if it is 0 / 0
-        return Hull(a, b, a.Lo / divisor, a.Lo / b.Hi, a.Hi / divisor, a.Hi / b.Hi, Numbers.Select(isGap, gap, 0));
+        return Hull(a, b, a.Lo / divisor, a.Lo / b.Hi, a.Hi / divisor, a.Hi / b.Hi, Lanes8.Select(isGap, gap, 0));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -90,63 +90,63 @@ internal readonly struct Interval(Numbers lo, Numbers hi, Numbers nan, Numbers g
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval Sqrt(Interval x)
     {
-        var nan = Numbers.Select(x.Hi < 0, In(Occurrence.Always), Numbers.Select(x.Lo < 0, In(Occurrence.Maybe), In(Occurrence.Never)));
-        return new(Numbers.Sqrt(Numbers.Greater(0, x.Lo)), Numbers.Sqrt(x.Hi), Numbers.Greater(x.NaN, nan), 0);
+        var nan = Lanes8.Select(x.Hi < 0, In(Occurrence.Always), Lanes8.Select(x.Lo < 0, In(Occurrence.Maybe), In(Occurrence.Never)));
+        return new(Lanes8.Sqrt(Lanes8.MaxNative(0, x.Lo)), Lanes8.Sqrt(x.Hi), Lanes8.MaxNative(x.NaN, nan), 0);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval Min(Interval a, Interval b) =>
-        new(Numbers.Lesser(a.Lo, b.Lo), Numbers.Lesser(a.Hi, b.Hi), Numbers.Greater(a.NaN, b.NaN), Numbers.Lesser(a.Gap, b.Gap));
+        new(Lanes8.MinNative(a.Lo, b.Lo), Lanes8.MinNative(a.Hi, b.Hi), Lanes8.MaxNative(a.NaN, b.NaN), Lanes8.MinNative(a.Gap, b.Gap));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Interval Max(Interval a, Interval b) =>
-        new(Numbers.Greater(a.Lo, b.Lo), Numbers.Greater(a.Hi, b.Hi), Numbers.Greater(a.NaN, b.NaN), Numbers.Lesser(a.Gap, b.Gap));
+        new(Lanes8.MaxNative(a.Lo, b.Lo), Lanes8.MaxNative(a.Hi, b.Hi), Lanes8.MaxNative(a.NaN, b.NaN), Lanes8.MinNative(a.Gap, b.Gap));
 
     public static Interval Select(Interval mask, Interval a, Interval b)
     {
         // Either: the hull of what there is.
-        Numbers least = double.PositiveInfinity, most = double.NegativeInfinity;
+        Lanes8 least = double.PositiveInfinity, most = double.NegativeInfinity;
         var (aIsAlwaysNaN, bIsAlwaysNaN) = (a.IsAlwaysNaN, b.IsAlwaysNaN);
-        var lo = Numbers.Lesser(Numbers.Select(aIsAlwaysNaN, least, a.Lo), Numbers.Select(bIsAlwaysNaN, least, b.Lo));
-        var hi = Numbers.Greater(Numbers.Select(aIsAlwaysNaN, most, a.Hi), Numbers.Select(bIsAlwaysNaN, most, b.Hi));
-        var gap = Numbers.Lesser(Numbers.Select(aIsAlwaysNaN, least, a.Gap), Numbers.Select(bIsAlwaysNaN, least, b.Gap));
-        var someNaN = Numbers.Lesser(Numbers.Greater(a.NaN, b.NaN), In(Occurrence.Maybe));
-        var nan = Numbers.Select(aIsAlwaysNaN & bIsAlwaysNaN, In(Occurrence.Always), someNaN);
+        var lo = Lanes8.MinNative(Lanes8.Select(aIsAlwaysNaN, least, a.Lo), Lanes8.Select(bIsAlwaysNaN, least, b.Lo));
+        var hi = Lanes8.MaxNative(Lanes8.Select(aIsAlwaysNaN, most, a.Hi), Lanes8.Select(bIsAlwaysNaN, most, b.Hi));
+        var gap = Lanes8.MinNative(Lanes8.Select(aIsAlwaysNaN, least, a.Gap), Lanes8.Select(bIsAlwaysNaN, least, b.Gap));
+        var someNaN = Lanes8.MinNative(Lanes8.MaxNative(a.NaN, b.NaN), In(Occurrence.Maybe));
+        var nan = Lanes8.Select(aIsAlwaysNaN & bIsAlwaysNaN, In(Occurrence.Always), someNaN);
         return new(Choose(a.Lo, lo, b.Lo), Choose(a.Hi, hi, b.Hi), Choose(a.NaN, nan, b.NaN), Choose(a.Gap, gap, b.Gap));
 
-        Numbers Choose(Numbers surely, Numbers either, Numbers surelyNot) =>
-            Numbers.Select(mask.Lo, surely, Numbers.Select(mask.Hi, either, surelyNot));
+        Lanes8 Choose(Lanes8 surely, Lanes8 either, Lanes8 surelyNot) =>
+            Lanes8.Select(mask.Lo, surely, Lanes8.Select(mask.Hi, either, surelyNot));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Numbers In(Occurrence occurrence) => (double)occurrence;
+    private static Lanes8 In(Occurrence occurrence) => (double)occurrence;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Interval Mask(Interval a, Interval b, Numbers surely, Numbers maybe)
+    private static Interval Mask(Interval a, Interval b, Lanes8 surely, Lanes8 maybe)
     {
-        var nan = Numbers.Greater(a.NaN, b.NaN);
-        return new(Numbers.Select(nan > In(Occurrence.Never), 0, surely), Numbers.Select(nan > In(Occurrence.Maybe), 0, maybe));
+        var nan = Lanes8.MaxNative(a.NaN, b.NaN);
+        return new(Lanes8.Select(nan > In(Occurrence.Never), 0, surely), Lanes8.Select(nan > In(Occurrence.Maybe), 0, maybe));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Interval Sum(Interval a, Interval b, Numbers lo, Numbers hi) =>
+    private static Interval Sum(Interval a, Interval b, Lanes8 lo, Lanes8 hi) =>
         OrAnything(a, b, lo, hi, hi - lo < double.PositiveInfinity, 0); // false for NaN
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Interval Hull(Interval a, Interval b, Numbers p, Numbers q, Numbers r, Numbers s, Numbers gap)
+    private static Interval Hull(Interval a, Interval b, Lanes8 p, Lanes8 q, Lanes8 r, Lanes8 s, Lanes8 gap)
     {
         var sum = p + q + (r + s); // infinite or NaN if one of them is, which the least and the greatest need not tell
-        var lo = Numbers.Lesser(Numbers.Lesser(p, q), Numbers.Lesser(r, s));
-        var hi = Numbers.Greater(Numbers.Greater(p, q), Numbers.Greater(r, s));
+        var lo = Lanes8.MinNative(Lanes8.MinNative(p, q), Lanes8.MinNative(r, s));
+        var hi = Lanes8.MaxNative(Lanes8.MaxNative(p, q), Lanes8.MaxNative(r, s));
         return OrAnything(a, b, lo, hi, sum - sum <= 0, gap);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Interval OrAnything(Interval a, Interval b, Numbers lo, Numbers hi, Numbers isFinite, Numbers gap)
+    private static Interval OrAnything(Interval a, Interval b, Lanes8 lo, Lanes8 hi, Lanes8 isFinite, Lanes8 gap)
     {
-        var nan = Numbers.Greater(a.NaN, b.NaN);
+        var nan = Lanes8.MaxNative(a.NaN, b.NaN);
         return new(
-            Numbers.Select(isFinite, lo, double.NegativeInfinity), Numbers.Select(isFinite, hi, double.PositiveInfinity),
-            Numbers.Select(isFinite, nan, Numbers.Greater(nan, In(Occurrence.Maybe))), gap);
+            Lanes8.Select(isFinite, lo, double.NegativeInfinity), Lanes8.Select(isFinite, hi, double.PositiveInfinity),
+            Lanes8.Select(isFinite, nan, Lanes8.MaxNative(nan, In(Occurrence.Maybe))), gap);
     }
 }

@@ -9,15 +9,12 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Broadcast<N>(double number) where N : struct, IReal<N> => number;
 
-    /// <summary>One lane of a vector in memory.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static T At<T>(in Vector256<T> vector, int lane) where T : struct => vector[lane & (Vector256<T>.Count - 1)]; // no range check
 
-    /// <summary>One lane of a vector in memory, in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector512<float> Broadcast(in Vector256<float> vector, int lane) => Vector512.Create(At(vector, lane));
 
-    /// <summary>Whether a mask holds in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool All<N>(N mask) where N : struct, IPacket<N> => N.Bits(mask) == (1u << N.Count) - 1;
 
@@ -32,19 +29,19 @@ internal static class Lanes
     /// <summary>The lesser in each lane: a where a &lt; b, else b, so b where a is NaN. This is what x86 does in one instruction; those of
     /// other processors differ where there is NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<T> Lesser<T>(Vector256<T> a, Vector256<T> b) where T : struct =>
+    public static Vector256<T> MinOrLast<T>(Vector256<T> a, Vector256<T> b) where T : struct =>
         X86Base.IsSupported ? Vector256.MinNative(a, b) : Vector256.ConditionalSelect(Vector256.LessThan(a, b), a, b);
 
-    /// <summary>The greater in each lane: a where a &gt; b, else b, so b where a is NaN.</summary>
+    /// <inheritdoc cref="MinOrLast{T}(Vector256{T}, Vector256{T})"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<T> Greater<T>(Vector256<T> a, Vector256<T> b) where T : struct =>
+    public static Vector256<T> MaxOrLast<T>(Vector256<T> a, Vector256<T> b) where T : struct =>
         X86Base.IsSupported ? Vector256.MaxNative(a, b) : Vector256.ConditionalSelect(Vector256.GreaterThan(a, b), a, b);
 
-    /// <summary>The least of three in each lane; where one is NaN, it or one of the others.</summary>
+    /// <summary>The least of three; where one is NaN, it or one of the others.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<float> Least(Vector256<float> a, Vector256<float> b, Vector256<float> c) => Lesser(a, Lesser(b, c));
+    public static Vector256<float> MinOrLast(Vector256<float> a, Vector256<float> b, Vector256<float> c) => MinOrLast(a, MinOrLast(b, c));
 
-    /// <summary>The greatest of three in each lane; where one is NaN, it or one of the others.</summary>
+    /// <inheritdoc cref="MinOrLast(Vector256{float}, Vector256{float}, Vector256{float})"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<float> Most(Vector256<float> a, Vector256<float> b, Vector256<float> c) => Greater(a, Greater(b, c));
+    public static Vector256<float> MaxOrLast(Vector256<float> a, Vector256<float> b, Vector256<float> c) => MaxOrLast(a, MaxOrLast(b, c));
 }

@@ -37,11 +37,9 @@ internal readonly ref struct RawSpan<T> where T : struct
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<T> Load256(nint index) => Vector256.LoadUnsafe(ref From(index, Vector256<T>.Count));
 
-    /// <summary>Writes numbers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Store(Vector256<T> numbers, nint index) => numbers.StoreUnsafe(ref From(index, Vector256<T>.Count));
 
-    /// <inheritdoc cref="Store(Vector256{T}, nint)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Store(Vector512<T> numbers, nint index) => numbers.StoreUnsafe(ref From(index, Vector512<T>.Count));
 
@@ -55,7 +53,6 @@ internal readonly ref struct RawSpan<T> where T : struct
     }
 }
 
-/// <summary>Makes a <see cref="RawSpan{T}"/> of other things.</summary>
 internal static class RawSpan
 {
     /// <summary>The coordinates of points, three for each.</summary>

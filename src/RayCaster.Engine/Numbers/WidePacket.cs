@@ -81,13 +81,11 @@ internal struct WidePacket : IPacket<WidePacket>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Store(double[] numbers, int first) => Lanes.StoreTo(numbers, first);
 
-    /// <summary>The lesser of two numbers; where one is NaN, either.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Lesser(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MinNative(a.Lanes, b.Lanes) };
+    public static WidePacket MinNative(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MinNative(a.Lanes, b.Lanes) };
 
-    /// <summary>The greater of two numbers; where one is NaN, either.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Greater(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MaxNative(a.Lanes, b.Lanes) };
+    public static WidePacket MaxNative(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MaxNative(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(WidePacket a) => Packet.Greatest(new() { Lanes = Vector256.Max(a.Lanes.GetLower(), a.Lanes.GetUpper()) });

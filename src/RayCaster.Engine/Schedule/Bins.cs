@@ -35,7 +35,6 @@ internal sealed class Bins<T> where T : struct
         }
     }
 
-    /// <summary>All items, in the order of their bins.</summary>
     public Span<T> Items => sorted.AsSpan(0, starts[^1]);
 
     public ReadOnlySpan<T> this[int bin] => Items[StartOf(bin)..StartOf(bin + 1)];

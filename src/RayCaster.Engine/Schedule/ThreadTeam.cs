@@ -110,7 +110,6 @@ internal static class ThreadTeam
             Thread.SpinWait(8);
     }
 
-    /// <summary>The pieces of one call.</summary>
     private sealed class Job(int count, Action<int> work)
     {
         private readonly object gate = new();

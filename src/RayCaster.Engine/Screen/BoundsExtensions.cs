@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>Which rays may hit what is in a box.</summary>
-public static class BoundsExtensions
+internal static class BoundsExtensions
 {
     /// <summary>Bounds seen from a point, with a margin for what is rounded.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -19,7 +19,7 @@ public static class BoundsExtensions
     /// dozens.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static (Vector3<N> Min, Vector3<N> Max) Padded<N>(Vector3<N> min, Vector3<N> max, Vector3<N> origin) where N : struct, IReal<N>
+    public static (Vector3<N> Min, Vector3<N> Max) Padded<N>(Vector3<N> min, Vector3<N> max, Vector3<N> origin) where N : struct, IReal<N>
     {
         var ofCoordinates = 1e-14 * Largest(min, max);
         (min, max) = (min - origin, max - origin);
@@ -29,7 +29,7 @@ public static class BoundsExtensions
 
     /// <summary>The largest absolute coordinate of a box.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static N Largest<N>(Vector3<N> min, Vector3<N> max) where N : struct, IReal<N> =>
+    public static N Largest<N>(Vector3<N> min, Vector3<N> max) where N : struct, IReal<N> =>
         N.Max(N.Max(N.Max(-min.X, max.X), N.Max(-min.Y, max.Y)), N.Max(-min.Z, max.Z));
 
     /// <summary>No ray from the origin of space has a hit in a box at a lesser t; 0 where the box contains that origin.</summary>
@@ -42,9 +42,8 @@ public static class BoundsExtensions
     /// </remarks>
     /// <param name="near">How far the box is from the origin along each axis.</param>
     /// <param name="far">How far it reaches, to either side.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static N LeastT<N>(Vector3<N> near, Vector3<N> far) where N : struct, IReal<N>
+    public static N LeastT<N>(Vector3<N> near, Vector3<N> far) where N : struct, IReal<N>
     {
         return N.Min(Along(near.X, far.X, near.Y, near.Z), N.Min(Along(near.Y, far.Y, near.Z, near.X), Along(near.Z, far.Z, near.X, near.Y)));
 

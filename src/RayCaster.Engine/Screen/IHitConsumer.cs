@@ -4,14 +4,14 @@ namespace RayCaster.Engine;
 internal interface IHitConsumer
 {
     /// <summary>Takes the hits of a stream, before the next stream is cast into it.</summary>
-    void Take(RayStream rays);
+    void Consume(RayStream rays);
 
-    /// <summary>Takes a part without any hit.</summary>
-    void TakeMiss(in PixelRect part);
+    /// <summary>Fills a part without any hit.</summary>
+    void FillBackground(in PixelRect part);
 
     /// <summary>Offers a part that one shape covers; returns whether the consumer can do it without exact hits.</summary>
-    bool TryTake(in CoveredTile covered);
+    bool PaintCovered(in CoveredTile covered);
 
     /// <summary>Offers a tile in which only one model may show; returns whether the model's view has painted it.</summary>
-    bool TryTake(in PixelRect tile, ModelView view, int index);
+    bool PaintMesh(in PixelRect tile, ModelView view, int index);
 }

@@ -11,7 +11,7 @@ internal abstract class ModelView
     /// computes the range of its hits in each part.</summary>
     public virtual bool IsShape => false;
 
-    /// <summary>Whether <see cref="Enter"/> keeps what the other methods need, only until the second next view of this kind that shows enters a
+    /// <summary>Whether <see cref="Begin"/> keeps what the other methods need, only until the second next view of this kind that shows enters a
     /// tile.</summary>
     public virtual bool HoldsTile => false;
 
@@ -19,11 +19,11 @@ internal abstract class ModelView
     /// <param name="shared">What the thread's views share; null until the first view that needs it has made it.</param>
     public virtual ModelView ForThread(ref object? shared) => this;
 
-    /// <summary>Goes to a tile, before <see cref="Intersect"/> is called for its rows; returns the range of the model's hits.</summary>
-    public virtual HitRange Enter(in PixelRect tile, HitRange known) => known;
+    /// <summary>Sets the tile, before <see cref="Intersect"/> is called for its rows; returns the range of the model's hits.</summary>
+    public virtual HitRange Begin(in PixelRect tile, HitRange known) => known;
 
     /// <summary>Returns the ranges of the model's hits in some parts.</summary>
-    public virtual HitRanges Narrow(EightParts parts, HitRange whole) => new(whole);
+    public virtual HitRangePacket Narrow(RegionPacket parts, HitRange whole) => new(whole);
 
     /// <summary>Intersects some rays in the tile with the model and keeps hits that are nearer than all before.</summary>
     /// <param name="index">The model's place in the scene, for ties.</param>

@@ -14,7 +14,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// larger.)</summary>
     public const int MaxArea = 256;
 
-    private readonly Columns columns = new(camera, MaxLength);
+    private readonly ColumnDirections columns = new(camera, MaxLength);
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
     private readonly double[] depthPerT = new double[capacity];
     private readonly double[] near = new double[capacity], far = new double[capacity]; // the crossings with one model
@@ -41,7 +41,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>The t of the nearest hit of each pixel, +∞ for none; numbers beyond the stream's length mean nothing.</summary>
     public ReadOnlySpan<double> T => t;
 
-    /// <summary>Copies the indices of the models that some pixels hit; −1 for none.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void CopyModels(int first, Span<int> to)
     {
@@ -52,10 +51,10 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>Prepares the columns that the next rows have in common.</summary>
     /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
     /// <param name="pitch">The distance from row to row; the number of columns if left out.</param>
-    public void Enter<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
+    public void Begin<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
     {
         (Column, Width, Pitch, Rows) = (column, length, pitch ?? length, 1);
-        columns.Enter<N>(column, length);
+        columns.Begin<N>(column, length);
     }
 
     /// <summary>Computes the directions of a row's rays, or of several rows', and forgets all hits.</summary>
@@ -95,18 +94,15 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     public Ray<N> RaysAt<N>(int pixel) where N : struct, IPacket<N> =>
         new(Origin, new Vector3<N>(N.Load(x, pixel), N.Load(y, pixel), N.Load(z, pixel)));
 
-    /// <summary>The t of the nearest hits so far of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N NearestAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(t, pixel);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N ModelsAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(model, pixel);
 
-    /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N DepthPerTAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(depthPerT, pixel);
 
-    /// <summary>Sets the hits of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set<N>(int pixel, N hits, N models) where N : struct, IPacket<N>
     {

@@ -48,7 +48,7 @@ internal sealed class ScreenBounds
         Shows,
 
         /// <summary>It may show in a rectangle, and all of its hits certainly count.</summary>
-        Clear,
+        AllHitsCount,
     }
 
     /// <summary>Projects up to <see cref="Count"/> balls; <see cref="Read"/> gives the results.</summary>
@@ -83,13 +83,13 @@ internal sealed class ScreenBounds
 
     /// <summary>Reads the result for one of them.</summary>
     /// <param name="nearest">No hit of it is nearer.</param>
-    /// <param name="isClear">Whether all of its hits certainly count.</param>
+    /// <param name="allHitsCount">Whether all of its hits certainly count.</param>
     /// <returns>Where it may show; null if that is not known, since it reaches to the eye's plane or numbers overflow.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public PixelRect? Read(int i, out float nearest, out bool isClear)
+    public PixelRect? Read(int i, out float nearest, out bool allHitsCount)
     {
         var visibility = (Visibility)(int)this.visibility[i];
-        (nearest, isClear) = ((float)this.nearest[i], visibility == Visibility.Clear);
+        (nearest, allHitsCount) = ((float)this.nearest[i], visibility == Visibility.AllHitsCount);
         if (visibility == Visibility.Unknown) return null;
         if (visibility == Visibility.Outside) return default(PixelRect);
         var (column, row) = ((int)left[i], (int)bottom[i]);
@@ -119,13 +119,13 @@ internal sealed class ScreenBounds
         var (x, y, z) = ToCamera(L);
         var difference = z * z - r * r;
         var (rootX, rootY) = (r * N.Sqrt(x * x + difference), r * N.Sqrt(y * y + difference));
-        var isClear = (distance - r > camera.Bias) & (byDistance
+        var allHitsCount = (distance - r > camera.Bias) & (byDistance
             ? (distance - r >= camera.ZNear) & (distance + r <= camera.ZFar)
             : (z - r >= camera.ZNear) & (z + r <= camera.ZFar));
         return Judged(
             IsOutside(x, y, z, r),
             0.999 * z > r, // so that the difference of squares stays accurate
-            isClear,
+            allHitsCount,
             distance - r,
             (x * z - rootX) / difference, (x * z + rootX) / difference, (y * z - rootY) / difference, (y * z + rootY) / difference);
     }
@@ -151,14 +151,14 @@ internal sealed class ScreenBounds
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Projection<N> Judged<N>(N isOutside, N isInFront, N isClear, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
+    private Projection<N> Judged<N>(N isOutside, N isInFront, N allHitsCount, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
     {
         (left, right, bottom, top) = (Column(left, -Margin), Column(right, Margin), Row(bottom, -Margin), Row(top, Margin));
         var isKnown = isInFront & (left + right + bottom + top + nearest < double.PositiveInfinity); // false for NaN
         return new()
         {
             Visibility = N.Select(isOutside, In(Visibility.Outside),
-                N.Select(isKnown, N.Select(isClear, In(Visibility.Clear), In(Visibility.Shows)), In(Visibility.Unknown))),
+                N.Select(isKnown, N.Select(allHitsCount, In(Visibility.AllHitsCount), In(Visibility.Shows)), In(Visibility.Unknown))),
             // A float rounds it by 6e-8 of itself, or by more if it is nearly 0.
             Nearest = N.Select(nearest > 1e-37, N.Min(nearest * (1 - 1e-7), float.MaxValue), 0),
             Left = left,

@@ -1,13 +1,13 @@
 namespace RayCaster.Engine;
 
 /// <summary>The sizes of tiles and strips.</summary>
-public static class Tile
+internal static class Tile
 {
     /// <summary>The most columns and rows of a tile; no tile crosses a multiple of it.</summary>
     public const int MaxSide = 64;
 
     /// <summary>The most columns of a strip, which is the row of tiles that a thread takes at once.</summary>
-    public const int MaxStrip = EightParts.Count * MaxSide;
+    public const int MaxStrip = RegionPacket.Count * MaxSide;
 
     /// <summary>How many tiles cover this many columns or rows.</summary>
     public static int TilesOf(int pixels) => (pixels + MaxSide - 1) / MaxSide;

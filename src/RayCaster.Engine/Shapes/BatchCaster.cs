@@ -32,25 +32,25 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
         batch.Sort(tile, order);
         if (order.Sorted.Length == 0 && others is null)
         {
-            consumer.TakeMiss(tile);
+            consumer.FillBackground(tile);
             return;
         }
-        part.Enter(tile);
+        part.Begin(tile);
         if (others is not null) MeetOthers(tile, others);
         part.Refresh();
         batch.Intersect(part, order.Sorted);
-        consumer.Take(part.Rays);
+        consumer.Consume(part.Rays);
     }
 
     /// <summary>Row by row, since some views cannot intersect several rows at once.</summary>
     private void MeetOthers(in PixelRect tile, Action<RayStream> others)
     {
-        row.Enter<N>(tile.Column, tile.Width);
+        row.Begin<N>(tile.Column, tile.Width);
         for (var i = 0; i < tile.Height; i++)
         {
             row.Aim<N>(tile.Row + i);
             others(row);
-            part.Take(row);
+            part.CopyHits(row);
         }
     }
 }

@@ -1,16 +1,16 @@
 namespace RayCaster.Engine;
 
 /// <summary>What is known of a member of a batch before its formula is computed.</summary>
-internal struct BatchItem
+internal readonly struct BatchItem(PixelRect showsIn, float nearest, int kind, int index, bool allHitsCount)
 {
     /// <summary>The pixels where it may show.</summary>
-    public PixelRect ShowsIn;
+    public readonly PixelRect ShowsIn = showsIn;
 
     /// <summary>No hit of it is nearer.</summary>
-    public float Nearest;
+    public readonly float Nearest = nearest;
 
-    public int Kind, Index;
+    public readonly int Kind = kind, Index = index;
 
     /// <summary>Whether all of its hits certainly count.</summary>
-    public bool IsClear;
+    public readonly bool AllHitsCount = allHitsCount;
 }

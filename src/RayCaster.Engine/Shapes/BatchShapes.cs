@@ -19,8 +19,8 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     public abstract void Free();
 
     /// <summary>Intersects the packets that a part lists with a member.</summary>
-    /// <param name="isClear">Whether all of its hits certainly count.</param>
-    public abstract void Intersect(BatchTile<N> part, ReadOnlySpan<int> packets, int member, bool isClear);
+    /// <param name="allHitsCount">Whether all of its hits certainly count.</param>
+    public abstract void Intersect(BatchTile<N> part, ReadOnlySpan<int> packets, int member, bool allHitsCount);
 }
 
 internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>
@@ -39,19 +39,19 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
             Project(all.Slice(first, count), bounds);
             for (var i = 0; i < count; i++)
             {
-                if (bounds.Read(i, out var nearest, out var isClear) is not { } tile) others.Add(all[first + i].Model);
+                if (bounds.Read(i, out var nearest, out var allHitsCount) is not { } tile) others.Add(all[first + i].Model);
                 else if (tile is { Width: > 0, Height: > 0 })
-                    members.Add((grid.BinOf(tile), new() { ShowsIn = tile, Nearest = nearest, Kind = group, Index = first + i, IsClear = isClear }));
+                    members.Add((grid.BinOf(tile), new(tile, nearest, group, first + i, allHitsCount)));
             }
         }
     }
 
     private static void Project(ReadOnlySpan<(P Shape, int Model)> some, ScreenBounds screenBounds)
     {
-        if (default(P) is IRound)
+        if (default(P) is IBoundingSphere)
         {
             Span<(Vector3 Center, double Radius)> balls = stackalloc (Vector3, double)[some.Length];
-            for (var i = 0; i < some.Length; i++) balls[i] = (((IRound)some[i].Shape).Center, ((IRound)some[i].Shape).Radius);
+            for (var i = 0; i < some.Length; i++) balls[i] = (((IBoundingSphere)some[i].Shape).Center, ((IBoundingSphere)some[i].Shape).Radius);
             screenBounds.Project<N>(balls);
         }
         else
@@ -77,7 +77,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
     public override void Free() => arranged.Free();
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public override void Intersect(BatchTile<N> part, ReadOnlySpan<int> packets, int member, bool isClear)
+    public override void Intersect(BatchTile<N> part, ReadOnlySpan<int> packets, int member, bool allHitsCount)
     {
         var range = clip;
         var rays = part.Rays;
@@ -86,7 +86,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
         {
             var crossings = shape.Intersect(rays.RaysAt<N>(at));
             // Testing which crossings count costs about as much as the formula of a sphere.
-            var hit = isClear ? N.IfNaN(crossings.Near, crossings.Far) : range.First(crossings, rays.DepthPerTAt<N>(at));
+            var hit = allHitsCount ? N.IfNaN(crossings.Near, crossings.Far) : range.First(crossings, rays.DepthPerTAt<N>(at));
             rays.MergeNearest(at, hit, Lanes.Broadcast<N>(model));
         }
     }

@@ -15,14 +15,13 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     private PixelRect tile;
     private uint touched; // the cells whose farthest hit may have changed
 
-    /// <summary>Its rays, and the nearest hits so far.</summary>
     public RayStream Rays { get; } = new(camera, Side * Side);
 
-    public void Enter(in PixelRect tile)
+    public void Begin(in PixelRect tile)
     {
         touched = (1u << Cells) - 1; // until Refresh, nothing is known of any cell
         this.tile = tile;
-        Rays.Enter<N>(tile.Column, tile.Width, Side);
+        Rays.Begin<N>(tile.Column, tile.Width, Side);
         Rays.Aim<N>(tile.Row, tile.Height);
         for (var i = 0; i < Side; i++) // what lies beyond the picture is hidden
         {
@@ -31,7 +30,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         }
     }
 
-    public void Take(RayStream rays)
+    public void CopyHits(RayStream rays)
     {
         var row = (rays.Row - tile.Row) * Side;
         for (var i = 0; i < tile.Width; i += N.Count) Rays.Set(row + i, rays.NearestAt<N>(i), rays.ModelsAt<N>(i));

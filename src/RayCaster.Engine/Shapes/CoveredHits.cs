@@ -3,9 +3,9 @@ namespace RayCaster.Engine;
 /// <summary>Finds where the rays of a part hit the one shape that covers it; each thread has its own. Only t is stored.</summary>
 internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : struct, IPacket<N>
 {
-    private readonly Columns columns = new(camera, Tile.MaxStrip);
+    private readonly ColumnDirections columns = new(camera, Tile.MaxStrip);
     private PixelRect part;
-    private bool isNear;
+    private bool isFirstCrossing;
     private double[] t = [];
     private int first, step;
 
@@ -16,7 +16,7 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
     public bool Write(in CoveredTile covered, double[] t, int first, int step)
     {
         if (covered.Part.Width < N.Count) return false;
-        (part, isNear) = (covered.Part, covered.IsNear);
+        (part, isFirstCrossing) = (covered.Part, covered.IsFirstCrossing);
         (this.t, this.first, this.step) = (t, first, step);
         return covered.View.Accept(this);
     }
@@ -25,9 +25,9 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public bool Visit<P>(P shape) where P : struct, IPrimitive
     {
-        columns.Enter<N>(part.Column, part.Width);
+        columns.Begin<N>(part.Column, part.Width);
         Vector3<N> origin = camera.Position;
-        var (t, to, isNear) = (this.t, first, this.isNear); // a local stays in a register
+        var (t, to, isFirstCrossing) = (this.t, first, this.isFirstCrossing); // a local stays in a register
         var (width, end) = (part.Width, part.EndRow);
         for (var row = part.Row; row < end; row++, to += step)
         {
@@ -38,7 +38,7 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
                 var i = Math.Min(next, width - N.Count);
                 var direction = camera.Direction(columns.At<N>(i), upwards);
                 var crossings = shape.Intersect(new Ray<N>(origin, direction));
-                var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.DepthPerT(direction));
+                var hit = isFirstCrossing ? crossings.Near : camera.ClipRange.First(crossings, camera.DepthPerT(direction));
                 hit.Store(t, to + i);
             }
         }

@@ -66,7 +66,7 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
         {
             var index = order[i].Member;
             ref readonly var member = ref members[index];
-            groups[member.Kind].Intersect(part, part.List(member), index, member.IsClear);
+            groups[member.Kind].Intersect(part, part.List(member), index, member.AllHitsCount);
             part.Refresh();
         }
     }

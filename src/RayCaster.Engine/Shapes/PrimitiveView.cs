@@ -6,7 +6,7 @@ internal sealed class PrimitiveView<P, N>(P primitive, Bounds? bounds, Camera ca
 {
     public override bool Accept(IShapeVisitor visitor) => visitor.Visit(primitive);
 
-    protected override void Intersect(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Intersect(parts.Rays);
+    protected override void Intersect(RegionPacket parts, out Crossings<Interval> crossings) => crossings = primitive.Intersect(parts.Rays);
 
     // optimised from the first call: many pictures are finished before the runtime would optimise it
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]

@@ -47,7 +47,6 @@ internal sealed class ScreenBins
         }
     }
 
-    /// <summary>The bin of a member's rectangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int BinOf(in PixelRect rect)
     {

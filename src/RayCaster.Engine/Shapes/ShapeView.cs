@@ -10,14 +10,14 @@ internal abstract class ShapeView<N>(Bounds? bounds, Camera camera) : ModelView 
 
     public sealed override bool IsShape => true;
 
-    public sealed override HitRanges Narrow(EightParts parts, HitRange whole)
+    public sealed override HitRangePacket Narrow(RegionPacket parts, HitRange whole)
     {
         Intersect(parts, out var crossings);
         var nearCounts = clip.CountsMask(crossings.Near, parts.DepthPerT);
         var hit = clip.First(crossings, parts.DepthPerT, nearCounts);
         return new(
             // a hit that counts is not behind the camera
-            WidePacket.Select(hit.IsAlwaysNaN, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)),
+            WidePacket.Select(hit.IsAlwaysNaN, double.PositiveInfinity, WidePacket.MaxNative(hit.Lo, hit.Gap)),
             WidePacket.Select(hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
             nearCounts.Lo);
     }
@@ -29,7 +29,7 @@ internal abstract class ShapeView<N>(Bounds? bounds, Camera camera) : ModelView 
     }
 
     /// <summary>Finds where the rays of some parts may cross the shape.</summary>
-    protected abstract void Intersect(EightParts parts, out Crossings<Interval> crossings);
+    protected abstract void Intersect(RegionPacket parts, out Crossings<Interval> crossings);
 
     /// <summary>Stores where the rays of a stream cross the shape.</summary>
     protected abstract void Intersect(RayStream rays);

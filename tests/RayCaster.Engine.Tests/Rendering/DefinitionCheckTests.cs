@@ -36,7 +36,7 @@ public sealed class DefinitionCheckTests
             var camera = new Camera(3.2 * Some.Direction(random), Vector3.Zero, width: width, height: height);
             var picture = Renderer.Render(new(camera, [new Mesh(mesh.Vertices, indices)]));
             var check = new DefinitionCheck(new(camera, [new Mesh(mesh.Vertices, mesh.Indices)]), 0, height, threads: 1);
-            check.Beside(() => check.Take(picture.Rgb), threads: 1);
+            check.RunAlongside(() => check.Sample(picture.Rgb), threads: 1);
             if (check.Difference() is not null) noticed++;
         }
         Assert.InRange(noticed, 19, 20);

@@ -95,7 +95,7 @@ public class MarginTests
         var vertices = new List<Vector3>();
         for (var i = 0; i < 640; i++)
         {
-            var (column, row) = (Tile.MaxSide * (1 + i / TriangleCluster.Length % 2), 2 + i % TriangleCluster.Length);
+            var (column, row) = (Tile.MaxSide * (1 + i / TriangleBoxes.ClusterLength % 2), 2 + i % TriangleBoxes.ClusterLength);
             var end = column - 5e-4 * random.NextDouble();
             vertices.AddRange([At(camera, end, row - 0.7, 1), At(camera, end, row + 0.6, 1), At(camera, end - 0.8, row + 0.1, 1)]);
         }

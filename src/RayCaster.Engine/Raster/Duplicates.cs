@@ -13,7 +13,7 @@ internal sealed class Duplicates(Vector3[] vertices, int[] indices)
     private readonly (int Round, int Triangle, long Hash)[] table = new (int, int, long)[1 << 10];
     private int round = 1;
 
-    /// <summary>Goes to another mesh, and forgets all.</summary>
+    /// <summary>Sets the mesh and clears the table.</summary>
     public void SetMesh(Vector3[] vertices, int[] indices)
     {
         (this.vertices, this.indices) = (vertices, indices);

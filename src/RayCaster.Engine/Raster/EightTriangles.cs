@@ -8,13 +8,13 @@ internal struct EightTriangles
     public readonly Vector256<float> MaxInverseDepth
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Lanes.Most(A.InverseDepth, B.InverseDepth, C.InverseDepth);
+        get => Lanes.MaxOrLast(A.InverseDepth, B.InverseDepth, C.InverseDepth);
     }
 
     public readonly Vector256<float> MinInverseDepth
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Lanes.Least(A.InverseDepth, B.InverseDepth, C.InverseDepth);
+        get => Lanes.MinOrLast(A.InverseDepth, B.InverseDepth, C.InverseDepth);
     }
 }
 

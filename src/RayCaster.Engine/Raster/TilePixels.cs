@@ -30,10 +30,8 @@ internal sealed class TilePixels
     /// <summary>The least t of the hits that the formula computed; +∞ if there are none. Valid only if <see cref="HasExactT"/>.</summary>
     public double[] ExactT { get; } = new double[Size];
 
-    /// <summary>Whether the formula has computed any hit.</summary>
     public bool HasExactT { get; private set; }
 
-    /// <summary>Pixels and triangles for the formula to decide.</summary>
     public PooledList<(int Pixel, int Triangle, float MaxInverseDepth)> Queue { get; } = new();
 
     /// <summary>Whether the queue is so long that the formula should decide now.</summary>
@@ -44,7 +42,7 @@ internal sealed class TilePixels
     public void SetMesh(Vector3[] vertices, int[] indices) => duplicates.SetMesh(vertices, indices);
 
     /// <summary>Forgets all. Places outside the tile are covered, so that they do not affect the coarse depth.</summary>
-    public void Enter(in PixelRect tile)
+    public void Begin(in PixelRect tile)
     {
         Rect = tile;
         HasExactT = false;
@@ -79,7 +77,6 @@ internal sealed class TilePixels
         }
     }
 
-    /// <summary>Prepares for the first hits that the formula computes.</summary>
     public void BeginExactT()
     {
         if (!HasExactT) ExactT.AsSpan().Fill(double.PositiveInfinity);

@@ -24,7 +24,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     private PixelRect tile;
     private Vector256<float> maxInverseDepth;
 
-    /// <summary>The greatest inverse depth of the tile's triangles.</summary>
     public float MaxInverseDepth
     {
         get
@@ -35,7 +34,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         }
     }
 
-    public void Enter(in PixelRect tile) => (this.tile, maxInverseDepth) = (tile, Vector256<float>.Zero);
+    public void Begin(in PixelRect tile) => (this.tile, maxInverseDepth) = (tile, Vector256<float>.Zero);
 
     public void AddSmall(TriangleQueue triangles)
     {
@@ -61,7 +60,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     {
         var shows = TriangleSetUp.Of(triangles, first, screen, tile, out setup);
         // In this order NaN, of a corner that is NaN, does not hide the other triangles.
-        maxInverseDepth = Lanes.Greater(setup.MaxInverseDepth, maxInverseDepth);
+        maxInverseDepth = Lanes.MaxOrLast(setup.MaxInverseDepth, maxInverseDepth);
         return triangles.Count - first < 8 ? shows & ((1u << (triangles.Count - first)) - 1) : shows;
     }
 

@@ -5,14 +5,12 @@ internal sealed class TileLists(int width)
 {
     private readonly int tilesAcross = Tile.TilesOf(width);
 
-    /// <summary>Triangles by tiles.</summary>
     public PooledList<(int Bin, TriangleCluster Cluster)> Items { get; } = new();
 
     /// <summary>In how many tiles the pixels of a rectangle lie.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static long TilesOf(uint left, uint right, uint bottom, uint top) => Tiles(left, right) * Tiles(bottom, top);
 
-    /// <summary>Adds what shows in a rectangle of pixels.</summary>
     /// <param name="maxInverseDepth">The greatest inverse depth of a sample that they cover.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(TriangleRun run, float maxInverseDepth, uint left, uint right, uint bottom, uint top)

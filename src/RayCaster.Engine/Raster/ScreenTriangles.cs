@@ -14,7 +14,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     /// <param name="boxes">The boxes of the clusters; null if triangles are sorted one by one.</param>
     /// <param name="duplicates">Makes a table of duplicates; null if it is not needed.</param>
     public ScreenTriangles(
-        ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? duplicates, int threads)
+        ScreenSpace screen, CornerSource corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? duplicates, int threads)
     {
         (Corners, Owners) = (corners, owners);
         (tilesAcross, shift) = (Tile.TilesOf(screen.Camera.Width), TriangleBinner.ShiftOf(screen.Camera));
@@ -32,7 +32,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         foreach (var binner in binners) Unfit.AddRange(binner.Unfit);
     }
 
-    public Corners Corners { get; }
+    public CornerSource Corners { get; }
 
     /// <summary>The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</summary>
     public int[]? Owners { get; }
@@ -40,7 +40,6 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     /// <summary>Triangles with a corner that is not fit for floats; they are not sorted.</summary>
     public List<int> Unfit { get; } = [];
 
-    /// <summary>What may show in a tile.</summary>
     public ReadOnlySpan<TriangleCluster> Of(in PixelRect tile) => triangles[tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide];
 
     /// <summary>Finds the triangles that may show in a tile and many others.</summary>

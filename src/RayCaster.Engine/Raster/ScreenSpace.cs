@@ -10,8 +10,8 @@ internal sealed class ScreenSpace
     public ScreenSpace(Camera camera)
     {
         (Camera, origin, u, v, w) = (camera, camera.Position, camera.U, camera.V, camera.W);
-        (Scale, Unit) = (camera.Height / camera.PlaneHeight, camera.FadeDistance / 2);
-        (right, up, ahead) = (Scale / Unit * u, Scale / Unit * v, -w);
+        (Scale, ReferenceDepth) = (camera.Height / camera.PlaneHeight, camera.FadeDistance / 2);
+        (right, up, ahead) = (Scale / ReferenceDepth * u, Scale / ReferenceDepth * v, -w);
         (CenterX, CenterY) = (camera.Width / 2.0 - camera.SampleOffset, camera.Height / 2.0 - camera.SampleOffset);
         Guard = 256 + Math.Max(camera.Width, camera.Height) / 4.0;
 
@@ -27,15 +27,15 @@ internal sealed class ScreenSpace
         Margin = (float)(DoubleMargin + Math.ScaleB(Math.Max(camera.Width, camera.Height) + Guard + 2, -23));
         // margins.md, 2: in a wider triangle t is within 1e-6 of the triangle's plane.
         MinWidth = (float)(4e6 * DoubleMargin + 16 * Margin);
-        IsFine = DoubleMargin < 1e-2 && camera.Skew * longest < 1e-7 && Unit is > 1e-250 and < 1e250;
+        IsFine = DoubleMargin < 1e-2 && camera.Skew * longest < 1e-7 && ReferenceDepth is > 1e-250 and < 1e250;
 
         var byDistance = camera.Clip == ClipMode.Distance;
         var nearest = Math.Max(camera.ZNear, camera.Bias);
         MinDepth = (byDistance ? nearest : Math.Max(camera.ZNear, camera.Bias / longest)) / (byDistance ? longest : 1) * (1 - 1e-6);
-        MaxSureInverseDepth = (float)(Unit / nearest * (1 - 1e-5));
-        MinSureInverseDepth = (float)(Unit / camera.ZFar * (byDistance ? longest : 1) * (1 + 1e-5));
-        MaxInverseDepth = (float)(Unit / MinDepth * (1 + 1e-5));
-        MinInverseDepth = (float)(Unit / camera.ZFar * (1 - 1e-5));
+        MaxSureInverseDepth = (float)(ReferenceDepth / nearest * (1 - 1e-5));
+        MinSureInverseDepth = (float)(ReferenceDepth / camera.ZFar * (byDistance ? longest : 1) * (1 + 1e-5));
+        MaxInverseDepth = (float)(ReferenceDepth / MinDepth * (1 + 1e-5));
+        MinInverseDepth = (float)(ReferenceDepth / camera.ZFar * (1 - 1e-5));
     }
 
     public Camera Camera { get; }
@@ -44,7 +44,7 @@ internal sealed class ScreenSpace
     public double Scale { get; }
 
     /// <summary>The depth at which inverse depth is 1.</summary>
-    public double Unit { get; }
+    public double ReferenceDepth { get; }
 
     /// <summary>The column and row of the view direction.</summary>
     public double CenterX { get; }
@@ -101,7 +101,7 @@ internal sealed class ScreenSpace
     public (N X, N Y, N InverseDepth) Project<N>(N x, N y, N z) where N : struct, IReal<N>
     {
         var inverse = (N)1 / z;
-        return (x * inverse * Scale + CenterX, y * inverse * Scale + CenterY, (N)Unit * inverse);
+        return (x * inverse * Scale + CenterX, y * inverse * Scale + CenterY, (N)ReferenceDepth * inverse);
     }
 
     /// <summary>Column, row and inverse depth of points.</summary>
@@ -113,7 +113,7 @@ internal sealed class ScreenSpace
     public (N X, N Y, N InverseDepth) Project<N>(Vector3<N> point) where N : struct, IPacket<N>, IReal<N>
     {
         var p = point - (Vector3<N>)origin;
-        var inverseDepth = (N)Unit / Along(p, ahead);
+        var inverseDepth = (N)ReferenceDepth / Along(p, ahead);
         var (column, row) = (Along(p, right), Along(p, up));
         return (N.MultiplyAddEstimate(column, inverseDepth, CenterX), N.MultiplyAddEstimate(row, inverseDepth, CenterY), inverseDepth);
     }

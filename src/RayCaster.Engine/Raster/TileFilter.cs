@@ -7,7 +7,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <summary>After this many runs or triangles the coarse depth is computed again.</summary>
     private const int RunsAtOnce = 128, TrianglesAtOnce = 512;
 
-    /// <summary>How many runs ahead memory is fetched.</summary>
     private const int Ahead = 16;
 
     private readonly ScreenSpace screen;
@@ -28,8 +27,8 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         rasterizer = new(screen, pixels, hits.Decide);
     }
 
-    /// <summary>Goes to a tile and a mesh; returns where its hits lie.</summary>
-    public HitRange Enter(in PixelRect tile, Vector3[] vertices, int[] indices, ScreenTriangles<N>[] sets)
+    /// <summary>Sets the tile and the mesh; returns where its hits lie.</summary>
+    public HitRange Begin(in PixelRect tile, Vector3[] vertices, int[] indices, ScreenTriangles<N>[] sets)
     {
         this.tile = tile;
         pixels.SetMesh(vertices, indices);
@@ -46,8 +45,8 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         coarse.Update(pixels.OccluderInverseDepth);
         var least = coarse.Least;
         return new(
-            screen.Unit / rasterizer.MaxInverseDepth * (1 - 1e-6),
-            least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
+            screen.ReferenceDepth / rasterizer.MaxInverseDepth * (1 - 1e-6),
+            least > 0 ? screen.ReferenceDepth / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
     /// <inheritdoc cref="TileHits{N}.Intersect"/>
@@ -68,28 +67,28 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     }
 
     /// <summary>Prepares for a tile in which triangles may show; everything stored so far is about another tile.</summary>
-    private void Begin()
+    private void Clear()
     {
         isEmpty = false;
         coarse.Clear();
-        pixels.Enter(tile);
-        rasterizer.Enter(tile);
+        pixels.Begin(tile);
+        rasterizer.Begin(tile);
     }
 
     /// <summary>Adds what is not hidden, near triangles first: most of the others are then found to be hidden.</summary>
     private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all)
     {
         if (all.Length == 0) return;
-        if (isEmpty) Begin();
+        if (isEmpty) Clear();
         var minOfNear = MinOfNear(all);
-        Add(set, all, minOfNear, areNear: true);
+        Add(set, all, minOfNear, nearPass: true);
         Refresh();
-        Add(set, all, minOfNear, areNear: false);
+        Add(set, all, minOfNear, nearPass: false);
     }
 
     /// <summary>Adds what is not hidden of near triangles, or of the others.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all, float minOfNear, bool areNear)
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all, float minOfNear, bool nearPass)
     {
         var firstRow = tile.Row % Tile.MaxSide;
         Span<TriangleRun> seen = stackalloc TriangleRun[RunsAtOnce];
@@ -99,7 +98,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             for (; next < all.Length && count < seen.Length && triangles < TrianglesAtOnce; next++)
             {
                 var isNear = all[next].MaxInverseDepth >= minOfNear;
-                if (isNear != areNear || coarse.Hides(all[next].Cells, firstRow, all[next].MaxInverseDepth)) continue;
+                if (isNear != nearPass || coarse.Hides(all[next].Cells, firstRow, all[next].MaxInverseDepth)) continue;
                 seen[count++] = all[next].Run;
                 triangles += all[next].Run.Count;
             }
@@ -148,12 +147,12 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         ref readonly var t = ref eight;
         var margin = Vector256.Create(screen.Margin);
         var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
-        var (minX, maxX) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
-        var (minY, maxY) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
-        var left = Lanes.Greater(Vector256.Ceiling(minX - margin), column);
-        var right = Lanes.Lesser(Vector256.Floor(maxX + margin), column + Vector256.Create(tile.Width - 1f));
-        var bottom = Lanes.Greater(Vector256.Ceiling(minY - margin), row);
-        var top = Lanes.Lesser(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
+        var (minX, maxX) = (Lanes.MinOrLast(t.A.X, t.B.X, t.C.X), Lanes.MaxOrLast(t.A.X, t.B.X, t.C.X));
+        var (minY, maxY) = (Lanes.MinOrLast(t.A.Y, t.B.Y, t.C.Y), Lanes.MaxOrLast(t.A.Y, t.B.Y, t.C.Y));
+        var left = Lanes.MaxOrLast(Vector256.Ceiling(minX - margin), column);
+        var right = Lanes.MinOrLast(Vector256.Floor(maxX + margin), column + Vector256.Create(tile.Width - 1f));
+        var bottom = Lanes.MaxOrLast(Vector256.Ceiling(minY - margin), row);
+        var top = Lanes.MinOrLast(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
         var shows = (Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top)).ExtractMostSignificantBits();
         if (count < 8) shows &= (1u << count) - 1;
         if (shows == 0) return;

@@ -1,7 +1,7 @@
 namespace RayCaster;
 
 /// <summary>A shape with a bounding sphere, which bounds it more tightly than a box.</summary>
-public interface IRound : IBounded
+public interface IBoundingSphere : IBounded
 {
     /// <summary>The bounding sphere's centre.</summary>
     Vector3 Center { get; }

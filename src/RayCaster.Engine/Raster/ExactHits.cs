@@ -14,12 +14,13 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
 
     /// <summary>Where rays cross triangles, a lane for each pair.</summary>
     /// <param name="first">The position of the first lane's triangle; the other lanes' follow.</param>
-    // in a larger method, the compiler would turn operators into calls
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public Crossings<N> Intersect(in Ray<N> rays, RawSpan<int> triangles, int first) => Triangle.Intersect(
-        new RaySpace<N>(rays),
-        N.Gather(vertices, indices, triangles, first, 0), N.Gather(vertices, indices, triangles, first, 1),
-        N.Gather(vertices, indices, triangles, first, 2));
+        new RaySpace<N>(rays), Corner(triangles, first, 0), Corner(triangles, first, 1), Corner(triangles, first, 2));
+
+    // not inlined three times: in a larger method, the compiler would turn operators into calls
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private Vector3<N> Corner(RawSpan<int> triangles, int first, int corner) => N.Gather(vertices, indices, triangles, first, corner);
 
     /// <summary>Adds a pixel and a triangle to the next packet. Its t is kept if it is less than the one so far.</summary>
     /// <param name="pixel">The pixel's position in both arrays.</param>
@@ -53,6 +54,6 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
         var crossings = Intersect(new Ray<N>(screen.Camera.Position, direction), new(triangles), 0);
         var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.DepthPerT(direction));
         hit.Store(hits, 0);
-        (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(inverseDepth, 0);
+        (Lanes.Broadcast<N>(screen.ReferenceDepth * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(inverseDepth, 0);
     }
 }

@@ -30,13 +30,13 @@ internal struct TriangleSetUp
         var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
         var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
         var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
-        var (left, right) = (Lanes.Least(ax, bx, cx), Lanes.Most(ax, bx, cx));
-        var (bottom, top) = (Lanes.Least(ay, by, cy), Lanes.Most(ay, by, cy));
+        var (left, right) = (Lanes.MinOrLast(ax, bx, cx), Lanes.MaxOrLast(ax, bx, cx));
+        var (bottom, top) = (Lanes.MinOrLast(ay, by, cy), Lanes.MaxOrLast(ay, by, cy));
         var size = right - left + (top - bottom);
-        left = Lanes.Greater(Vector256.Ceiling(left - margin), zero);
-        right = Lanes.Lesser(Vector256.Floor(right + margin), Vector256.Create(tile.Width - 1f));
-        bottom = Lanes.Greater(Vector256.Ceiling(bottom - margin), zero);
-        top = Lanes.Lesser(Vector256.Floor(top + margin), Vector256.Create(tile.Height - 1f));
+        left = Lanes.MaxOrLast(Vector256.Ceiling(left - margin), zero);
+        right = Lanes.MinOrLast(Vector256.Floor(right + margin), Vector256.Create(tile.Width - 1f));
+        bottom = Lanes.MaxOrLast(Vector256.Ceiling(bottom - margin), zero);
+        top = Lanes.MinOrLast(Vector256.Floor(top + margin), Vector256.Create(tile.Height - 1f));
         var shows = Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top);
 
         // An edge function of a sample s is twice the area of the triangle that s makes with a side: (b − s) × (c − s). The slack is the most by
@@ -109,7 +109,7 @@ internal struct TriangleSetUp
     private static Vector256<float> Reaches(Vector256<float> f, Vector256<float> right, Vector256<float> up,
         Vector256<float> across, Vector256<float> upwards, Vector256<float> slack)
     {
-        var most = f + Lanes.Greater(right, Vector256<float>.Zero) * across + Lanes.Greater(up, Vector256<float>.Zero) * upwards;
+        var most = f + Lanes.MaxOrLast(right, Vector256<float>.Zero) * across + Lanes.MaxOrLast(up, Vector256<float>.Zero) * upwards;
         return Vector256.GreaterThanOrEqual(most, Vector256.Create(-4f) * slack);
     }
 
@@ -127,7 +127,6 @@ internal readonly struct EightFunctions(Vector256<float> start, Vector256<float>
 {
     public readonly Vector256<float> Start = start, Right = right, Up = up;
 
-    /// <summary>The values at one sample of each box.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<float> At(Vector256<float> x, Vector256<float> y) =>
         Vector256.MultiplyAddEstimate(y, Up, Vector256.MultiplyAddEstimate(x, Right, Start));

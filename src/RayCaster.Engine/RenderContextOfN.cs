@@ -1,32 +1,22 @@
 namespace RayCaster.Engine;
 
 /// <summary>The models of a picture as the camera sees them, each by itself or as one of a batch.</summary>
-internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
+internal sealed class RenderContext<N> : RenderContext where N : struct, IPacket<N>
 {
-    private readonly List<ModelView> views = [];
-
-    /// <inheritdoc cref="Frame.Of"/>
-    public Frame(Scene scene, Plan plan, CancellationToken cancellation) : base(scene, plan)
+    public RenderContext(Scene scene, Plan plan, CancellationToken cancellation) : base(scene, plan)
     {
         var (camera, models) = (scene.Camera, scene.Models);
         if (plan.UsesBatch)
             PrimitiveBatch = new(camera, ShapeLists.Of(models, plan.KeepsLists, plan.Threads), models.Count, plan.Threads);
-        ModelIndices = PrimitiveBatch is null ? new int[models.Count] : [.. PrimitiveBatch.Others];
-        for (var i = 0; PrimitiveBatch is null && i < models.Count; i++) ModelIndices[i] = i;
-        foreach (var i in ModelIndices)
-        {
-            cancellation.ThrowIfCancellationRequested();
-            views.Add(ViewOf(models[i], cancellation));
-        }
+        ModelIndices = [.. PrimitiveBatch?.Others ?? Enumerable.Range(0, models.Count)];
+        Views = Array.ConvertAll(ModelIndices, i => ViewOf(models[i], cancellation));
         ShowIn = Array.ConvertAll(Views, view => view.ShowsIn);
     }
 
-    /// <summary>Views of the models that are not in the batch.</summary>
-    public ModelView[] Views => [.. views];
+    public ModelView[] Views { get; }
 
     public int[] ModelIndices { get; }
 
-    /// <summary>Where in the picture each of them can show at all.</summary>
     public PixelRect[] ShowIn { get; }
 
     /// <summary>The other models; null if there are few.</summary>
@@ -38,12 +28,13 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
 
     public override void Dispose()
     {
-        foreach (var view in views) view.Free();
+        foreach (var view in Views) view.Free();
         PrimitiveBatch?.Free();
     }
 
     private ModelView ViewOf(Model model, CancellationToken cancellation)
     {
+        cancellation.ThrowIfCancellationRequested();
         if (model is Mesh mesh) return new MeshView<N>(SpatialOrder.Of(mesh), new(Scene.Camera), cancellation, Plan.Threads);
         var formula = new FormulaView(model.Bounds, Scene.Camera);
         return model.Accept(formula) ? formula.View! : new SingleRayView(model, Scene.Camera);

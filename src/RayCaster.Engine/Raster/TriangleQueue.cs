@@ -4,7 +4,6 @@ namespace RayCaster.Engine;
 /// triangles are only collected, no instruction waits for a result.</summary>
 internal sealed class TriangleQueue
 {
-    /// <summary>The most triangles in the queue.</summary>
     public const int Limit = 128;
 
     private const int Room = Limit + 8;

@@ -2,9 +2,8 @@ namespace RayCaster.Engine;
 
 /// <summary>The corners of a mesh's triangles. They are projected at each use: storing all projected vertices takes longer, because memory is slower
 /// than arithmetic.</summary>
-internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
+internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : CornerSource where N : struct, IPacket<N>
 {
-    /// <summary>How many indices a cache line holds.</summary>
     private const int IndicesPerCacheLine = 16;
 
     public override int Count => indices.Length / 3;

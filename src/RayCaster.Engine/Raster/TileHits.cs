@@ -8,7 +8,6 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
 
     public void SetMesh(Vector3[] vertices, int[] indices) => exact.SetMesh(vertices, indices);
 
-    /// <summary>Computes the queued hits that may still be in front.</summary>
     public void Decide()
     {
         if (pixels.Queue.Count == 0) return;

@@ -7,7 +7,6 @@ internal sealed class TileFilters<N>(ScreenSpace screen) where N : struct, IPack
     private TileFilter<N>? next, kept;
     private (int Index, MeshPainter Painter)? painter;
 
-    /// <summary>The filter for the next mesh.</summary>
     public TileFilter<N> Next => next ??= new(screen);
 
     /// <summary>Keeps the pixels of that filter until those of another one are kept.</summary>

@@ -44,7 +44,7 @@ internal sealed class ClusterBinner<N>(ScreenSpace screen, TriangleBoxes boxes, 
         var (center, half) = ((N)0.5 * (low + high), (N)0.5 * (high - low));
         var (nearest, farthest) = Range(-screen.Camera.W, center, half);
         var (inverse, inverseFar) = ((N)1.0 / nearest, (N)1.0 / farthest);
-        var (w0, w1) = ((N)screen.Unit * inverseFar, (N)screen.Unit * inverse);
+        var (w0, w1) = ((N)screen.ReferenceDepth * inverseFar, (N)screen.ReferenceDepth * inverse);
 
         N fit = (nearest > half.X + half.Y + half.Z) & (w0 > (N)1e-29) & (w1 < (N)1e29), shows = fit, size = 0.0;
         Project(screen.Camera.U, screen.CenterX, screen.Camera.Width, left, right);
@@ -89,15 +89,14 @@ internal sealed class ClusterBinner<N>(ScreenSpace screen, TriangleBoxes boxes, 
             var near = axis switch { 0 => low.X, 1 => low.Y, 2 => low.Z, 3 => -high.X, 4 => -high.Y, _ => -high.Z };
             most = N.Max(most, N.Select(isMain, N.Select(near > none, along / near, double.PositiveInfinity), none));
         }
-        (most * (N)(screen.Unit * (1 + 1e-5))).Store(this.most, 0);
+        (most * (N)(screen.ReferenceDepth * (1 + 1e-5))).Store(this.most, 0);
         firstOfMax = first;
     }
 
-    /// <summary>Boxes seen from the camera's position.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private (Vector3<N> Low, Vector3<N> High) Bounds(int first)
     {
-        N unit = boxes.Unit;
+        N unit = boxes.Extent;
         Vector3<N> middle = boxes.Middle - screen.Camera.Position;
         return (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
     }
@@ -149,7 +148,7 @@ internal sealed class ClusterBinner<N>(ScreenSpace screen, TriangleBoxes boxes, 
         var (first, end) = boxes.TrianglesOf(cluster + i);
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
         if ((x1 - x0 + 1L) * (y1 - y0 + 1L) > LargeArea) each.Add(first, end);
-        else each.Lists.Add(new(first, TriangleCluster.Length), (float)most[i], x0, x1, y0, y1);
+        else each.Lists.Add(new(first, TriangleBoxes.ClusterLength), (float)most[i], x0, x1, y0, y1);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

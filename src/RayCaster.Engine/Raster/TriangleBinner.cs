@@ -2,7 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>Finds the tiles of triangles, eight at a time; each thread has its own.</summary>
 /// <param name="duplicates">The large triangles so far; null if duplicates do not matter.</param>
-internal sealed class TriangleBinner(ScreenSpace screen, Corners corners, Duplicates? duplicates)
+internal sealed class TriangleBinner(ScreenSpace screen, CornerSource corners, Duplicates? duplicates)
 {
     /// <summary>A triangle in more tiles than this is stored once, and each tile looks for those that reach to it: a list of each tile would take
     /// more memory than the mesh.</summary>
@@ -42,15 +42,15 @@ internal sealed class TriangleBinner(ScreenSpace screen, Corners corners, Duplic
         {
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
             corners.Project(ids, out var t);
-            var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
-            var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
+            var (left, right) = (Lanes.MinOrLast(t.A.X, t.B.X, t.C.X), Lanes.MaxOrLast(t.A.X, t.B.X, t.C.X));
+            var (bottom, top) = (Lanes.MinOrLast(t.A.Y, t.B.Y, t.C.Y), Lanes.MaxOrLast(t.A.Y, t.B.Y, t.C.Y));
             var size = right - left + (top - bottom);
 
             // The samples in the triangle's box. A picture's columns and rows are exact in floats.
-            var column0 = Lanes.Greater(Vector256.Ceiling(left - margin), zero);
-            var column1 = Lanes.Lesser(Vector256.Floor(right + margin), lastColumn);
-            var row0 = Lanes.Greater(Vector256.Ceiling(bottom - margin), zero);
-            var row1 = Lanes.Lesser(Vector256.Floor(top + margin), lastRow);
+            var column0 = Lanes.MaxOrLast(Vector256.Ceiling(left - margin), zero);
+            var column1 = Lanes.MinOrLast(Vector256.Floor(right + margin), lastColumn);
+            var row0 = Lanes.MaxOrLast(Vector256.Ceiling(bottom - margin), zero);
+            var row1 = Lanes.MinOrLast(Vector256.Floor(top + margin), lastRow);
             var fit = screen.IsFit(t.A) & screen.IsFit(t.B) & screen.IsFit(t.C);
             var shows = Vector256.LessThanOrEqual(column0, column1) & Vector256.LessThanOrEqual(row0, row1);
 

@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>Eight parts of the picture, and all the rays of each as intervals: a part is a lane.</summary>
-internal sealed class EightParts(Camera camera)
+internal sealed class RegionPacket(Camera camera)
 {
     public const int Count = 8;
 

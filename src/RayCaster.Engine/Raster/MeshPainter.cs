@@ -34,7 +34,7 @@ internal sealed class MeshPainter
         Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + FloatBytes.RoundingOfTheEnds;
         // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the
         // view.
-        IsSupported = FloatBytes.IsSupported && Error < MaxError && screen.Unit is > 1e-30 and < 1e30
+        IsSupported = FloatBytes.IsSupported && Error < MaxError && screen.ReferenceDepth is > 1e-30 and < 1e30
             && screen.LongestT < 1e4 && screen.Camera.Skew * screen.LongestT < 1e-9;
     }
 
@@ -87,7 +87,7 @@ internal sealed class MeshPainter
     private void Paint(float[] occluderInverseDepth, float[] candidateInverseDepth, double[]? exactT)
     {
         var (red, green, blue) = ((FloatPacket)model.Color.R, (FloatPacket)model.Color.G, (FloatPacket)model.Color.B);
-        var unit = (FloatPacket)screen.Unit;
+        var unit = (FloatPacket)screen.ReferenceDepth;
         var slack = (FloatPacket)Error;
         var packet = 0;
         for (var row = 0; row < tile.Height; row++)

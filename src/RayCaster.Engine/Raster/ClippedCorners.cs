@@ -2,7 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>The corners of triangles that are projected already.</summary>
 /// <param name="points">x, y and inverse depth of three corners for each triangle.</param>
-internal sealed class PieceCorners(Vector128<float>[] points) : Corners
+internal sealed class ClippedCorners(Vector128<float>[] points) : CornerSource
 {
     public override int Count => points.Length / 3;
 

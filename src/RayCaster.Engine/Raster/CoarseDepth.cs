@@ -6,7 +6,6 @@ namespace RayCaster.Engine;
 /// <remarks>No inverse depth that a hit certainly has is NaN, so native minima are the same on all processors.</remarks>
 internal sealed class CoarseDepth
 {
-    /// <summary>The side of a cell in pixels.</summary>
     public const int CellSide = 8;
 
     private const int Across = Tile.MaxSide / CellSide;

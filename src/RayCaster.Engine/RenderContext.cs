@@ -5,21 +5,19 @@ namespace RayCaster.Engine;
 internal delegate void StripCaster(in PixelRect strip, IHitConsumer consumer);
 
 /// <summary>What all threads share that draw one picture.</summary>
-internal abstract class Frame(Scene scene, Plan plan) : IDisposable
+internal abstract class RenderContext(Scene scene, Plan plan) : IDisposable
 {
     public Scene Scene => scene;
 
     public Plan Plan => plan;
 
-    /// <summary>Turns hits into bytes; made on first use.</summary>
     public HitShader Shader => field ??= new(scene, plan.Threads);
 
     /// <summary>A frame for packets of the plan's width; everything else is generic over this choice.</summary>
     /// <param name="cancellation">Stops the preparation of the models with an <see cref="OperationCanceledException"/>.</param>
-    public static Frame Of(Scene scene, Plan plan, CancellationToken cancellation) =>
-        plan.IsWide ? new Frame<WidePacket>(scene, plan, cancellation) : new Frame<Packet>(scene, plan, cancellation);
+    public static RenderContext Of(Scene scene, Plan plan, CancellationToken cancellation) =>
+        plan.IsWide ? new RenderContext<WidePacket>(scene, plan, cancellation) : new RenderContext<Packet>(scene, plan, cancellation);
 
-    /// <summary>A thread's caster.</summary>
     public abstract StripCaster NewCaster();
 
     public abstract IHitConsumer HitsInto(HitMap map);

@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>Where the corners of triangles are seen.</summary>
-internal abstract class Corners
+internal abstract class CornerSource
 {
     public abstract int Count { get; }
 

@@ -1,13 +1,13 @@
 namespace RayCaster.Engine;
 
 /// <summary>What the rays of a column have in common: uc U (<see cref="Camera.Across"/>).</summary>
-internal sealed class Columns(Camera camera, int capacity)
+internal sealed class ColumnDirections(Camera camera, int capacity)
 {
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
 
     /// <summary>Computes columns; those of the last packet may lie beyond the width.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void Enter<N>(int column, int width) where N : struct, IPacket<N>
+    public void Begin<N>(int column, int width) where N : struct, IPacket<N>
     {
         for (var i = 0; i < width; i += N.Count)
         {

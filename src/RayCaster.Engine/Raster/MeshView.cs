@@ -31,7 +31,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
-        var clipped = new ScreenTriangles<N>(screen, new PieceCorners(clipper.Points), clipper.Owners, null, null, threads);
+        var clipped = new ScreenTriangles<N>(screen, new ClippedCorners(clipper.Points), clipper.Owners, null, null, threads);
         sets = [whole, clipped];
 
         if (clipper.FormulaOnly.Count > 0) formulaOnly = new(vertices, [.. clipper.FormulaOnly], cancellation);
@@ -51,11 +51,11 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
 
     public override bool HoldsTile => true;
 
-    public override HitRange Enter(in PixelRect tile, HitRange known)
+    public override HitRange Begin(in PixelRect tile, HitRange known)
     {
         if (sets.Length == 0) return known;
         filter = filters!.Next;
-        var range = filter.Enter(tile, vertices, indices, sets);
+        var range = filter.Begin(tile, vertices, indices, sets);
         if (range == HitRange.None) filter = null;
         else filters.Keep();
         return formulaOnly is null ? range : range with { NearestT = 0 };
