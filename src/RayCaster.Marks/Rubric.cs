@@ -8,7 +8,8 @@ public sealed class Rubric
         Scenes = scenes;
         var judges = scenes.Select(scene => scene.Diagnoser).ToArray();
         Known = judges.Any(judge => judge.TooManyModels) ? []
-            : [.. MistakeCatalog.All.Intersect(judges.SelectMany(judge => judge.Known)).Except(judges.SelectMany(judge => judge.NotTried))];
+            : [.. MistakeCatalog.All.Intersect(judges.SelectMany(judge => judge.Known))
+                .Where(mistake => judges.All(judge => MutationCoverage.CanTry(judge.Scene, mistake)))];
     }
 
     internal string Title { get; init; } = "Marks";

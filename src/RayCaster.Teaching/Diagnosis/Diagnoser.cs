@@ -28,10 +28,8 @@ public sealed class Diagnoser
         Possible = possible;
         Budget = budget;
         Right = Renderer.Render(scene, threads);
-        var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
-            && possible?.Invoke(mistake.Usual) != false).ToArray();
-        Known = [.. visible.Where(mistake => mistake.Changes.All(change => MutationCoverage.CanTry(scene, change)))];
-        NotTried = [.. visible.Except(Known)];
+        Known = [.. MistakeCatalog.Visible.Where(mistake => mistake.Touches(scene) && possible?.Invoke(mistake.Usual) != false
+            && mistake.Changes.All(change => MutationCoverage.CanTry(scene, change)))];
         Rendering = Rendering.Of(scene, MutationCoverage.MoreSamples, budget);
         hidden = new(() => TooManyModels ? ([], 0) : MutationCoverage.HiddenIn(scene, threads, budget));
     }
@@ -62,9 +60,6 @@ public sealed class Diagnoser
 
     /// <summary>The mistakes that can show in this scene at all.</summary>
     public IReadOnlyList<Mistake> Known { get; }
-
-    /// <summary>The mistakes of triangles, if the scene has a mesh of many.</summary>
-    public IReadOnlyList<Mistake> NotTried { get; }
 
     /// <summary>The scene's picture in the size that it should have, if another picture may be a part of it.</summary>
     internal Picture? Whole(Picture picture) => size is var (width, height) && Crop.IsPossible(picture, width, height)

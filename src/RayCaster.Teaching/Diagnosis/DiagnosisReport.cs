@@ -96,7 +96,6 @@ public static class DiagnosisReport
             var question = level >= HintLevel.Question && nearest.Mistakes is [var only] ? $" {only.Hint.Question}" : "";
             text.Wrap("  ", $"{Names(nearest)} would leave {Rest(diagnosis, nearest)}.{question}", 4);
         }
-        AppendNotTried(text, diagnosis);
     }
 
     /// <summary>Which mistakes lose a shape that is written already.</summary>
@@ -123,7 +122,6 @@ public static class DiagnosisReport
                 text.AppendLine($"  {Names(suspect),-16} {rest}");
             }
         }
-        AppendNotTried(text, diagnosis);
     }
 
     /// <summary>Everything, with the answers.</summary>
@@ -232,14 +230,6 @@ public static class DiagnosisReport
                 (level == HintLevel.Answer ? $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))}"
                     : suspect.Twins.Count == 1 ? "on this scene another mistake" : $"on this scene {suspect.Twins.Count} other mistakes")
                 + $" {(suspect.Twins.Count == 1 ? "gives" : "give")} the same picture; \"check\" shows which scene would distinguish them.");
-    }
-
-    private static void AppendNotTried(StringBuilder text, DiagnosisResult diagnosis)
-    {
-        if (diagnosis.NotTried.Count > 0)
-            text.Wrap("",
-                $"Not tried, since a mesh of more than {ShapePart.MaxTriangles} triangles is always drawn rightly: " +
-                $"{string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 
     private static string Names(Suspect suspect) => string.Join(" + ", Shown(suspect).Select(NameOf));

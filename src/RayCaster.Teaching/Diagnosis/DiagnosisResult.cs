@@ -46,9 +46,6 @@ public sealed record DiagnosisResult
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
     public bool TooManyModels { get; internal init; }
 
-    /// <summary>Mistakes that would take too long to try, because the scene has too many triangles.</summary>
-    public IReadOnlyList<Mistake> NotTried { get; internal init; } = [];
-
     /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches proves nothing.</summary>
     public bool ProvesNothing { get; internal init; }
 

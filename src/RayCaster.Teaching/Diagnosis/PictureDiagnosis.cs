@@ -20,7 +20,6 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
     private DiagnosisResult Facts => new()
     {
         TooManyModels = prepared.TooManyModels,
-        NotTried = prepared.NotTried,
         ProvesNothing = prepared.Right.IsNearlyOneColor,
         Rounding = sample.Difference is { } difference && difference.OffByOne > PictureJudge.Rounded * difference.Pixels
             ? ComparisonText.RoundedOtherwise(difference) : null,

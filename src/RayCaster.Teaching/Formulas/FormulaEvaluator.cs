@@ -43,7 +43,7 @@ internal sealed class FormulaEvaluator
             {
                 Numbers = [.. parts[part].Numbers.Select(number => number.Name == name ? (name, value) : number)],
             });
-        crosser = new(scene, parts, arithmetic, count, groups.Length == 1 ? right : null); // what it keeps of many pixels would take much memory
+        crosser = new(scene, parts, arithmetic, count);
         loop = new(parts, arithmetic, count);
         if (right is null) return;
         foreach (var group in groups) group.Right = Run(right, group).Copy();
@@ -120,7 +120,7 @@ internal sealed class FormulaEvaluator
         (givens[Symbol.From("x").Place], givens[Symbol.From("y").Place]) = (group.X, group.Y);
         arithmetic.GiveBack(0);
         arithmetic.Functions = program[StepKind.Vectors];
-        var changed = basis is null ? 0 : arithmetic.Functions.ChangedFrom(basis.Program[StepKind.Vectors]);
+        var changed = basis is null || arithmetic.Functions == basis.Program[StepKind.Vectors] ? 0 : arithmetic.Functions.Names;
         var frame = PixelArithmetic.FrameOf(givens, ofPixel, []);
         if (program.SwapsEyeAndTarget)
             (frame[pointP.Place], frame[pointT.Place]) = (frame[pointT.Place], frame[pointP.Place]);
@@ -142,7 +142,7 @@ internal sealed class FormulaEvaluator
             var isSame = sameLoop && ReferenceEquals(rule, basis!.Program.RuleOf(part.Kind, kindOfRule)) && (rule.Reads & changed) == 0
                 && (part.Kind is { } kind ? IsSame(kind) : (changed & ofRay) == 0);
             areNew |= !isSame;
-            crossed[i] = isSame ? basis!.Hits[i] : crosser.Cross(i, program, rule, frame, changed, basis?.Frame, !isUsual);
+            crossed[i] = isSame ? basis!.Hits[i] : crosser.Cross(i, program, rule, frame, !isUsual);
         }
         var (nearest, t) = areNew ? loop.Nearest(program, crossed, frame, isUsual) : (basis!.Nearest, basis.T);
         if (!areNew && IsSame(StepKind.Light) && IsSame(StepKind.Bytes) && (Formula.Written.Bit & changed) == 0
