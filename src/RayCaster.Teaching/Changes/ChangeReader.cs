@@ -4,23 +4,23 @@ namespace RayCaster.Teaching.Changes;
 internal static class ChangeReader
 {
     /// <summary>What "some" shapes are: each kind, the solid ones, the flat ones.</summary>
-    private static readonly ImmutableArray<StepKind>[] some =
+    private static readonly StepKind[][] some =
     [
-        .. ShapeKind.Basic.Select(shape => (ImmutableArray<StepKind>)[shape.Step]), [StepKind.Sphere, StepKind.Aabb],
+        .. ShapeKind.Basic.Select(shape => (StepKind[])[shape.Step]), [StepKind.Sphere, StepKind.Aabb],
         [StepKind.Plane, StepKind.Circle, StepKind.Triangle],
     ];
 
     /// <summary>A line, whose parts each begin with a step, but for further formulas of the step before them. "for SHAPES" before them names the
     /// kinds of shape whose rule is meant.</summary>
     /// <returns>Several, if shapes or styles are to be tried one by one.</returns>
-    public static IEnumerable<ImmutableArray<StepChange>> Read(string line)
+    public static IEnumerable<StepChange[]> Read(string line)
     {
         if (line.Split(' ', 3) is ["for", var shapes, var rest])
             return (shapes == "some" ? some : [[.. shapes.Split('+').SelectMany(KindsOf)]]).SelectMany(own => Read(rest, own));
         return Read(line, []);
     }
 
-    private static IEnumerable<ImmutableArray<StepChange>> Read(string line, ImmutableArray<StepKind> shapes)
+    private static IEnumerable<StepChange[]> Read(string line, StepKind[] shapes)
     {
         List<List<string>> steps = [];
         foreach (var part in line.Split("; "))
@@ -29,20 +29,20 @@ internal static class ChangeReader
                 (steps.Count > 0 ? steps[^1] : throw Unknown(part)).Add(part);
             else steps.Add([part]);
         }
-        return steps.Aggregate((IEnumerable<ImmutableArray<StepChange>>)[[]], (all, step) =>
-            from before in all from choice in ReadStep(step[0], step[1..], shapes) select before.AddRange(choice));
+        return steps.Aggregate((IEnumerable<StepChange[]>)[[]], (all, step) =>
+            from before in all from choice in ReadStep(step[0], step[1..], shapes) select (StepChange[])[.. before, .. choice]);
     }
 
     /// <summary>Reads "STEP/STYLE NAME = EXPRESSION", all but the step left out, or what no formula says. "rule" and "sample" are two
     /// steps.</summary>
-    private static IEnumerable<StepChange[]> ReadStep(string text, List<string> more, ImmutableArray<StepKind> shapes)
+    private static IEnumerable<StepChange[]> ReadStep(string text, List<string> more, StepKind[] shapes)
     {
         if (UnsaidOf(text) is { } unsaid) return [[unsaid]];
         var (first, formula) = text.Split(' ', 2) is [var one, var two] ? (one, two) : (text, null);
         var step = first.Split('/');
         ImmutableArray<(string, string)> formulas = [.. (formula is null ? more : more.Prepend(formula)).Select(FormulaOf)];
         return (step.Length > 1 ? step[1].Split('|') : (string?[])[null]).Select(style => KindsOf(step[0]).Select(kind =>
-            new StepChange.Written(kind, style, kind is StepKind.Depth or StepKind.Distance ? shapes : [], formulas)).ToArray<StepChange>());
+            new StepChange.Written(kind, style, kind is StepKind.Depth or StepKind.Distance ? [.. shapes] : [], formulas)).ToArray<StepChange>());
     }
 
     private static (string Name, string Right) FormulaOf(string written) =>

@@ -25,7 +25,8 @@ internal sealed class Rendering(
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         var spread = new GoldenRatioSequence(width * height);
-        (int, int)[] places = [.. Enumerable.Range(0, Math.Min(most, width * height)).Select(k => (spread[k] % width, spread[k] / width))];
+        var places = new (int, int)[Math.Min(most, width * height)];
+        for (var k = 0; k < places.Length; k++) places[k] = (spread[k] % width, spread[k] / width);
         return new(scene, places, (int)Math.Ceiling((double)LeastPixels * places.Length / (width * height)), budget);
     }
 

@@ -59,8 +59,8 @@ internal sealed class PictureSample
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
         (shownKinds, Colors, pieces) = (whole.shownKinds, whole.Colors, whole.pieces);
         var drawn = whole.Draw(first);
-        var isExplained = whole.pixels.Index().OrderByDescending(pixel => pixel.Item.IsWrong)
-            .ToLookup(pixel => PictureJudge.IsNear(At(drawn, pixel.Index), Picture.At(pixel.Item.Pixel)), pixel => pixel.Item.Pixel);
+        var isExplained = Enumerable.Range(0, whole.pixels.Length).OrderByDescending(i => whole.pixels[i].IsWrong)
+            .ToLookup(i => PictureJudge.IsNear(At(drawn, i), Picture.At(whole.pixels[i].Pixel)), i => whole.pixels[i].Pixel);
         (wrongPixels, otherPixels) = ([.. isExplained[false]], [.. isExplained[true]]);
         WrongCount = (int)whole.Residual(first).Unexplained;
         allWrong = whole.allWrong;
@@ -79,11 +79,20 @@ internal sealed class PictureSample
     /// <param name="basis">What most programs that are drawn differ from by a little.</param>
     private ((int Pixel, bool IsWrong)[], Rendering) ByTurns(FormulaProgram basis)
     {
-        (int Pixel, bool IsWrong)[] all = [.. wrongPixels.Index().Select(pixel => (pixel.Index, pixel.Item, IsWrong: true))
-            .Concat(otherPixels.Index().Select(pixel => (pixel.Index, pixel.Item, IsWrong: false)))
-            .OrderBy(pixel => pixel.Index).Select(pixel => (pixel.Item, pixel.IsWrong))];
-        return (all, new(Scene, [.. all.Select(pixel => (pixel.Pixel % Picture.Width, pixel.Pixel / Picture.Width))],
-            1 + all.Length / MostAlike, budget, basis));
+        var all = new (int Pixel, bool IsWrong)[wrongPixels.Length + otherPixels.Length];
+        for (int i = 0, k = 0; k < all.Length; i++)
+        {
+            if (i < wrongPixels.Length) all[k++] = (wrongPixels[i], true);
+            if (i < otherPixels.Length) all[k++] = (otherPixels[i], false);
+        }
+        return (all, new(Scene, PlacesOf(all), 1 + all.Length / MostAlike, budget, basis));
+    }
+
+    private (int X, int Y)[] PlacesOf(ReadOnlySpan<(int Pixel, bool IsWrong)> some)
+    {
+        var places = new (int X, int Y)[some.Length];
+        for (var i = 0; i < some.Length; i++) places[i] = (some[i].Pixel % Picture.Width, some[i].Pixel / Picture.Width);
+        return places;
     }
 
     /// <summary>The same pixels in another order, all of them taken for wrong, in which each colour that the picture shows counts alike: a mistake
@@ -202,8 +211,7 @@ internal sealed class PictureSample
     /// <summary>The same of a program for which the scene gives another number.</summary>
     public Residual Residual(FormulaProgram program, (int Part, Symbol Name, PixelValues Value) other, double share)
     {
-        (int, int)[] places = [.. pixels[Compared(share)].Select(pixel => (pixel.Pixel % Picture.Width, pixel.Pixel / Picture.Width))];
-        return ResidualOf(new FormulaEvaluator(Scene, places, other: other).Draw(program, budget), null);
+        return ResidualOf(new FormulaEvaluator(Scene, PlacesOf(pixels[Compared(share)]), other: other).Draw(program, budget), null);
     }
 
     /// <summary>The pixels that are a share of those that are compared.</summary>

@@ -11,8 +11,7 @@ internal sealed record FormulaProgram
     public Step this[StepKind kind] => Steps[(int)kind];
 
     /// <summary>The rules of some kinds of shape, where they are others than those of all.</summary>
-    private ImmutableDictionary<(StepKind Shape, StepKind Rule), Step> Rules { get; init; } =
-        ImmutableDictionary<(StepKind Shape, StepKind Rule), Step>.Empty;
+    private ImmutableArray<OwnRule> Rules { get; init; } = [];
 
     /// <summary>The kinds of shape, by their names in scene files, that are not drawn.</summary>
     public ImmutableHashSet<string> MissingShapes { get; init; } = [];
@@ -40,7 +39,7 @@ internal sealed record FormulaProgram
 
     /// <summary>The shapes whose own formulas, or whose own rule, are not the slides'.</summary>
     public IEnumerable<ShapeKind> ChangedShapes => ShapeKind.Basic.Where(shape =>
-        !FormulaBook.Slides.StylesOf(shape.Step).Contains(this[shape.Step]) || Rules.Keys.Any(rule => rule.Shape == shape.Step));
+        !FormulaBook.Slides.StylesOf(shape.Step).Contains(this[shape.Step]) || Rules.Any(rule => rule.Shape == shape.Step));
 
     /// <summary>Whether the triangle's own formulas are not the slides'.</summary>
     public bool MutatesTriangles => !FormulaBook.Slides.StylesOf(StepKind.Triangle).Contains(this[StepKind.Triangle]);
@@ -67,7 +66,12 @@ internal sealed record FormulaProgram
 
     /// <summary>The rule of a kind of shape; of a shape of one's own for null.</summary>
     /// <param name="kind">Which of both rules.</param>
-    public Step RuleOf(StepKind? shape, StepKind kind) => shape is { } own && Rules.TryGetValue((own, kind), out var rule) ? rule : this[kind];
+    public Step RuleOf(StepKind? shape, StepKind kind)
+    {
+        foreach (var own in Rules)
+            if (own.Shape == shape && own.Rule.Kind == kind) return own.Rule;
+        return this[kind];
+    }
 
     public FormulaProgram With(Step step) => this with { Steps = Steps.SetItem((int)step.Kind, step) };
 
@@ -82,8 +86,11 @@ internal sealed record FormulaProgram
         foreach (var shape in shapes)
         {
             if (RuleOf(shape, step.Kind).Merged(step) is not { } rule) return null;
-            rules = rules.SetItem((shape, step.Kind), rule);
+            rules = [.. rules.Where(own => own.Shape != shape || own.Rule.Kind != step.Kind), new(shape, rule)];
         }
         return this with { Rules = rules };
     }
+
+    /// <summary>One of both rules of a kind of shape.</summary>
+    private sealed record OwnRule(StepKind Shape, Step Rule);
 }

@@ -43,7 +43,7 @@ internal static class ProgramInWords
     }
 
     /// <summary>A mistake that the catalogue does not have, as Mistakes.txt has its own.</summary>
-    public static Change Written(string formulas) => new(ChangeReader.Read(formulas).Single(), Priors.Known) { Cause = formulas };
+    public static Change Written(string formulas) => new([.. ChangeReader.Read(formulas).Single()], Priors.Known) { Cause = formulas };
 
     private static Camera Changed(Camera camera, string name, string value)
     {
