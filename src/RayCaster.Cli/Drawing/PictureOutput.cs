@@ -33,7 +33,7 @@ internal static class PictureOutput
             stream.SetLength(0);
             WriteTo(stream, plain: true);
         });
-        return odd!.IsOdd;
+        return odd!.IsBlank;
 
         string? WriteTo(Stream stream, bool plain)
         {

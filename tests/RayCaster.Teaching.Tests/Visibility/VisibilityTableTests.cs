@@ -67,20 +67,6 @@ public class VisibilityTableTests
         Assert.Contains("The background has the same colour", SceneVisibility.Take(scene).Report());
     }
 
-    [Theory]
-    [InlineData(true, new byte[] { 7, 8, 9, 7, 8, 9 }, new byte[] { 7, 8, 9 })]
-    [InlineData(true, new byte[] { 1, 2, 3, 0, 0, 0 }, new byte[] { 1, 2, 3 })]
-    [InlineData(false, new byte[] { 7, 8, 9, 7, 8, 9 }, new byte[] { 7, 8, 10 })]
-    [InlineData(false, new byte[] { 7, 8, 9, 7, 9, 9 }, new byte[] { 7, 8, 9 })]
-    [InlineData(false, new byte[] { 1, 2, 3, 0, 0, 0 }, new byte[] { 1, 2, 4 })]
-    public void APictureIsOddIfItIsOfOneColourOrOnlyBackgroundAndBlack(bool isOdd, byte[] first, byte[] second)
-    {
-        var odd = new BlankPicture(new Color(1 / 255.0, 2 / 255.0, 3 / 255.0));
-        odd.Take(first);
-        odd.Take(second);
-        Assert.Equal(isOdd, odd.IsOdd);
-    }
-
     /// <summary>A camera on the x axis that looks along it.</summary>
     private static Camera View(double position, double target) => new(new(position, 0, 0), new(target, 0, 0), width: 30, height: 20);
 

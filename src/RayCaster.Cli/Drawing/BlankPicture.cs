@@ -1,16 +1,16 @@
-namespace RayCaster.Teaching.Visibility;
+namespace RayCaster.Cli;
 
 /// <summary>
 /// Checks the lines of a picture while they are drawn. A picture looks like a mistake if it has one colour, or only the background's and black.
 /// The check stops at the third colour, so a usual picture costs nothing.
 /// </summary>
-public sealed class BlankPicture(Color background)
+internal sealed class BlankPicture(Color background)
 {
     private readonly List<int> seen = new(3); // colours as red, green and blue in one number
     private readonly int background = Packed(background.ToBytes());
 
     /// <summary>Whether the lines so far look like a mistake.</summary>
-    public bool IsOdd => seen.Count <= 1 || (seen.Count == 2 && seen.Contains(0) && seen.Contains(background));
+    public bool IsBlank => seen.Count <= 1 || (seen.Count == 2 && seen.Contains(0) && seen.Contains(background));
 
     /// <summary>Takes the next lines.</summary>
     /// <param name="rgb">Whole lines of red, green and blue.</param>
