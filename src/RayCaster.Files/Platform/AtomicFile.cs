@@ -7,13 +7,17 @@ namespace RayCaster.Files;
 /// takes the target's place at the end. A program that must end at once deletes the temporary files, whatever its threads are doing, and can
 /// name the finished ones.
 /// </summary>
-public static class AtomicFile
+public sealed class AtomicFile : IDisposable
 {
     private const string Circle = "symbolic links lead in a circle";
 
     private static readonly Lock access = new();
     private static readonly HashSet<string> unfinished = []; // the temporary files and folders
     private static bool isAborted;
+
+    private readonly string path, target, temporary;
+    private readonly bool isFile;
+    private readonly FileStream file;
 
     /// <summary>How many files are finished.</summary>
     public static int Count { get; private set; }
@@ -31,20 +35,35 @@ public static class AtomicFile
         }
     }
 
-    /// <summary>Writes a file. An old one stays until the new one is complete. A symbolic link is followed. What is no file, such as a device or
-    /// a pipe, is not replaced: it gets the bytes when they are complete.</summary>
-    /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
+    /// <summary>Begins a file. An old one stays until the new one is complete. A symbolic link is followed. What is no file, such as a device or a
+    /// pipe, is not replaced: it gets the bytes when they are complete.</summary>
     /// <exception cref="ProblemException">The file cannot be written.</exception>
-    public static void Write(string path, Action<Stream> write, Action? beforeReplacing = null)
+    public AtomicFile(string path)
     {
-        string? temporary = null;
+        this.path = path;
         try
         {
-            var target = TargetOf(path);
-            var isFile = FilePlace.IsFileOrFree(target);
+            target = TargetOf(path);
+            isFile = FilePlace.IsFileOrFree(target);
             temporary = NameBeside(isFile ? target : Path.Join(Path.GetTempPath(), Path.GetFileName(target)));
-            using var file = Create(path, isFile ? target : null, temporary);
-            write(file);
+            file = Create(path, isFile ? target : null, temporary);
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            throw Failure(e);
+        }
+    }
+
+    /// <summary>Takes the file's bytes. Its exceptions are the system's: <see cref="Failure(Exception)"/> says them in words.</summary>
+    public Stream Stream => file;
+
+    /// <summary>Puts the file in its place.</summary>
+    /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
+    /// <exception cref="ProblemException">It cannot be written.</exception>
+    public void Finish(Action? beforeReplacing = null)
+    {
+        try
+        {
             // A network drive reports only now that the quota is used up, and then the old picture must still be there.
             file.Flush(flushToDisk: isFile);
             beforeReplacing?.Invoke();
@@ -53,12 +72,41 @@ public static class AtomicFile
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
-            throw Failure(path, ProblemException.Reason(e), e);
+            throw Failure(e);
         }
-        finally
+    }
+
+    /// <summary>What is told of an exception of the system.</summary>
+    public ProblemException Failure(Exception e) => Failure(path, ProblemException.Reason(e), e);
+
+    /// <summary>Deletes the file if it is not finished.</summary>
+    public void Dispose()
+    {
+        try
         {
-            if (temporary is not null) Delete(temporary);
+            file.Dispose();
         }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            // Of a file that is not wanted. This must not hide the error before.
+        }
+        Delete(temporary);
+    }
+
+    /// <summary>Writes a file at once.</summary>
+    /// <inheritdoc cref="Finish(Action)"/>
+    public static void Write(string path, Action<Stream> write, Action? beforeReplacing = null)
+    {
+        using var file = new AtomicFile(path);
+        try
+        {
+            write(file.Stream);
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            throw file.Failure(e);
+        }
+        file.Finish(beforeReplacing);
     }
 
     /// <summary>Makes a folder: files go to a temporary folder beside it, which is renamed at the end.</summary>
