@@ -27,30 +27,16 @@ internal sealed class PictureOutput(string output, PictureFormat format, int wid
     }
 
     /// <inheritdoc cref="PictureWriter.WriteRows"/>
-    public void WriteRows(ReadOnlySpan<byte> rgb)
+    public void WriteRows(ReadOnlySpan<byte> rgb) => file.Write(rgb, (stream, rows) =>
     {
-        try
-        {
-            writer ??= PictureWriter.Create(format, file.Stream, width, height, part?.PngText);
-            writer.WriteRows(rgb);
-        }
-        catch (Exception e) when (ProblemException.IsCausedByFile(e))
-        {
-            throw file.Failure(e);
-        }
-    }
+        writer ??= PictureWriter.Create(format, stream, width, height, part?.PngText);
+        writer.WriteRows(rows);
+    });
 
     /// <summary>Ends the picture, and puts a file in its place.</summary>
     public void Finish()
     {
-        try
-        {
-            writer!.Finish();
-        }
-        catch (Exception e) when (ProblemException.IsCausedByFile(e))
-        {
-            throw file.Failure(e);
-        }
+        file.Write([], (_, _) => writer!.Finish());
         file.Finish();
     }
 

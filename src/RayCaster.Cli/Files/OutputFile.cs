@@ -7,30 +7,40 @@ internal sealed class OutputFile : IDisposable
         OperatingSystem.IsWindows() || OperatingSystem.IsMacOS() ? StringComparer.OrdinalIgnoreCase : StringComparer.Ordinal);
 
     private readonly AtomicFile? file; // null for standard output
+    private readonly Stream stream;
 
     public OutputFile(string output)
     {
         if (output == StandardStreams.Name)
         {
-            Stream = StandardStreams.OpenOutput();
+            stream = StandardStreams.OpenOutput();
             return;
         }
         if (FilePlace.Resolve(output) is { } place && read.Contains(place))
             throw new ProblemException($"{output} is one of the files that are read\n  Choose another name with -o.");
         file = new(output);
-        Stream = file.Stream;
+        stream = file.Stream;
     }
 
-    /// <summary>Takes the bytes. Its exceptions are the system's: <see cref="Failure"/> says them in words.</summary>
-    public Stream Stream { get; }
-
-    public ProblemException Failure(Exception e) => file?.Failure(e) ?? StandardStreams.OutputFailure(e);
+    /// <summary>Writes some bytes.</summary>
+    /// <exception cref="ProblemException">They cannot be written.</exception>
+    public void Write(ReadOnlySpan<byte> bytes, Action<Stream, ReadOnlySpan<byte>> write)
+    {
+        try
+        {
+            write(stream, bytes);
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            throw file?.Failure(e) ?? StandardStreams.OutputFailure(e);
+        }
+    }
 
     /// <summary>Puts a file in its place.</summary>
     public void Finish() => file?.Finish();
 
     /// <summary>Deletes a file that is not finished.</summary>
-    public void Dispose() => ((IDisposable?)file ?? Stream).Dispose();
+    public void Dispose() => ((IDisposable?)file ?? stream).Dispose();
 
     /// <summary>Its name in messages.</summary>
     public static string NameOf(string output) => output == StandardStreams.Name ? "standard output" : output;
@@ -42,14 +52,7 @@ internal sealed class OutputFile : IDisposable
     public static void Write(string output, byte[] content)
     {
         using var file = new OutputFile(output);
-        try
-        {
-            file.Stream.Write(content);
-        }
-        catch (Exception e) when (ProblemException.IsCausedByFile(e))
-        {
-            throw file.Failure(e);
-        }
+        file.Write(content, (stream, bytes) => stream.Write(bytes));
         file.Finish();
     }
 }

@@ -60,21 +60,14 @@ public sealed class AtomicFile : IDisposable
     /// <summary>Puts the file in its place.</summary>
     /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
     /// <exception cref="ProblemException">It cannot be written.</exception>
-    public void Finish(Action? beforeReplacing = null)
+    public void Finish(Action? beforeReplacing = null) => Do(() =>
     {
-        try
-        {
-            // A network drive reports only now that the quota is used up, and then the old picture must still be there.
-            file.Flush(flushToDisk: isFile);
-            beforeReplacing?.Invoke();
-            if (!isFile) Copy(file, target);
-            Finish(temporary, path, isFile ? () => Replace(path, target, temporary) : () => File.Delete(temporary));
-        }
-        catch (Exception e) when (ProblemException.IsCausedByFile(e))
-        {
-            throw Failure(e);
-        }
-    }
+        // A network drive reports only now that the quota is used up, and then the old picture must still be there.
+        file.Flush(flushToDisk: isFile);
+        beforeReplacing?.Invoke();
+        if (!isFile) Copy(file, target);
+        Finish(temporary, path, isFile ? () => Replace(path, target, temporary) : () => File.Delete(temporary));
+    });
 
     /// <summary>What is told of an exception of the system.</summary>
     public ProblemException Failure(Exception e) => Failure(path, ProblemException.Reason(e), e);
@@ -98,15 +91,20 @@ public sealed class AtomicFile : IDisposable
     public static void Write(string path, Action<Stream> write, Action? beforeReplacing = null)
     {
         using var file = new AtomicFile(path);
+        file.Do(() => write(file.Stream));
+        file.Finish(beforeReplacing);
+    }
+
+    private void Do(Action work)
+    {
         try
         {
-            write(file.Stream);
+            work();
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
-            throw file.Failure(e);
+            throw Failure(e);
         }
-        file.Finish(beforeReplacing);
     }
 
     /// <summary>Makes a folder: files go to a temporary folder beside it, which is renamed at the end.</summary>
