@@ -117,8 +117,11 @@ internal sealed partial class Tab
     /// <summary>Restores a camera that the page remembers, or with null the scene's own.</summary>
     private void SeeThrough(JsonElement value)
     {
-        var camera = IsNull(value) || live.State.Scene is not { } scene ? null : scene.Camera.With(
-            position: VectorOf(value.GetProperty("position")), target: VectorOf(value.GetProperty("target")));
+        var camera = IsNull(value) || live.State.Scene is not { } scene ? null : scene.Camera with
+        {
+            Position = VectorOf(value.GetProperty("position")),
+            Target = VectorOf(value.GetProperty("target")),
+        };
         See(camera?.ValidationError is null ? camera : null);
         outdated.Cancel();
         Rest();

@@ -1,6 +1,6 @@
 namespace RayCaster.Cli;
 
-/// <summary>Where a command writes to: a file, which is complete or unchanged, or standard output. No file that the command reads is replaced.</summary>
+/// <summary>Where a command writes to: a file, which is complete or unchanged, or standard output. No file that it reads is replaced.</summary>
 internal sealed class OutputFile : IDisposable
 {
     private static readonly HashSet<string> read = new( // where names of files may differ by case

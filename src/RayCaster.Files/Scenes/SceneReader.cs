@@ -94,37 +94,33 @@ public static class SceneReader
             o.Vector("position", "P, where the rays start."),
             o.Vector("target",
                 "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
-                    "at twice its distance all is black."),
-            up: o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", orElse.Up),
-            fovY: o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), orElse.FovY),
-            width: o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
-            height: o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
-            zNear: o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
-            zFar: o.Number("zFar", "Nothing farther is seen; greater than zNear.", Limits.None, orElse.ZFar),
-            bias: o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
-            clip: o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+                    "at twice its distance all is black."))
+        {
+            Up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", orElse.Up),
+            FovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), orElse.FovY),
+            Width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
+            Height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
+            ZNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
+            ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", Limits.None, orElse.ZFar),
+            Bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
+            Clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
                 "depth", "distance") == "distance" ? ClipMode.Distance : ClipMode.Depth,
-            sample: o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
-                "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner);
+            Sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+                "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner,
+        };
         o.Close();
 
-        var view = camera.Target - camera.Position;
-        var position = o.PathOf("position");
-        var (width, height) = (camera.Width, camera.Height);
-        var (zNear, zFar) = (camera.ZNear, camera.ZFar);
+        foreach (var (key, message) in camera.Flaws(o.PathOf("")))
+        {
+            if (key == "zFar" && !o.Has(key))
+                o.Refuse("zNear", $" must be less than {o.PathOf(key)}, which is {camera.ZFar} where it is not given, but is {camera.ZNear}");
+            else if (key == "zFar" && !o.Has("zNear"))
+                o.Refuse(key, $" must be greater than {o.PathOf("zNear")}, which is {camera.ZNear} where it is not given, but is {camera.ZFar}");
+            else if (key == "up" && !o.Has(key))
+                o.Refuse(key, $"{message} where it is not given; the camera looks along it: add \"up\": [1, 0, 0]");
+            else if (key != "fovY") o.Refuse(key, message); // its limits are the key's
+        }
         var fovY = camera.FovY;
-        var ofUp = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
-        var ofZNear = o.Has("zNear") ? "" : " where it is not given";
-        if (view.Length == 0) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
-        else if (Camera.IsParallel(camera.Up, view))
-            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {position}, but is {camera.Up}{ofUp}");
-        if (zFar <= zNear && !o.Has("zFar"))
-            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
-        else if (zFar <= zNear)
-            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{ofZNear}, but is {zFar}");
-        if ((long)width * height > Camera.MaxPixels)
-            o.Refuse("height",
-                $" times {o.PathOf("width")} must be at most {Camera.MaxPixels:N0}, but is {height} x {width} = {(long)width * height:N0}");
         if (fovY is >= 0.2 and < 3)
             o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
         return o.IsSound ? camera : null;

@@ -64,7 +64,7 @@ public class DocsTests
     [Fact]
     public void TheShapeToAddIsTheSameInBothWays()
     {
-        var camera = new Camera(new(5, 2, 3), Vector3.Zero, width: 60, height: 40);
+        var camera = new Camera(new(5, 2, 3), Vector3.Zero) { Width = 60, Height = 40 };
         Assert.Equal(Drawn(new Cylinder(new(0.3, 0, 0), 1, 2)), Drawn(Model.Of(new Tube(new(0.3, 0, 0), 1, 2))));
 
         byte[] Drawn(Model model) => ScalarRenderer.Render(new(camera, [model], new(0, 0, 1))).Rgb;
