@@ -3,7 +3,7 @@ using System.Text.Json;
 namespace RayCaster.Page;
 
 /// <summary>Receives the page's requests.</summary>
-internal sealed partial class Tab
+internal sealed partial class PageSession
 {
     /// <summary>Takes a message of requests.</summary>
     /// <returns>False if the page sends no such message: another program does.</returns>
@@ -66,9 +66,9 @@ internal sealed partial class Tab
                     wishes = wishes with { Hint = Named<HintLevel>(value) };
                     break;
                 case "diagnose":
-                    diagnosing.Cancel(); // if it has not begun, it begins and is told to be cancelled
+                    wishes.Diagnosing.Cancel(); // if it has not begun, it begins and is told to be cancelled
                     if (!value.GetBoolean()) break;
-                    diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end);
+                    wishes = wishes with { Diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end) };
                     pending |= MessageKind.Diagnosis;
                     break;
                 case "forgetMine":
@@ -136,7 +136,7 @@ internal sealed partial class Tab
     private void WriteCamera(int version)
     {
         var camera = wishes.View.Camera;
-        _ = Task.Run(() => Post(Messages.Of(new { Kind = "written", Problem = Write() })));
+        _ = Task.Run(() => Post(new WrittenMessage(Write())));
 
         string Write()
         {
