@@ -22,7 +22,7 @@ internal sealed partial class PageSession(
 
     private readonly Lock sync = new(); // for the fields below
     private MessageKind pending;
-    private Wishes wishes = new();
+    private Wishes wishes = new(new(), new());
     private SceneState? known; // the state that the page knows
     private CancellationTokenSource outdated = new();
 
@@ -30,19 +30,11 @@ internal sealed partial class PageSession(
     private sealed record Place(int Column, int Line);
 
     /// <summary>What the page has last requested. The reading loop replaces it as a whole, so the sending loop needs no lock to read it.</summary>
-    private sealed record Wishes
-    {
-        public View View { get; init; } = new();
-        public bool IsMoving { get; init; }
-        public int Divisor { get; init; } = 1;
-        public MapKind? Map { get; init; }
-        public Place? Hover { get; init; }
-        public Place? Explained { get; init; }
-        public HintLevel Hint { get; init; } = HintLevel.Question;
-        public bool Diagnoses { get; init; }
-        public CancellationTokenSource Diagnosing { get; init; } = new(); // "Cancel" may come before the diagnosis begins
-        public int Shown { get; init; } // frames
-    }
+    /// <param name="Diagnosing">Cancelled by "Cancel", which may come before the diagnosis begins.</param>
+    /// <param name="Shown">How many frames the page has shown.</param>
+    private sealed record Wishes(
+        View View, CancellationTokenSource Diagnosing, bool Diagnoses = false, HintLevel Hint = HintLevel.Question, bool IsMoving = false,
+        int Divisor = 1, MapKind? Map = null, Place? Hover = null, Place? Explained = null, int Shown = 0);
 
     public void Wake() => wake.Writer.TryWrite(true);
 

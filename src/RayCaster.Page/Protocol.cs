@@ -4,7 +4,7 @@ using System.Text.Json.Serialization;
 
 namespace RayCaster.Page;
 
-/// <summary>A message to a page, as JSON: its kind, then what it holds. The page's scripts read these names, in lower case at the beginning.</summary>
+/// <summary>A message to a page, as JSON: its kind, then what it holds. The scripts read these names, with a small first letter.</summary>
 [JsonPolymorphic(TypeDiscriminatorPropertyName = "kind")]
 [JsonDerivedType(typeof(SceneMessage), "scene")]
 [JsonDerivedType(typeof(FaultMessage), "fault")]
@@ -29,6 +29,13 @@ internal abstract record Message
     public byte[] ToJson() => JsonSerializer.SerializeToUtf8Bytes(this, options);
 }
 
+/// <summary>What is still to be sent to a page.</summary>
+[Flags]
+internal enum MessageKind
+{
+    Scene = 1, Hover = 2, Frame = 4, Camera = 8, Explanation = 16, Map = 32, Comparison = 64, Diagnosis = 128, Ledger = 256, All = 511,
+}
+
 /// <summary>The state of the scene file: the picture's size, the models, the errors.</summary>
 /// <param name="Path">The file as the user named it.</param>
 /// <param name="Good">Whether the file describes the scene now.</param>
@@ -40,7 +47,6 @@ internal sealed record SceneMessage(
 
 /// <param name="Link">Opens an editor at the place.</param>
 internal sealed record ProblemEntry(bool IsError, string Message, string Excerpt, string Place, string Link);
-
 internal sealed record ModelEntry(string Name, string Type, string Color);
 
 /// <summary>A fault of the code, often of a formula that was changed; null if there is none any more.</summary>
@@ -60,11 +66,8 @@ internal sealed record ExplanationMessage(
 /// <param name="Near">The u of the clip plane; null where zNear and zFar are distances, whose sections are circles.</param>
 internal sealed record RayDrawing(
     double[] Direction, double? Near, double? Far, DrawnView View, IEnumerable<DrawnModel> Models, IEnumerable<DrawnCrossing> Crossings);
-
 internal sealed record DrawnView(double Left, double Right, double Bottom, double Top);
-
 internal sealed record DrawnModel(string Name, string Color, IEnumerable<double[][]> Lines);
-
 internal sealed record DrawnCrossing(double[] Place, bool Shows, string Label, string Words);
 
 /// <summary>In how many pixels each model shows, or why it does not.</summary>

@@ -43,7 +43,8 @@ public partial class ProtocolTests
     [Fact]
     public void WhatAListenerReadsIsInItsMessage()
     {
-        var listeners = Listener().Matches(scripts).Where(listener => listener.Groups["kind"].Value is not ("open" or "closed" or "frame")).ToArray();
+        var listeners = Listener().Matches(scripts)
+            .Where(listener => listener.Groups["kind"].Value is not ("open" or "closed" or "frame")).ToArray();
         Assert.NotEmpty(listeners);
         Assert.All(listeners, listener =>
         {

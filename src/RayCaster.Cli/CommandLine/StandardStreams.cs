@@ -19,28 +19,13 @@ internal static class StandardStreams
 
     /// <summary>Writes a command's answer, in whole lines, to standard output.</summary>
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>
-    public static void WriteOutput(string text)
-    {
-        try
-        {
-            using var stream = OpenOutput();
-            stream.Write(Bytes(text));
-        }
-        catch (Exception e) when (ProblemException.IsCausedByFile(e))
-        {
-            throw OutputFailure(e);
-        }
-    }
+    public static void WriteOutput(string text) => OutputFile.Write(Name, Bytes(text));
 
     public static Stream OpenOutput()
     {
         HasOutput = true;
         return Console.OpenStandardOutput();
     }
-
-    /// <summary>What is told of an exception of standard output.</summary>
-    public static ProblemException OutputFailure(Exception e) =>
-        new($"cannot write to standard output: {(e is IOException ? e.Message : "it is closed")}", e) { NamesFile = true };
 
     /// <summary>Writes a message, in whole lines, to standard error. Errors of the write are ignored.</summary>
     public static void WriteError(string text)

@@ -39,8 +39,8 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
         var format = onlyMissing ? PictureFormat.Png : PictureOutput.FormatOf(file, line.Get(Option.Format));
 
         var start = Stopwatch.GetTimestamp();
-        var named = FilePatterns.Expand([.. line.Operands.Where(operand => !Directory.Exists(operand))]);
-        var inFolders = line.Operands.Where(Directory.Exists).SelectMany(folder => FilePatterns.FilesIn(folder, "*.png"));
+        var named = Glob.Expand([.. line.Operands.Where(operand => !Directory.Exists(operand))]);
+        var inFolders = line.Operands.Where(Directory.Exists).SelectMany(folder => Glob.FilesIn(folder, "*.png"));
         string[] files = [.. named.Concat(inFolders).DistinctBy(Path.GetFullPath)];
         var parts = new PartSet(files, named.Contains, whole: onlyMissing);
         if (parts.Count + parts.Problems.Count + parts.Unreadable.Count == 0)

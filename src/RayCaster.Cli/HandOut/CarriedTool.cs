@@ -29,7 +29,7 @@ internal static class CarriedTool
         var here = Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory);
         if (File.Exists(Path.Join(here, Page))) return here;
         var (framework, configuration) = (Path.GetFileName(here), Path.GetFileName(Path.GetDirectoryName(here)));
-        if (FilePlace.FolderWith("RayCaster.sln") is not { } clone)
+        if (PathResolver.FolderWith("RayCaster.sln") is not { } clone)
             throw new ProblemException($"the live page is a program of its own, {Page}, which is not beside this one\n" +
                 $"  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>");
         var built = Path.Join(clone, "src", "RayCaster.Live", "bin", configuration, framework);

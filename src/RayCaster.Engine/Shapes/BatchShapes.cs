@@ -48,10 +48,10 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
 
     private static void Project(ReadOnlySpan<(P Shape, int Model)> some, ScreenBounds screenBounds)
     {
-        if (default(P) is IRound)
+        if (default(P) is IBoundingSphere)
         {
             Span<(Vector3 Center, double Radius)> balls = stackalloc (Vector3, double)[some.Length];
-            for (var i = 0; i < some.Length; i++) balls[i] = (((IRound)some[i].Shape).Center, ((IRound)some[i].Shape).Radius);
+            for (var i = 0; i < some.Length; i++) balls[i] = (((IBoundingSphere)some[i].Shape).Center, ((IBoundingSphere)some[i].Shape).Radius);
             screenBounds.Project<N>(balls);
         }
         else

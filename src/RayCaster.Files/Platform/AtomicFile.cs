@@ -44,7 +44,7 @@ public sealed class AtomicFile : IDisposable
         try
         {
             target = TargetOf(path);
-            isFile = FilePlace.IsFileOrFree(target);
+            isFile = PathResolver.IsFileOrFree(target);
             temporary = NameBeside(isFile ? target : Path.Join(Path.GetTempPath(), Path.GetFileName(target)));
             file = Create(path, isFile ? target : null, temporary);
         }
@@ -117,7 +117,7 @@ public sealed class AtomicFile : IDisposable
         string? temporary = null;
         try
         {
-            var target = FilePlace.Resolve(path) ?? throw new IOException(Circle);
+            var target = PathResolver.Resolve(path) ?? throw new IOException(Circle);
             var isThere = Directory.Exists(target);
             temporary = NameBeside(isThere ? Path.Join(target, Path.GetFileName(target)) : target);
             Begin(temporary, () => Directory.CreateDirectory(temporary));
@@ -156,15 +156,15 @@ public sealed class AtomicFile : IDisposable
     private static string TargetOf(string path)
     {
         MissingFileHint.ThrowIfImpossible(path);
-        if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
+        if (OperatingSystem.IsWindows() && PathResolver.IsDeviceOnWindows(Path.GetFileName(path)))
             throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
-        var target = FilePlace.Resolve(path) ?? throw Failure(path, Circle);
+        var target = PathResolver.Resolve(path) ?? throw Failure(path, Circle);
         // Windows says of such a name only that its syntax is wrong.
         if (OperatingSystem.IsWindows() && Path.GetFileName(target).Length > 255) throw Failure(path, "the name is too long");
         var folder = Path.GetDirectoryName(target);
         if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(path))
             throw Failure(path, "it is a folder; name a file in it");
-        if (FilePlace.DescriptorOf(target) is not null && !File.Exists(target)) throw Failure(path, "nothing is open by this number");
+        if (PathResolver.DescriptorOf(target) is not null && !File.Exists(target)) throw Failure(path, "nothing is open by this number");
         if (folder == "/dev" && !File.Exists(target)) throw Failure(path, "its folder is for devices, not for files");
         if (!Directory.Exists(folder))
             throw Failure(path, $"its folder does not exist\n  make the folder {PrintableText.From(folder)} first");
@@ -230,7 +230,7 @@ public sealed class AtomicFile : IDisposable
     private static void Copy(FileStream file, string target)
     {
         file.Position = 0;
-        using var output = FilePlace.DescriptorOf(target) is { } number
+        using var output = PathResolver.DescriptorOf(target) is { } number
             ? new FileStream(new SafeFileHandle(number, ownsHandle: false), FileAccess.Write, bufferSize: 0)
             : new FileStream(target, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
         file.CopyTo(output);

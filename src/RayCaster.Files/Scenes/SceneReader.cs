@@ -36,7 +36,7 @@ public static class SceneReader
 
     /// <summary>Reads a short file in the form of a scene file. Returns null if there is an error.</summary>
     /// <param name="name">The name of the outermost object in messages.</param>
-    internal static T? ReadShort<T>(string path, string name, Func<SceneObject, T?> read, out SceneReading reading) where T : class =>
+    internal static T? ReadShort<T>(string path, string name, Func<JsonKeys, T?> read, out SceneReading reading) where T : class =>
         Read(path, "", () => InputFile.Read(path, "file", MaxShortBytes), name, read, out reading);
 
     private static SceneReading Read(string displayName, string folder, Func<ReadOnlyMemory<byte>> open)
@@ -47,7 +47,7 @@ public static class SceneReader
     }
 
     private static T? Read<T>(
-        string displayName, string folder, Func<ReadOnlyMemory<byte>> open, string name, Func<SceneObject, T?> read, out SceneReading reading)
+        string displayName, string folder, Func<ReadOnlyMemory<byte>> open, string name, Func<JsonKeys, T?> read, out SceneReading reading)
         where T : class
     {
         try
@@ -60,21 +60,21 @@ public static class SceneReader
             return null;
         }
         var tree = JsonTree.Parse(reading, key => TakesText(key, read));
-        var result = tree is not null && SceneObject.AsObject(tree.Root, name) is { } root ? read(root) : null;
+        var result = tree is not null && JsonKeys.AsObject(tree.Root, name) is { } root ? read(root) : null;
         reading.End();
         return reading.ErrorCount == 0 ? result : null;
     }
 
     /// <summary>Whether a key of a file, or of a model, may have a text as its value.</summary>
-    private static bool TakesText<T>(string key, Func<SceneObject, T?> read)
+    private static bool TakesText<T>(string key, Func<JsonKeys, T?> read)
     {
-        read(SceneObject.Describing(out var keys));
+        read(JsonKeys.Describing(out var keys));
         return key == "type" || keys.Concat(keys.SelectMany(outer => outer.Members)).Concat(PrimitiveList.KeysOfAllTypes).Any(known =>
             known.Name == key && known.Kind is KeyKind.Text or KeyKind.Texts or KeyKind.FileName or KeyKind.Choice or KeyKind.Color);
     }
 
     /// <summary>Reads the outermost object of a scene; null if there is an error in it.</summary>
-    internal static Scene? ReadScene(SceneObject o)
+    internal static Scene? ReadScene(JsonKeys o)
     {
         o.Text("$schema", "Where editors find the schema of scene files; the program does not use it.", false);
         var camera = o.Object("camera", "Where the picture is taken from, and how wide it looks.") is { } c ? ReadCamera(c) : null;
@@ -87,7 +87,7 @@ public static class SceneReader
         return o.IsSound ? new(camera!, models, background) : null;
     }
 
-    private static Camera? ReadCamera(SceneObject o)
+    private static Camera? ReadCamera(JsonKeys o)
     {
         var orElse = new Camera(default, default);
         var camera = new Camera(
@@ -110,7 +110,7 @@ public static class SceneReader
         };
         o.Close();
 
-        foreach (var (key, message) in camera.Flaws(o.PathOf("")))
+        camera.Check(o.PathOf(""), (key, message) =>
         {
             if (key == "zFar" && !o.Has(key))
                 o.Refuse("zNear", $" must be less than {o.PathOf(key)}, which is {camera.ZFar} where it is not given, but is {camera.ZNear}");
@@ -119,7 +119,7 @@ public static class SceneReader
             else if (key == "up" && !o.Has(key))
                 o.Refuse(key, $"{message} where it is not given; the camera looks along it: add \"up\": [1, 0, 0]");
             else if (key != "fovY") o.Refuse(key, message); // its limits are the key's
-        }
+        });
         var fovY = camera.FovY;
         if (fovY is >= 0.2 and < 3)
             o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
@@ -127,7 +127,7 @@ public static class SceneReader
     }
 
     /// <summary>Reads a model of any type; null if the type is unknown.</summary>
-    private static Model? ReadModel(SceneObject o)
+    private static Model? ReadModel(JsonKeys o)
     {
         var name = o.Choice("type", "What the model is.", null, PrimitiveList.Names);
         var type = Array.Find(PrimitiveList.All, type => type.Name == name);
@@ -138,7 +138,7 @@ public static class SceneReader
     }
 
     /// <summary>Reads all keys of a model but the type.</summary>
-    internal static Model ReadModel(SceneObject o, PrimitiveType type)
+    internal static Model ReadModel(JsonKeys o, PrimitiveType type)
     {
         var model = type.Read(o);
         model.Color = o.Color("color", "Its colour in full light, as [red, green, blue], 1 being full intensity, or as \"#rrggbb\".", Color.White);

@@ -31,35 +31,39 @@ public sealed record Camera
     /// <summary>The most pixels in all.</summary>
     public const long MaxPixels = 10_000_000_000;
 
+    private Vector3 w, u, v; // fields, because each setter would be compiled for the first picture
+    private double planeHeight, planeWidth, fadeDistance;
+    private ClipRange clipRange;
+
     /// <summary>A camera; what is not set is as in a scene file that leaves it out.</summary>
     public Camera(Vector3 position, Vector3 target) => (Position, Target) = (position, target);
 
     /// <summary>P, where the rays start.</summary>
-    public Vector3 Position { get; init => Set(out field, value); }
+    public Vector3 Position { get; init { field = value; Derive(); } }
 
     /// <summary>T, different from P: the camera looks at it.</summary>
-    public Vector3 Target { get; init => Set(out field, value); }
+    public Vector3 Target { get; init { field = value; Derive(); } }
 
     /// <summary>The direction that is up in the picture; any length but zero, not parallel to T − P.</summary>
-    public Vector3 Up { get; init => Set(out field, value); } = new(0, 0, 1);
+    public Vector3 Up { get; init { field = value; Derive(); } } = new(0, 0, 1);
 
     /// <summary>The angle from the picture's lower to its upper edge, in degrees, 0 &lt; fovY &lt; 180.</summary>
-    public double FovY { get; init => Set(out field, value); } = 45;
+    public double FovY { get; init { field = value; Derive(); } } = 45;
 
     /// <summary>Pixels in a row.</summary>
-    public int Width { get; init => Set(out field, value); } = 500;
+    public int Width { get; init { field = value; Derive(); } } = 500;
 
     /// <summary>Rows.</summary>
-    public int Height { get; init => Set(out field, value); } = 500;
+    public int Height { get; init { field = value; Derive(); } } = 500;
 
     /// <summary>A hit counts if its z is at least this.</summary>
-    public double ZNear { get; init => Set(out field, value); } = 0.01;
+    public double ZNear { get; init { field = value; Derive(); } } = 0.01;
 
     /// <summary>A hit counts if its z is at most this.</summary>
-    public double ZFar { get; init => Set(out field, value); } = 100;
+    public double ZFar { get; init { field = value; Derive(); } } = 100;
 
     /// <summary>A hit counts if t &gt; bias; with a bias of 0, if t ≥ 0.</summary>
-    public double Bias { get; init => Set(out field, value); } = 1e-6;
+    public double Bias { get; init { field = value; Derive(); } } = 1e-6;
 
     /// <summary>Whether z, which zNear and zFar limit, is a depth or a distance.</summary>
     public ClipMode Clip { get; init; }
@@ -69,43 +73,51 @@ public sealed record Camera
 
     /// <summary>W = −(T − P) normalised: backwards. W, U, V and h are NaN or infinite if they cannot be computed
     /// (<see cref="ValidationError"/>).</summary>
-    public Vector3 W { get; private set; }
+    public Vector3 W => w;
 
     /// <summary>U = (up × W) normalised: to the right.</summary>
-    public Vector3 U { get; private set; }
+    public Vector3 U => u;
 
     /// <summary>V = W × U: upwards, across the view.</summary>
-    public Vector3 V { get; private set; }
+    public Vector3 V => v;
 
     /// <summary>h = 2 tan(fovY / 2): the height of the picture plane at distance 1.</summary>
-    public double PlaneHeight { get; private set; }
+    public double PlaneHeight => planeHeight;
 
     /// <summary>w = h · width / height.</summary>
-    public double PlaneWidth { get; private set; }
+    public double PlaneWidth => planeWidth;
 
     /// <summary>2 |T − P|: attenuation reaches 0 at this distance, and everything beyond it is black.</summary>
-    public double FadeDistance { get; private set; }
+    public double FadeDistance => fadeDistance;
 
     /// <summary>Decides by bias, zNear and zFar which crossings count.</summary>
-    public ClipRange ClipRange { get; private set; }
+    public ClipRange ClipRange => clipRange;
 
     /// <summary>Why this camera cannot take a picture, in words; null if it can.</summary>
-    public string? ValidationError => Flaws("").Select(flaw => flaw.Setting + FormattableString.Invariant(flaw.Message)).FirstOrDefault();
+    public string? ValidationError
+    {
+        get
+        {
+            string? error = null;
+            Check("", (setting, message) => error ??= setting + FormattableString.Invariant(message));
+            return error;
+        }
+    }
 
-    /// <summary>What is wrong with the settings: which, and what is told after its name; nothing if the camera can take a picture.</summary>
-    /// <param name="prefix">Stands before the names of other settings.</param>
-    public IEnumerable<(string Setting, FormattableString Message)> Flaws(string prefix)
+    /// <summary>Checks the settings.</summary>
+    /// <param name="prefix">Stands before the names of settings in a message.</param>
+    /// <param name="refuse">Called for each mistake, with the setting and a message that follows its name.</param>
+    public void Check(string prefix, Action<string, FormattableString> refuse)
     {
         var view = Target - Position;
-        if (view.Length == 0) yield return ("target", $" must differ from {prefix}position, but both are {Target}");
-        else if (double.IsInfinity(view.Length)) yield return ("target", $" is {Target}, too far from {prefix}position, {Position}");
+        if (view.Length == 0) refuse("target", $" must differ from {prefix}position, but both are {Target}");
+        else if (double.IsInfinity(view.Length)) refuse("target", $" is {Target}, too far from {prefix}position, {Position}");
         else if ((Up % view.Normalized).Length <= 1e-12 * Up.Length) // whatever the length of up
-            yield return ("up", $" must not be parallel to {prefix}target - {prefix}position, but is {Up}");
-        if (FovY is <= 0 or >= 180) yield return ("fovY", $" must be greater than 0 and less than 180, but is {FovY}");
-        if (ZFar <= ZNear) yield return ("zFar", $" must be greater than {prefix}zNear, which is {ZNear}, but is {ZFar}");
+            refuse("up", $" must not be parallel to {prefix}target - {prefix}position, but is {Up}");
+        if (FovY is <= 0 or >= 180) refuse("fovY", $" must be greater than 0 and less than 180, but is {FovY}");
+        if (ZFar <= ZNear) refuse("zFar", $" must be greater than {prefix}zNear, which is {ZNear}, but is {ZFar}");
         if ((long)Width * Height > MaxPixels)
-            yield return ("height",
-                $" times {prefix}width must be at most {MaxPixels:N0}, but is {Height} x {Width} = {(long)Width * Height:N0}");
+            refuse("height", $" times {prefix}width must be at most {MaxPixels:N0}, but is {Height} x {Width} = {(long)Width * Height:N0}");
     }
 
     /// <summary>The ray of a pixel.</summary>
@@ -155,15 +167,15 @@ public sealed record Camera
     public N DepthPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
         Clip == ClipMode.Depth ? -(direction * W) : 1;
 
-    private void Set<T>(out T setting, T value)
+    /// <summary>Computes what depends on the settings, after a change of one.</summary>
+    private void Derive()
     {
-        setting = value;
-        W = -(Target - Position).Normalized;
-        U = (Up % W).Normalized;
-        V = W % U;
-        PlaneHeight = 2 * Math.Tan(FovY / 2 * Math.PI / 180); // FovY is in degrees, Math.Tan takes radians
-        PlaneWidth = PlaneHeight * Width / Height; // not PlaneHeight * (Width / Height): of two integers that is a whole number
-        FadeDistance = (2 * (Target - Position)).Length;
-        ClipRange = new(Bias, ZNear, ZFar);
+        w = -(Target - Position).Normalized;
+        u = (Up % w).Normalized;
+        v = w % u;
+        planeHeight = 2 * Math.Tan(FovY / 2 * Math.PI / 180); // FovY is in degrees, Math.Tan takes radians
+        planeWidth = planeHeight * Width / Height; // not planeHeight * (Width / Height): of two integers that is a whole number
+        fadeDistance = (2 * (Target - Position)).Length;
+        clipRange = new(Bias, ZNear, ZFar);
     }
 }

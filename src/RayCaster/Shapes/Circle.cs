@@ -6,7 +6,7 @@ namespace RayCaster;
 /// <param name="Center">C.</param>
 /// <param name="Normal">n, across the disc; any length but zero.</param>
 /// <param name="Radius">R &gt; 0; the rim belongs to the disc.</param>
-public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radius) : IPrimitive, IRound
+public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radius) : IPrimitive, IBoundingSphere
 {
     /// <summary>The crossing X of the circle's plane, where |X − C| ≤ R. Compares squares: |X − C|² ≤ R².</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -5,7 +5,7 @@ namespace RayCaster;
 /// <summary>A sphere, visible from outside and from inside.</summary>
 /// <param name="Center">C.</param>
 /// <param name="Radius">R &gt; 0.</param>
-public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IRound
+public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IBoundingSphere
 {
     /// <summary>
     /// Slide "Sphere – Geometric Solution": t = t_ca ∓ t_hc. t_ca is the parameter of the ray's point nearest to C, t_hc half of the chord.

@@ -28,7 +28,7 @@ public class AddedShapesTests
 
     private static Model[] Balls(int count) => [.. Enumerable.Range(0, count).Select(i => Model.Of(new Ball(new(0, i % 10 - 5, i / 10 - 5), 0.4)))];
 
-    private readonly record struct Ball(Vector3 Center, double Radius) : IPrimitive, IRound
+    private readonly record struct Ball(Vector3 Center, double Radius) : IPrimitive, IBoundingSphere
     {
         public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => new Sphere(Center, Radius).Intersect(ray);
     }

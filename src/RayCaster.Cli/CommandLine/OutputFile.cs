@@ -16,7 +16,7 @@ internal sealed class OutputFile : IDisposable
             stream = StandardStreams.OpenOutput();
             return;
         }
-        if (FilePlace.Resolve(output) is { } place && read.Contains(place))
+        if (PathResolver.Resolve(output) is { } place && read.Contains(place))
             throw new ProblemException($"{output} is one of the files that are read\n  Choose another name with -o.");
         file = new(output);
         stream = file.Stream;
@@ -32,7 +32,8 @@ internal sealed class OutputFile : IDisposable
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
-            throw file?.Failure(e) ?? StandardStreams.OutputFailure(e);
+            throw file?.Failure(e) ??
+                new($"cannot write to standard output: {(e is IOException ? e.Message : "it is closed")}", e) { NamesFile = true };
         }
     }
 
@@ -47,7 +48,7 @@ internal sealed class OutputFile : IDisposable
 
     /// <summary>Notes files that are read, from the command line or for the scene.</summary>
     public static void Protect(IEnumerable<string> files) =>
-        read.UnionWith(files.Where(file => file != StandardStreams.Name).Select(FilePlace.Resolve).OfType<string>());
+        read.UnionWith(files.Where(file => file != StandardStreams.Name).Select(PathResolver.Resolve).OfType<string>());
 
     public static void Write(string output, byte[] content)
     {
