@@ -18,7 +18,12 @@ public class EdgeOnTriangleTests
             var (d, across) = (Some.Direction(random), Some.Direction(random));
             var camera = new Camera(Vector3.Zero, d)
             {
-                Up = Some.Direction(random), FovY = 1, Width = 1, Height = 1, Sample = PixelSample.Center, ZNear = 0,
+                Up = Some.Direction(random),
+                FovY = 1,
+                Width = 1,
+                Height = 1,
+                Sample = PixelSample.Center,
+                ZNear = 0,
             };
             d = camera.RayThrough(0, 0).Direction;
             var triangle = new Triangle(Corner(), Corner(), Corner());

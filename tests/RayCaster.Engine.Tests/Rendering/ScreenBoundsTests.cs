@@ -61,7 +61,11 @@ public class ScreenBoundsTests
             var position = outline(random, turned, d) - distance * d;
             var camera = new Camera(position, position + distance * look)
             {
-                Up = tilt, FovY = fovY, Width = width, Height = height, ZFar = 2 * distance,
+                Up = tilt,
+                FovY = fovY,
+                Width = width,
+                Height = height,
+                ZFar = 2 * distance,
             };
             var behind = Model.Of(new Sphere(position - distance * look, 1));
             var scene = new Scene(camera, [.. Enumerable.Repeat(behind, companions), model]);

@@ -19,8 +19,15 @@ public class SceneReaderTests
         var scene = Read("Good/everything.json");
         var camera = new Camera(new(20, 1, 2), new(0, 0.5, 0))
         {
-            Up = new(0, 1, 0), FovY = 60, Width = 64, Height = 48, ZNear = 0.5, ZFar = 50, Bias = 0,
-            Clip = ClipMode.Distance, Sample = PixelSample.Center,
+            Up = new(0, 1, 0),
+            FovY = 60,
+            Width = 64,
+            Height = 48,
+            ZNear = 0.5,
+            ZFar = 50,
+            Bias = 0,
+            Clip = ClipMode.Distance,
+            Sample = PixelSample.Center,
         };
 
         Assert.Equal(camera, scene.Camera);

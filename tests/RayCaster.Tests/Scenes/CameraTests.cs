@@ -79,8 +79,15 @@ public class CameraTests
 
         static Camera Other(Vector3 position, double fovY) => new(position, new(4, 5, 7))
         {
-            Up = new(1, 0, 0), FovY = fovY, Width = 10, Height = 20, ZNear = 0.5, ZFar = 60, Bias = 0.25,
-            Clip = ClipMode.Distance, Sample = PixelSample.Center,
+            Up = new(1, 0, 0),
+            FovY = fovY,
+            Width = 10,
+            Height = 20,
+            ZNear = 0.5,
+            ZFar = 60,
+            Bias = 0.25,
+            Clip = ClipMode.Distance,
+            Sample = PixelSample.Center,
         };
     }
 }

@@ -16,7 +16,11 @@ public class MeshPainterTests
             * new Vector3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, 0.7).Normalized;
         var camera = new Camera(position, new(0.1, 0.2, 0))
         {
-            Width = 503, Height = 317, ZNear = 0.5, ZFar = 0.5 + 2 * random.NextDouble(), Clip = (ClipMode)(seed % 2),
+            Width = 503,
+            Height = 317,
+            ZNear = 0.5,
+            ZFar = 0.5 + 2 * random.NextDouble(),
+            Clip = (ClipMode)(seed % 2),
         };
         var models = new Model[]
         {
