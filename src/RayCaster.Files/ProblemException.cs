@@ -14,7 +14,7 @@ public sealed class ProblemException(string message, Exception? cause = null) : 
     public bool IsUsage { get; private init; }
 
     /// <summary>Whether the message names the file.</summary>
-    internal bool NamesFile { get; init; }
+    public bool NamesFile { get; init; }
 
     /// <summary>The line of a text at which the message belongs behind the file's name; 0 for none.</summary>
     internal int Line { get; init; }

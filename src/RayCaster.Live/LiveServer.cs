@@ -21,9 +21,9 @@ internal sealed class LiveServer : IAsyncDisposable
     /// <summary>How many free ports are tried: a port that is free for IPv4 may be taken for IPv6.</summary>
     private const int MaxAttempts = 10;
 
-    private readonly ConcurrentDictionary<Tab, byte> tabs = new();
+    private readonly ConcurrentDictionary<PageSession, byte> sessions = new();
     private readonly CancellationTokenSource end = new();
-    private readonly Gate gate;
+    private readonly RequestGuard guard;
     private readonly WebApplication app;
 
     private LiveServer(string scene, string? mine, PageAddress address, TimeProvider clock, TimeSpan silence)
@@ -31,7 +31,7 @@ internal sealed class LiveServer : IAsyncDisposable
         Scene = new(scene, clock, end.Token);
         Mine = new(mine, clock, end.Token);
         Port = address.Port;
-        gate = new(Port, address.Token);
+        guard = new(Port, address.Token);
         var builder = WebApplication.CreateEmptyBuilder(new());
         builder.WebHost.UseKestrelCore().ConfigureKestrel(kestrel =>
         {
@@ -47,19 +47,19 @@ internal sealed class LiveServer : IAsyncDisposable
         // The page's own files are part of the program: no request can name a file of the disk.
         app.UseFileServer(new FileServerOptions { FileProvider = new EmbeddedFileProvider(typeof(LiveServer).Assembly, "") });
         app.Run(context => RefuseAsync(context, StatusCodes.Status404NotFound, "There is no such file."));
-        Scene.Changed += () => ForEachTab(tab => tab.Wake());
-        Mine.Changed += () => ForEachTab(tab => tab.CompareAgain());
+        Scene.Changed += () => ForEachSession(session => session.Wake());
+        Mine.Changed += () => ForEachSession(session => session.CompareAgain());
     }
 
     public LiveScene Scene { get; }
 
-    public MinePicture Mine { get; }
+    public UserPicture Mine { get; }
 
-    public Studio Studio { get; } = new();
+    public RenderQueue RenderQueue { get; } = new();
 
     public int Port { get; }
 
-    public string Address => gate.Address;
+    public string Address => guard.Address;
 
     /// <param name="scene">The scene file.</param>
     /// <param name="mine">The file of a picture by the user's own program to compare with; null for none.</param>
@@ -106,17 +106,17 @@ internal sealed class LiveServer : IAsyncDisposable
         return ((IPEndPoint)listener.LocalEndpoint).Port;
     }
 
-    private void ForEachTab(Action<Tab> action)
+    private void ForEachSession(Action<PageSession> action)
     {
-        foreach (var tab in tabs.Keys) action(tab);
+        foreach (var session in sessions.Keys) action(session);
     }
 
     private async Task AnswerAsync(HttpContext context, RequestDelegate answerWithFile)
     {
         var path = context.Request.Path;
         var method = context.Request.Method;
-        if (gate.Refuse(context) is { } reason) await RefuseAsync(context, StatusCodes.Status403Forbidden, reason);
-        else if (path == "/live" && context.WebSockets.IsWebSocketRequest) await ServeTabAsync(context);
+        if (guard.Refuse(context) is { } reason) await RefuseAsync(context, StatusCodes.Status403Forbidden, reason);
+        else if (path == "/live" && context.WebSockets.IsWebSocketRequest) await ServePageAsync(context);
         else if (path == "/mine" && HttpMethods.IsPost(method)) await TakeMineAsync(context);
         else if (!HttpMethods.IsGet(method)) await RefuseAsync(context, StatusCodes.Status405MethodNotAllowed, $"{method} is not allowed here.");
         else await answerWithFile(context);
@@ -129,20 +129,20 @@ internal sealed class LiveServer : IAsyncDisposable
         return context.Response.WriteAsync(reason + "\n");
     }
 
-    private async Task ServeTabAsync(HttpContext context)
+    private async Task ServePageAsync(HttpContext context)
     {
         using var socket = await context.WebSockets.AcceptWebSocketAsync(context.WebSockets.WebSocketRequestedProtocols[0]);
         using var closed = CancellationTokenSource.CreateLinkedTokenSource(end.Token);
         var connection = new SocketConnection(socket);
-        var tab = new Tab(connection, Scene, Mine, Studio, closed.Token);
-        tabs.TryAdd(tab, 0);
+        var session = new PageSession(connection, Scene, Mine, RenderQueue, closed.Token);
+        sessions.TryAdd(session, 0);
         try
         {
-            await Task.WhenAny(connection.ReadAsync(tab, closed.Token), tab.AnswerAsync());
+            await Task.WhenAny(connection.ReadAsync(session, closed.Token), session.AnswerAsync());
         }
         finally
         {
-            tabs.TryRemove(tab, out _);
+            sessions.TryRemove(session, out _);
             await closed.CancelAsync();
             socket.Abort();
         }

@@ -8,7 +8,7 @@ internal sealed class SocketConnection(WebSocket socket) : IConnection
     private const int MaxBytes = 1 << 16; // of a message; the page's have some hundred
 
     /// <summary>Gives the page's requests to its tab, until the page closes or breaks the rules.</summary>
-    public async Task ReadAsync(Tab tab, CancellationToken cancellation)
+    public async Task ReadAsync(PageSession session, CancellationToken cancellation)
     {
         var bytes = new byte[MaxBytes];
         int length;
@@ -17,7 +17,7 @@ internal sealed class SocketConnection(WebSocket socket) : IConnection
             using var stream = WebSocketStream.CreateReadableMessageStream(socket);
             length = await stream.ReadAtLeastAsync(bytes, MaxBytes, throwOnEndOfStream: false, cancellation);
         }
-        while (length < MaxBytes && tab.Take(bytes.AsMemory(0, length)));
+        while (length < MaxBytes && session.Take(bytes.AsMemory(0, length)));
     }
 
     public Task SendAsync(byte[] message, CancellationToken cancellation) =>

@@ -18,7 +18,7 @@ public static class RubricReader
     }
 
     /// <summary>Reads the outermost object; without text it describes the keys.</summary>
-    internal static Rubric? ReadRubric(SceneObject o, string path, StringBuilder sceneReports)
+    internal static Rubric? ReadRubric(JsonKeys o, string path, StringBuilder sceneReports)
     {
         o.Text("$schema", "Where editors find the schema of rubrics; the program does not use it.", false);
         var title = o.Text("title", "What is marked, for the heads of pages.", false) ?? "Marks";
@@ -51,7 +51,7 @@ public static class RubricReader
     }
 
     /// <summary>Reads an item; the mistakes of those before it are taken.</summary>
-    internal static RubricItem ReadItem(SceneObject o, IReadOnlyList<RubricItem> before)
+    internal static RubricItem ReadItem(JsonKeys o, IReadOnlyList<RubricItem> before)
     {
         var name = o.Text("name", "What the item is called.", true) ?? "";
         var points = o.Number("points", "What it is worth.", Limits.From(0.01, 10_000)); // tables have two decimals
@@ -81,7 +81,7 @@ public static class RubricReader
         };
     }
 
-    private static void RefuseUnknown(SceneObject o, string key, IReadOnlyList<string> words, IReadOnlyList<string> known, string what)
+    private static void RefuseUnknown(JsonKeys o, string key, IReadOnlyList<string> words, IReadOnlyList<string> known, string what)
     {
         foreach (var (i, word) in words.Index())
             if (!known.Contains(word)) o.Refuse(key, $" must be {what}, but is \"{word}\"{Spelling.DidYouMean(word, known)}", i);
@@ -90,7 +90,7 @@ public static class RubricReader
     /// <summary>A path without "..", for messages: from the current folder, if it is not absolute.</summary>
     private static string Plain(string path) => Path.IsPathRooted(path) ? Path.GetFullPath(path) : Path.GetRelativePath(".", path);
 
-    private static List<MarkedScene> ReadScenes(SceneObject o, IReadOnlyList<string> files, string folder, StringBuilder reports)
+    private static List<MarkedScene> ReadScenes(JsonKeys o, IReadOnlyList<string> files, string folder, StringBuilder reports)
     {
         var scenes = new List<MarkedScene>();
         if (o.Has("scenes") && files.Count == 0 && o.IsSound) o.Refuse("scenes", $" must name at least one scene file");

@@ -16,16 +16,11 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
     private PictureComparison? Result => Mine is null ? null : field ??= PictureComparison.With(Scene, Mine);
 
     /// <summary>The words for the page, without the diagnosis.</summary>
-    public byte[] Message() => Messages.Of(new
-    {
-        Kind = "comparison",
-        Name,
-        Problem,
-        Text = Result is null ? null : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
-        Verdict = Result is null ? null : ComparisonText.Format(Result.Likeness),
-        HasLayers = Result?.Difference is not null,
-        Middle = Result?.Difference?.WrongMiddle is var (x, y) ? (int[])[x, y] : null,
-    });
+    public ComparisonMessage Message() => new(Name, Problem,
+        Result is null ? null : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
+        Result is null ? null : ComparisonText.Format(Result.Likeness),
+        HasLayers: Result?.Difference is not null,
+        Middle: Result?.Difference?.WrongMiddle is var (x, y) ? [x, y] : null);
 
     /// <summary>The user's picture, and the difference.</summary>
     public IEnumerable<(Layer, CanvasImage)> Frames()

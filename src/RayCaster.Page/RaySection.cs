@@ -11,9 +11,8 @@ internal static class RaySection
     /// <summary>The most lines that are drawn of a mesh.</summary>
     private const int MaxLines = 4000;
 
-    /// <summary>The drawing for an explanation, an object for JSON. Points are (u, v), near and far the u of the clip planes; they are null where
-    /// zNear and zFar are distances, whose sections are circles.</summary>
-    public static object Create(PixelExplanation pixel)
+    /// <summary>The drawing for an explanation.</summary>
+    public static RayDrawing Create(PixelExplanation pixel)
     {
         var camera = pixel.Scene.Camera;
         var d = pixel.Ray.Direction;
@@ -27,35 +26,19 @@ internal static class RaySection
         var fan = new Fan(camera.Position, u, v, Math.Atan2(d * v, d * u), camera.FovY * Math.PI / 180, 20 * length);
         var depth = -(camera.W * u);
         var isDepth = camera.Clip == ClipMode.Depth && depth > 0;
-        return new
-        {
-            Direction = (double[])[d * u, d * v],
-            Near = isDepth ? camera.ZNear / depth : (double?)null,
-            Far = isDepth ? camera.ZFar / depth : (double?)null,
-            View = new
-            {
-                Left = Math.Min(0, endU) - 0.1 * length,
-                Right = Math.Max(0, endU) + 0.2 * length,
-                Bottom = Math.Min(0, endV) - 0.2 * length,
-                Top = Math.Max(0, endV) + 0.2 * length,
-            },
-            Models = pixel.Models.Select(model => new
-            {
-                model.Name,
-                Color = Hex(model.Result.Model.Color.ToBytes()),
-                Lines = fan.Cut(model.Result.Model),
-            }),
-            Crossings = pixel.Models.SelectMany(model => model.Crossings.Where(crossing => double.IsFinite(crossing.T)).Select(crossing => new
-            {
-                Place = (double[])[crossing.T * (d * u), crossing.T * (d * v)],
-                Shows = crossing.Outcome == Outcome.Shows,
-                Label = $"t = {Digits.Format(crossing.T)}",
-                Words = $"{model.Name}: t = {Digits.Format(crossing.T)}, {crossing.Reason}",
-            })),
-        };
+        return new([d * u, d * v], isDepth ? camera.ZNear / depth : null, isDepth ? camera.ZFar / depth : null,
+            new(Left: Math.Min(0, endU) - 0.1 * length,
+                Right: Math.Max(0, endU) + 0.2 * length,
+                Bottom: Math.Min(0, endV) - 0.2 * length,
+                Top: Math.Max(0, endV) + 0.2 * length),
+            pixel.Models.Select(model =>
+                new DrawnModel(model.Name, Messages.Hex(model.Result.Model.Color.ToBytes()), fan.Cut(model.Result.Model))),
+            pixel.Models.SelectMany(model => model.Crossings.Where(crossing => double.IsFinite(crossing.T)).Select(crossing => new DrawnCrossing(
+                [crossing.T * (d * u), crossing.T * (d * v)],
+                crossing.Outcome == Outcome.Shows,
+                $"t = {Digits.Format(crossing.T)}",
+                $"{model.Name}: t = {Digits.Format(crossing.T)}, {crossing.Reason}"))));
     }
-
-    private static string Hex((byte R, byte G, byte B) color) => $"#{color.R:x2}{color.G:x2}{color.B:x2}";
 
     /// <summary>Casts rays from P in all directions of the plane. Their crossings with a shape, by its own formula, are its section.</summary>
     private sealed class Fan(Vector3 origin, Vector3 u, Vector3 v, double angle, double fovY, double farthest)

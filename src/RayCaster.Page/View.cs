@@ -15,7 +15,7 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1)
     public Scene Of(Scene scene)
     {
         var (width, height) = SizeOf(scene.Camera);
-        var camera = (Camera ?? scene.Camera).With(width: Math.Max(1, width / Divisor), height: Math.Max(1, height / Divisor));
+        var camera = (Camera ?? scene.Camera) with { Width = Math.Max(1, width / Divisor), Height = Math.Max(1, height / Divisor) };
         return scene with { Camera = camera };
     }
 

@@ -5,9 +5,9 @@ namespace RayCaster.Web;
 /// <summary>What a Web Worker of the page calls (Page/worker.js), and how it is called.</summary>
 internal sealed partial class Program : IConnection
 {
-    private static readonly MinePicture mine = new(null, TimeProvider.System, default);
+    private static readonly UserPicture mine = new(null, TimeProvider.System, default);
     private static LiveScene? live;
-    private static Tab? tab;
+    private static PageSession? session;
 
     private static void Main() { } // the worker calls the methods below
 
@@ -19,11 +19,11 @@ internal sealed partial class Program : IConnection
     {
         File.WriteAllText(name, text); // the worker's files are in its memory
         live = new(name, TimeProvider.System, default);
-        tab = new(new Program(), live, mine, new PatientStudio(), default, Enum.Parse<MessageKind>(answers));
-        live.Changed += tab.Wake;
-        live.Written += () => tab.Post(Messages.Of(new { Kind = "text", Text = File.ReadAllText(live.Path) }));
-        mine.Changed += tab.CompareAgain;
-        return tab.AnswerAsync();
+        session = new(new Program(), live, mine, new ChunkedRenderQueue(), default, Enum.Parse<MessageKind>(answers));
+        live.Changed += session.Wake;
+        live.Written += () => session.Post(new TextMessage(File.ReadAllText(live.Path)));
+        mine.Changed += session.CompareAgain;
+        return session.AnswerAsync();
     }
 
     /// <summary>Takes a scene that the user has changed or opened.</summary>
@@ -36,7 +36,7 @@ internal sealed partial class Program : IConnection
 
     /// <summary>Takes the requests that a page also sends to RayCaster.Live's server.</summary>
     [JSExport]
-    internal static void Ask(string requests) => tab!.Take(Encoding.UTF8.GetBytes(requests));
+    internal static void Ask(string requests) => session!.Take(Encoding.UTF8.GetBytes(requests));
 
     /// <summary>Takes a picture of the user's own program.</summary>
     [JSExport]
@@ -48,7 +48,7 @@ internal sealed partial class Program : IConnection
         }
         catch (ProblemException problem)
         {
-            tab!.Post(Messages.Of(new { Kind = "refused", Name = file, Problem = problem.Message }));
+            session!.Post(new RefusedMessage(file, problem.Message));
         }
     }
 

@@ -72,4 +72,16 @@ public sealed class DrawCommandTests : CommandTests
         raycaster.Run(File.ReadAllText(Room), ["-", "-s", "4x2"]);
         Assert.Equal(["scene.png"], raycaster.Files);
     }
+
+    /// <summary>What a command loads takes time. Without its list of assemblies the runtime looks for those only that it needs.</summary>
+    [Fact(Skip = "no POSIX shell and signals there", SkipWhen = nameof(Here.IsWindows), SkipType = typeof(Here))]
+    public void DrawingLoadsTheLibraryTheFilesAndTheEngineOnly()
+    {
+        Directory.CreateDirectory(raycaster.PathOf("lib"));
+        foreach (var name in (string[])
+            ["raycaster.dll", "raycaster.runtimeconfig.json", "RayCaster.Library.dll", "RayCaster.Files.dll", "RayCaster.Engine.dll"])
+            File.Copy(Path.Combine(AppContext.BaseDirectory, name), raycaster.PathOf($"lib/{name}"));
+        raycaster.RunInShell($"dotnet lib/raycaster.dll '{Room}' -s 800x600");
+        Assert.Matches(@"^room\.png: 800 x 600 pixels", raycaster.Error);
+    }
 }

@@ -201,7 +201,7 @@ public class FollowingTests
         using var folder = new TemporaryFolder();
         var live = new LiveScene(folder.Write("scene.json", LivePage.Ball), TimeProvider.System, CancellationToken.None);
         File.WriteAllText(folder["scene.json"], Moved(9));
-        var camera = live.State.Scene!.Camera.With(position: new(1, 2, 3));
+        var camera = live.State.Scene!.Camera with { Position = new(1, 2, 3) };
         Assert.Contains("changed at the same time", live.WriteCamera(camera, 1));
         Assert.Equal(Moved(9), File.ReadAllText(folder["scene.json"]));
         Assert.Equal(["scene.json"], folder.Names);

@@ -30,7 +30,7 @@ internal static class KeySchema
     }
 
     /// <param name="element">What the elements of an array of texts or objects are.</param>
-    public static JsonObject ObjectOf(IEnumerable<SceneKey> keys, Func<SceneKey, JsonObject> element) => new()
+    public static JsonObject ObjectOf(IEnumerable<KeySpec> keys, Func<KeySpec, JsonObject> element) => new()
     {
         ["type"] = "object",
         ["properties"] = new JsonObject(keys.Select(key => KeyValuePair.Create<string, JsonNode?>(key.Name, ValueOf(key, element)))),
@@ -38,7 +38,7 @@ internal static class KeySchema
         ["additionalProperties"] = false,
     };
 
-    private static JsonObject ValueOf(SceneKey key, Func<SceneKey, JsonObject> element)
+    private static JsonObject ValueOf(KeySpec key, Func<KeySpec, JsonObject> element)
     {
         var schema = key.Kind switch
         {

@@ -12,9 +12,18 @@ internal static class RandomScene
         if (target == position) target += new Vector3(1, 0, 0);
         var up = Math.Abs((target - position).Normalized.Z) > 0.99 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
         var zNear = random.Next(3) == 0 ? 4 * random.NextDouble() : 0;
-        var camera = new Camera(position, target, up: up, fovY: 10 + 120 * random.NextDouble(), width: random.Next(1, 90),
-            height: random.Next(1, 40), zNear: zNear, zFar: random.Next(3) == 0 ? zNear + 15 * random.NextDouble() : 1000,
-            bias: random.Next(2) * 1e-6, clip: (ClipMode)random.Next(2), sample: (PixelSample)random.Next(2));
+        var camera = new Camera(position, target)
+        {
+            Up = up,
+            FovY = 10 + 120 * random.NextDouble(),
+            Width = random.Next(1, 90),
+            Height = random.Next(1, 40),
+            ZNear = zNear,
+            ZFar = random.Next(3) == 0 ? zNear + 15 * random.NextDouble() : 1000,
+            Bias = random.Next(2) * 1e-6,
+            Clip = (ClipMode)random.Next(2),
+            Sample = (PixelSample)random.Next(2),
+        };
 
         var models = new List<Model>();
         for (var i = random.Next(0, 8); i >= 0; i--)

@@ -32,7 +32,7 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
     public static Scene HalfAPixelAway(Scene scene)
     {
         var other = scene.Camera.Sample == PixelSample.Corner ? PixelSample.Center : PixelSample.Corner;
-        return scene with { Camera = scene.Camera.With(sample: other) };
+        return scene with { Camera = scene.Camera with { Sample = other } };
     }
 
     /// <summary>A reference by its name, which is the scene's path under scenes without the extension.</summary>

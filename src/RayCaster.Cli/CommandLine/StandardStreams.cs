@@ -18,21 +18,13 @@ internal static class StandardStreams
     }
 
     /// <summary>Writes a command's answer, in whole lines, to standard output.</summary>
-    public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Bytes(text)));
-
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>
-    public static void WriteOutput(Action<Stream> write)
+    public static void WriteOutput(string text) => OutputFile.Write(Name, Bytes(text));
+
+    public static Stream OpenOutput()
     {
         HasOutput = true;
-        try
-        {
-            using var stream = Console.OpenStandardOutput();
-            write(stream);
-        }
-        catch (Exception e) when (ProblemException.IsCausedByFile(e))
-        {
-            throw new ProblemException($"cannot write to standard output: {(e is IOException ? e.Message : "it is closed")}");
-        }
+        return Console.OpenStandardOutput();
     }
 
     /// <summary>Writes a message, in whole lines, to standard error. Errors of the write are ignored.</summary>

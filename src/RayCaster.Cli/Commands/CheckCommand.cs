@@ -27,7 +27,7 @@ internal sealed class CheckCommand() : Command("check", "<scene>...", "Finds err
         if (line.Operands.Count == 0) throw ProblemException.Usage("check takes <scene>..., but nothing is given");
         var quiet = line.Get(Option.Quiet);
         var required = line.Get(require) ?? [];
-        var files = FilePatterns.Expand(line.Operands);
+        var files = Glob.Expand(line.Operands);
         var scenes = new List<Scene>();
         var exitCode = ExitCode.Done;
         foreach (var path in files)

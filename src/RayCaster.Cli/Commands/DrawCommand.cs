@@ -27,11 +27,10 @@ internal sealed class DrawCommand() : Command("draw", "<scene>", "Draws a scene.
         var scene = SceneInput.Read(path, line);
 
         var start = Stopwatch.GetTimestamp();
-        var renderer = new RendererChoice(scene, line.Get(Option.Threads), line.Get(plain));
-        var lines = NumberRange.Whole(scene.Camera.Height);
-        var isOdd = PictureOutput.Draw(file, format, renderer, lines, part: null, line);
-        line.Tell(PictureOutput.Summary(file, scene, lines, Stopwatch.GetElapsedTime(start)));
-        if (isOdd && !line.Get(Option.Quiet)) StandardStreams.WriteError(ModelsCommand.WhyNothingShows(scene));
+        var drawing = new Drawing(scene, line, line.Get(plain));
+        var isBlank = drawing.Write(file, format);
+        line.Tell(drawing.Summary(file, scene.Camera.Height, Stopwatch.GetElapsedTime(start)));
+        if (isBlank && !line.Get(Option.Quiet)) StandardStreams.WriteError(ModelsCommand.WhyNothingShows(scene));
         return ExitCode.Done;
     }
 

@@ -37,12 +37,11 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
         {
             var view = scene with { Camera = CameraMotion.Orbit(scene.Camera, frame, count) };
             if (view.Camera.ValidationError is { } flaw) throw new ProblemException($"frame {frame} cannot be drawn: {flaw}");
-            var file = Path.Combine(folder, $"{SceneInput.NameOf(path)}-{PictureOutput.Padded(frame, count)}.png");
+            var file = Path.Combine(folder, $"{SceneInput.NameOf(path)}-{PartCommand.Padded(frame, count)}.png");
             var part = PartFacts.Create(view, whole, models, typeof(Renderer).Assembly); // the file contains what it shows, so --resume can skip it
             // The reason to draw a frame again is printed for the first one only.
-            if (line.Get(PartCommand.Resume) && PictureOutput.IsUpToDate(file, part, line.Get(Option.Quiet) || drawn > 0)) continue;
-            var renderer = new RendererChoice(view, line.Get(Option.Threads), plain: false, manyFrames: true);
-            PictureOutput.Draw(file, PictureFormat.Png, renderer, whole, part, line);
+            if (line.Get(PartCommand.Resume) && PartCommand.IsUpToDate(file, part, line.Get(Option.Quiet) || drawn > 0)) continue;
+            new Drawing(view, line, manyFrames: true).Write(file, PictureFormat.Png, part: part);
             drawn++;
         }
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);

@@ -35,17 +35,30 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
         var height = scene.Camera.Height;
         var lines = portion.Of(height) ?? throw new ProblemException($"there is no part {portion} of a picture of {height} lines, 0..{height - 1}");
         var file = line.Get(output) ?? $"{SceneInput.NameOf(operands[0])}.part-" +
-            $"{PictureOutput.Padded(lines.First, height)}-{PictureOutput.Padded(lines.Last, height)}.png";
+            $"{Padded(lines.First, height)}-{Padded(lines.Last, height)}.png";
         var start = Stopwatch.GetTimestamp();
         var part = PartFacts.Create(scene, lines, SceneDigest.OfModels(scene.Models), typeof(Renderer).Assembly);
-        if (line.Get(Resume) && PictureOutput.IsUpToDate(file, part, line.Get(Option.Quiet)))
+        if (line.Get(Resume) && IsUpToDate(file, part, line.Get(Option.Quiet)))
         {
             line.Tell($"{file}: exists already");
             return ExitCode.Done;
         }
-        var renderer = new RendererChoice(scene, line.Get(Option.Threads), plain: false);
-        PictureOutput.Draw(file, PictureFormat.Png, renderer, lines, part, line);
-        line.Tell(PictureOutput.Summary(file, scene, lines, Stopwatch.GetElapsedTime(start)));
+        var drawing = new Drawing(scene, line);
+        drawing.Write(file, PictureFormat.Png, lines.ToRange(), part);
+        var which = lines.Count == height ? "" : $"lines {lines} of ";
+        line.Tell(drawing.Summary(file, lines.Count, Stopwatch.GetElapsedTime(start), which));
         return ExitCode.Done;
     }
+
+    /// <summary>Whether the picture exists already and need not be drawn. If a file exists but has other content, prints why it is drawn
+    /// again.</summary>
+    public static bool IsUpToDate(string output, PartFacts part, bool quiet)
+    {
+        if (PartFile.Holds(output, part, out var reason)) return true;
+        if (reason is not null && !quiet) StandardStreams.WriteError($"{output} is drawn again: {reason}");
+        return false;
+    }
+
+    /// <summary>A number of 0 to count − 1 for a file's name: all have one length, so the files sort in order.</summary>
+    public static string Padded(int number, int count) => number.ToString($"D{Math.Max(4, $"{count - 1}".Length)}");
 }

@@ -39,8 +39,8 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
         var format = onlyMissing ? PictureFormat.Png : PictureOutput.FormatOf(file, line.Get(Option.Format));
 
         var start = Stopwatch.GetTimestamp();
-        var named = FilePatterns.Expand([.. line.Operands.Where(operand => !Directory.Exists(operand))]);
-        var inFolders = line.Operands.Where(Directory.Exists).SelectMany(folder => FilePatterns.FilesIn(folder, "*.png"));
+        var named = Glob.Expand([.. line.Operands.Where(operand => !Directory.Exists(operand))]);
+        var inFolders = line.Operands.Where(Directory.Exists).SelectMany(folder => Glob.FilesIn(folder, "*.png"));
         string[] files = [.. named.Concat(inFolders).DistinctBy(Path.GetFullPath)];
         var parts = new PartSet(files, named.Contains, whole: onlyMissing);
         if (parts.Count + parts.Problems.Count + parts.Unreadable.Count == 0)
@@ -56,21 +56,26 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
 
         OutputFile.Protect(parts.Files);
         var (width, height) = parts.Size;
-        OutputFile.Write(file, stream =>
+        using (var progress = ProgressLine.For(line))
+        using (var picture = new PictureOutput(file, format, width, height))
         {
-            using var progress = ProgressLine.For(line);
-            using var writer = PictureWriter.Create(format, stream, width, height);
+            var isWritten = true;
             try
             {
-                parts.Write(writer, lines => progress?.LinesDone(lines, height));
+                parts.Read(row =>
+                {
+                    isWritten = false;
+                    picture.WriteRows(row);
+                    isWritten = true;
+                    progress?.LinesDone(1, height);
+                });
             }
-            catch (ProblemException) when (new PartSet(files, named.Contains, whole: true) is { Unreadable.Count: > 0 } damaged)
+            catch (ProblemException) when (isWritten && new PartSet(files, named.Contains, whole: true) is { Unreadable.Count: > 0 } damaged)
             {
-                Unreadable(damaged); // all of them, not only the first
-                throw new ReportedException("a part is damaged");
+                return Unreadable(damaged); // all of them, not only the first
             }
-            writer.Finish();
-        });
+            picture.Finish();
+        }
         var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
         line.Tell($"{OutputFile.NameOf(file)}: {width} x {height} pixels, {Digits.Count(parts.Count, "part")}, {seconds:0.00} s");
         return ExitCode.Done;

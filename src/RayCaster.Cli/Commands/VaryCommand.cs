@@ -39,7 +39,7 @@ internal sealed class VaryCommand() : Command("vary", "<scene>", "Makes a simila
             StandardStreams.WriteError($"{path}: no variation of it shows all its mistakes; try another seed");
             return ExitCode.No;
         }
-        OutputFile.Write(file, stream => stream.Write(varied));
+        OutputFile.Write(file, varied);
         line.Tell($"{OutputFile.NameOf(file)}: {path}, varied; it shows the same mistakes" +
             (budget?.UsedUp is { } limit ? $", of those that were tried within {limit}; --all tries all" : ""));
         return ExitCode.Done;

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster.Cli;
 
 internal static class SceneInput
@@ -23,9 +25,15 @@ internal static class SceneInput
     {
         var reading = path == StandardStreams.Name ? ReadStandardInput() : SceneReader.Read(path);
         OutputFile.Protect([path, .. reading.MeshFiles]);
-        if (judges && path != StandardStreams.Name && reading.Scene is { } scene && StoredReference.Contradiction(path, scene) is { } message)
-            line.Warn($"{message}. What follows may be wrong.");
+        if (judges && path != StandardStreams.Name && reading.Scene is { } scene) WarnIfChanged(path, scene, line);
         return reading;
+    }
+
+    /// <summary>A method of its own, because the runtime loads RayCaster.Teaching when it compiles one that uses it.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void WarnIfChanged(string path, Scene scene, CommandLine line)
+    {
+        if (StoredReference.Contradiction(path, scene) is { } message) line.Warn($"{message}. What follows may be wrong.");
     }
 
     private static SceneReading ReadStandardInput()

@@ -10,12 +10,35 @@ internal static class CarriedTool
     internal static readonly string[] Assemblies =
         ["RayCaster.Library.dll", "RayCaster.Files.dll", "RayCaster.Engine.dll", "RayCaster.Teaching.dll"];
 
-    private static readonly string[] page = [LiveCommand.Program, "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"];
+    /// <summary>The live page's program.</summary>
+    internal const string Page = "raycaster-live.dll";
+
+    private static readonly string[] page = [Page, "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"];
 
     public static void Copy(string folder)
     {
-        Copy(page, LiveCommand.ProgramFolder(), folder);
+        Copy(page, FolderOfPage(), folder);
         Copy([.. Assemblies, "raycaster.dll", "raycaster.runtimeconfig.json"], AppContext.BaseDirectory, folder);
+    }
+
+    /// <summary>The folder of the page's program: this one's if it was installed, and in a hand-out; in a clone that of its project, if it was built
+    /// with the same assemblies.</summary>
+    /// <exception cref="ProblemException">It is nowhere; the message says how to get it.</exception>
+    public static string FolderOfPage()
+    {
+        var here = Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory);
+        if (File.Exists(Path.Join(here, Page))) return here;
+        var (framework, configuration) = (Path.GetFileName(here), Path.GetFileName(Path.GetDirectoryName(here)));
+        if (PathResolver.FolderWith("RayCaster.sln") is not { } clone)
+            throw new ProblemException($"the live page is a program of its own, {Page}, which is not beside this one\n" +
+                $"  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>");
+        var built = Path.Join(clone, "src", "RayCaster.Live", "bin", configuration, framework);
+        if (File.Exists(Path.Join(built, Page)) && Array.TrueForAll(Assemblies, IsSame)) return built;
+        throw new ProblemException($"the live page is a program of its own, which is not built with this one\n" +
+            $"  Build it: dotnet build {Path.Join(clone, "src", "RayCaster.Live")} -c {configuration}");
+
+        bool IsSame(string name) => File.Exists(Path.Join(built, name))
+            && File.ReadAllBytes(Path.Join(built, name)).AsSpan().SequenceEqual(File.ReadAllBytes(Path.Join(here, name)));
     }
 
     private static void Copy(string[] names, string from, string to)

@@ -7,7 +7,7 @@ internal static partial class HandOutFolder
 {
     public static void Write(string folder, Func<int, bool> isOpen)
     {
-        var target = FilePlace.Resolve(folder) ?? Path.GetFullPath(folder);
+        var target = PathResolver.Resolve(folder) ?? Path.GetFullPath(folder);
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
             throw new ProblemException($"{folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
         if (Misread().Match(target[Path.GetPathRoot(target)!.Length..].Replace(Path.DirectorySeparatorChar, '/')) is { Success: true } part)
@@ -30,7 +30,7 @@ internal static partial class HandOutFolder
     /// <summary>A hand-out judges students by the pictures of this build: in a clone they must be the stored references.</summary>
     private static void ThrowIfPicturesDiffer()
     {
-        if (FilePlace.FolderWith("RayCaster.sln") is not { } clone) return;
+        if (PathResolver.FolderWith("RayCaster.sln") is not { } clone) return;
         foreach (var file in Directory.GetFiles(Path.Combine(clone, "scenes"), "*.json", SearchOption.AllDirectories))
         {
             if (SceneReader.Read(file).Scene is { } scene && StoredReference.Contradiction(file, scene) is { } difference)

@@ -81,7 +81,7 @@ internal sealed class MeshBuilder(MeshSource source)
         if (indices.Count == 0)
         {
             string[] has = [.. from other in others.Prepend((Count: vertices.Count, Name: "vertex")) where other.Count > 0
-                               select Plural.Format(other.Count, other.Name)];
+                               select Digits.Count(other.Count, other.Name)];
             throw source.Error($"the file has no face{(has.Length > 0 ? $", only {string.Join(" and ", has)}" : "")}; a mesh needs at least one"
                 + (warning is null ? "" : "; " + warning));
         }
@@ -89,7 +89,7 @@ internal sealed class MeshBuilder(MeshSource source)
         if (folded > 0)
         {
             warning = (warning is null ? "" : warning + "; ") + $"the face {placeName} {foldedAt} {Fan.Warning}"
-                + (folded > 1 ? $", as {Plural.Format(folded - 1, "other face")}" : "");
+                + (folded > 1 ? $", as {Digits.Count(folded - 1, "other face")}" : "");
         }
         return new([.. vertices], [.. indices]) { Warning = warning };
     }

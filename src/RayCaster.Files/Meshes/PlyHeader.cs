@@ -134,7 +134,7 @@ internal sealed class PlyHeader
     private PlyElement Require(string name, params ReadOnlySpan<(PlyRole Role, string Name)> needed)
     {
         var element = Elements.Find(element => element.Name == name) ?? throw source.Error($"the file has no element {name}"
-            + (VertexCount > 0 ? $", only {Plural.Format(VertexCount, "vertex")}; a mesh needs at least one face" : ""));
+            + (VertexCount > 0 ? $", only {Digits.Count(VertexCount, "vertex")}; a mesh needs at least one face" : ""));
         foreach (var (role, property) in needed)
             if (!element.Properties.Exists(p => p.Role == role))
                 throw source.ErrorAtLine(element.Line, $"the element {name} must have the property {property}");

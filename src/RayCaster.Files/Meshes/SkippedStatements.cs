@@ -34,7 +34,7 @@ internal sealed class SkippedStatements
             if (count == 0) return null;
             var names = string.Join(", ", kinds.Take(Named)) + (kinds.Count > Named ? " …" : "");
             var atLeast = kinds.Count == MostKinds ? "at least " : "";
-            return $"{Plural.Format(count, "line")} of {atLeast}{Plural.Format(kinds.Count, "unknown kind")} {(count == 1 ? "is" : "are")} " +
+            return $"{Digits.Count(count, "line")} of {atLeast}{Digits.Count(kinds.Count, "unknown kind")} {(count == 1 ? "is" : "are")} " +
                 $"skipped ({names}), "
                 + $"first in line {firstLine} of the file"
                 + (kinds.Exists(kind => freeForm.Contains(kind.Trim('\''))) ? "; free-form curves and surfaces are not read" : "")

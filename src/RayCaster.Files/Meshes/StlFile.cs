@@ -39,7 +39,7 @@ internal static class StlFile
             source.Restart();
             source.Has(Header);
         }
-        return ReadBinary(source, count, $"the file has {Plural.Format(rest, "byte")} after its last triangle; they are ignored");
+        return ReadBinary(source, count, $"the file has {Digits.Count(rest, "byte")} after its last triangle; they are ignored");
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]

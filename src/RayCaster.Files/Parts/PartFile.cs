@@ -6,7 +6,7 @@ public static class PartFile
     /// <summary>Which lines of which picture a file holds; null for a PNG that is no part.</summary>
     /// <exception cref="ProblemException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
     /// <param name="whole">Whether its pixels are read, too, so that a damaged file is refused.</param>
-    public static PartFacts? FactsOf(string path, bool whole = false) => Open(path, (png, facts) =>
+    internal static PartFacts? FactsOf(string path, bool whole = false) => Open(path, (png, facts) =>
     {
         if (whole && facts is not null) png.ReadLines(_ => { });
         return facts;

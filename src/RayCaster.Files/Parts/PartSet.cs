@@ -53,21 +53,16 @@ public sealed class PartSet
     /// <summary>The whole picture's size.</summary>
     public (int Width, int Height) Size => (parts[0].Facts.Width, parts[0].Facts.Height);
 
-    /// <summary>Writes the picture of parts without problems and without missing lines, a line at a time.</summary>
-    /// <param name="writer">Receives the lines; it is not finished.</param>
+    /// <summary>Reads the picture of parts without problems and without missing lines, a line at a time.</summary>
     /// <exception cref="ProblemException">A part is damaged, or was replaced.</exception>
-    public void Write(PictureWriter writer, Action<int>? linesDone = null)
+    public void Read(Action<ReadOnlySpan<byte>> takeLine)
     {
         foreach (var (path, facts) in parts)
         {
             PartFile.Open(path, (png, found) =>
             {
                 if (found != facts) throw new ProblemException("it was replaced in the meantime");
-                png.ReadLines(line =>
-                {
-                    writer.WriteRows(line);
-                    linesDone?.Invoke(1);
-                });
+                png.ReadLines(line => takeLine(line));
                 return true;
             });
         }

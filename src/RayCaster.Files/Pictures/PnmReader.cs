@@ -168,7 +168,7 @@ internal sealed class PnmReader
         file.Position = from;
         var cause = new PnmSurplus(kind, width, height, maxval, endsWithCr: next == '\r').Cause(all, DataBytes, out var isHarmless);
         if (surplus < 0) throw new ProblemException(CutShort(there).Message + (cause is null ? "" : $"; {cause}"));
-        var more = $"the file has {Plural.Format(surplus, "byte")} more than its header promises";
+        var more = $"the file has {Digits.Count(surplus, "byte")} more than its header promises";
         if (cause is not null && !isHarmless) throw new ProblemException($"{more}: {cause}");
         if (cause is not null || !isHarmless) warn($"{more}{(cause is null ? "; they are ignored" : $": {cause}")}");
     }
@@ -180,7 +180,7 @@ internal sealed class PnmReader
         for (SkipBlanks(); next >= 0 && next != 'P'; SkipBlanks(), more++)
             while (next >= 0 && !IsBlank(next)) Advance();
         if (more == 0) return;
-        var text = $"the file has {Plural.Format(more, "value")} more than its header promises";
+        var text = $"the file has {Digits.Count(more, "value")} more than its header promises";
         var perPixel = (Samples + more) / ((double)width * height);
         if (kind == 2 && perPixel == 3) throw new ProblemException($"{text}: P2 is grey, one value a pixel; the header for colours is P3");
         if (kind == 3 && perPixel == 4)

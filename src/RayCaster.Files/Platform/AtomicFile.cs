@@ -7,13 +7,17 @@ namespace RayCaster.Files;
 /// takes the target's place at the end. A program that must end at once deletes the temporary files, whatever its threads are doing, and can
 /// name the finished ones.
 /// </summary>
-public static class AtomicFile
+public sealed class AtomicFile : IDisposable
 {
     private const string Circle = "symbolic links lead in a circle";
 
     private static readonly Lock access = new();
     private static readonly HashSet<string> unfinished = []; // the temporary files and folders
     private static bool isAborted;
+
+    private readonly string path, target, temporary;
+    private readonly bool isFile;
+    private readonly FileStream file;
 
     /// <summary>How many files are finished.</summary>
     public static int Count { get; private set; }
@@ -31,33 +35,75 @@ public static class AtomicFile
         }
     }
 
-    /// <summary>Writes a file. An old one stays until the new one is complete. A symbolic link is followed. What is no file, such as a device or
-    /// a pipe, is not replaced: it gets the bytes when they are complete.</summary>
-    /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
+    /// <summary>Begins a file. An old one stays until the new one is complete. A symbolic link is followed. What is no file, such as a device or a
+    /// pipe, is not replaced: it gets the bytes when they are complete.</summary>
     /// <exception cref="ProblemException">The file cannot be written.</exception>
-    public static void Write(string path, Action<Stream> write, Action? beforeReplacing = null)
+    public AtomicFile(string path)
     {
-        string? temporary = null;
+        this.path = path;
         try
         {
-            var target = TargetOf(path);
-            var isFile = FilePlace.IsFileOrFree(target);
+            target = TargetOf(path);
+            isFile = PathResolver.IsFileOrFree(target);
             temporary = NameBeside(isFile ? target : Path.Join(Path.GetTempPath(), Path.GetFileName(target)));
-            using var file = Create(path, isFile ? target : null, temporary);
-            write(file);
-            // A network drive reports only now that the quota is used up, and then the old picture must still be there.
-            file.Flush(flushToDisk: isFile);
-            beforeReplacing?.Invoke();
-            if (!isFile) Copy(file, target);
-            Finish(temporary, path, isFile ? () => Replace(path, target, temporary) : () => File.Delete(temporary));
+            file = Create(path, isFile ? target : null, temporary);
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
-            throw Failure(path, ProblemException.Reason(e), e);
+            throw Failure(e);
         }
-        finally
+    }
+
+    /// <summary>Takes the file's bytes. Its exceptions are the system's: <see cref="Failure(Exception)"/> says them in words.</summary>
+    public Stream Stream => file;
+
+    /// <summary>Puts the file in its place.</summary>
+    /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
+    /// <exception cref="ProblemException">It cannot be written.</exception>
+    public void Finish(Action? beforeReplacing = null) => Do(() =>
+    {
+        // A network drive reports only now that the quota is used up, and then the old picture must still be there.
+        file.Flush(flushToDisk: isFile);
+        beforeReplacing?.Invoke();
+        if (!isFile) Copy(file, target);
+        Finish(temporary, path, isFile ? () => Replace(path, target, temporary) : () => File.Delete(temporary));
+    });
+
+    /// <summary>What is told of an exception of the system.</summary>
+    public ProblemException Failure(Exception e) => Failure(path, ProblemException.Reason(e), e);
+
+    /// <summary>Deletes the file if it is not finished.</summary>
+    public void Dispose()
+    {
+        try
         {
-            if (temporary is not null) Delete(temporary);
+            file.Dispose();
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            // Of a file that is not wanted. This must not hide the error before.
+        }
+        Delete(temporary);
+    }
+
+    /// <summary>Writes a file at once.</summary>
+    /// <inheritdoc cref="Finish(Action)"/>
+    public static void Write(string path, Action<Stream> write, Action? beforeReplacing = null)
+    {
+        using var file = new AtomicFile(path);
+        file.Do(() => write(file.Stream));
+        file.Finish(beforeReplacing);
+    }
+
+    private void Do(Action work)
+    {
+        try
+        {
+            work();
+        }
+        catch (Exception e) when (ProblemException.IsCausedByFile(e))
+        {
+            throw Failure(e);
         }
     }
 
@@ -71,7 +117,7 @@ public static class AtomicFile
         string? temporary = null;
         try
         {
-            var target = FilePlace.Resolve(path) ?? throw new IOException(Circle);
+            var target = PathResolver.Resolve(path) ?? throw new IOException(Circle);
             var isThere = Directory.Exists(target);
             temporary = NameBeside(isThere ? Path.Join(target, Path.GetFileName(target)) : target);
             Begin(temporary, () => Directory.CreateDirectory(temporary));
@@ -110,15 +156,15 @@ public static class AtomicFile
     private static string TargetOf(string path)
     {
         MissingFileHint.ThrowIfImpossible(path);
-        if (OperatingSystem.IsWindows() && FilePlace.IsDeviceOnWindows(Path.GetFileName(path)))
+        if (OperatingSystem.IsWindows() && PathResolver.IsDeviceOnWindows(Path.GetFileName(path)))
             throw Failure(path, $"{Path.GetFileName(path)} is the name of a device on Windows; choose another");
-        var target = FilePlace.Resolve(path) ?? throw Failure(path, Circle);
+        var target = PathResolver.Resolve(path) ?? throw Failure(path, Circle);
         // Windows says of such a name only that its syntax is wrong.
         if (OperatingSystem.IsWindows() && Path.GetFileName(target).Length > 255) throw Failure(path, "the name is too long");
         var folder = Path.GetDirectoryName(target);
         if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(path))
             throw Failure(path, "it is a folder; name a file in it");
-        if (FilePlace.DescriptorOf(target) is not null && !File.Exists(target)) throw Failure(path, "nothing is open by this number");
+        if (PathResolver.DescriptorOf(target) is not null && !File.Exists(target)) throw Failure(path, "nothing is open by this number");
         if (folder == "/dev" && !File.Exists(target)) throw Failure(path, "its folder is for devices, not for files");
         if (!Directory.Exists(folder))
             throw Failure(path, $"its folder does not exist\n  make the folder {PrintableText.From(folder)} first");
@@ -184,7 +230,7 @@ public static class AtomicFile
     private static void Copy(FileStream file, string target)
     {
         file.Position = 0;
-        using var output = FilePlace.DescriptorOf(target) is { } number
+        using var output = PathResolver.DescriptorOf(target) is { } number
             ? new FileStream(new SafeFileHandle(number, ownsHandle: false), FileAccess.Write, bufferSize: 0)
             : new FileStream(target, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
         file.CopyTo(output);

@@ -27,7 +27,7 @@ public sealed class FileWatch(TimeProvider clock, CancellationToken end)
 
     /// <summary>When a file was written, and its length: −1 for a file that is not there or cannot be looked at, −2 for a folder.</summary>
     public static (DateTime Time, long Length) StampOf(string file) =>
-        new FileInfo((new FileInfo(file).LinkTarget is null ? null : FilePlace.Resolve(file)) ?? file) is { Exists: true } info
+        new FileInfo((new FileInfo(file).LinkTarget is null ? null : PathResolver.Resolve(file)) ?? file) is { Exists: true } info
             ? (info.LastWriteTimeUtc, info.Length) : (default, Directory.Exists(file) ? -2 : -1);
 
     /// <summary>Whether a file holds nothing. A pipe has no length either: to read it might take for ever.</summary>

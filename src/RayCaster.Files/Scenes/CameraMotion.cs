@@ -12,7 +12,7 @@ public static class CameraMotion
     {
         if (frame == 0) return camera;
         var turned = Rotate(camera.Position - camera.Target, camera.Up.Normalized, 2 * Math.PI * frame / frames);
-        return camera.With(position: camera.Target + turned);
+        return camera with { Position = camera.Target + turned };
     }
 
     /// <summary>Turns the camera about its target by hand.</summary>
@@ -53,7 +53,7 @@ public static class CameraMotion
     /// <summary>The camera at another place; the old one if no picture can be taken from there.</summary>
     private static Camera At(Camera camera, Vector3 position, Vector3 target)
     {
-        var moved = camera.With(position: position, target: target);
+        var moved = camera with { Position = position, Target = target };
         return moved.ValidationError is null ? moved : camera;
     }
 

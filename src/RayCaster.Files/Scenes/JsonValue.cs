@@ -145,7 +145,7 @@ internal readonly struct JsonValue(JsonTree tree, int node, string path = "", in
         if (Kind == JsonTokenType.StartArray && Count == 3)
             return new(this[0].Limited(limits), this[1].Limited(limits), this[2].Limited(limits));
         var found = Kind == JsonTokenType.StartArray
-            ? $"has {Plural.Format(Count, "element")}{DecimalComma.Hint([.. Content.Take(7)])}"
+            ? $"has {Digits.Count(Count, "element")}{DecimalComma.Hint([.. Content.Take(7)])}"
             : $"is {InWords}";
         Report(true, $" must be {form}, but {found}");
         return NoVector;

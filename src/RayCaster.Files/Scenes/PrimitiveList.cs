@@ -2,7 +2,7 @@ namespace RayCaster.Files;
 
 /// <summary>A type of model as a scene file names it.</summary>
 /// <param name="Read">Reads the type's own keys; name and colour are the same for all types.</param>
-internal sealed record PrimitiveType(string Name, string Meaning, Func<SceneObject, Model> Read);
+internal sealed record PrimitiveType(string Name, string Meaning, Func<JsonKeys, Model> Read);
 
 /// <summary>All types of models. To add one write its class and a line here (docs/adding-a-primitive.md).</summary>
 internal static class PrimitiveList
@@ -35,16 +35,16 @@ internal static class PrimitiveList
     public static readonly string[] Names = Array.ConvertAll(All, type => type.Name);
 
     /// <summary>The keys of all types; only mistakes need them.</summary>
-    public static IReadOnlyList<SceneKey> KeysOfAllTypes => field ??= Describe();
+    public static IReadOnlyList<KeySpec> KeysOfAllTypes => field ??= Describe();
 
-    private static IReadOnlyList<SceneKey> Describe()
+    private static IReadOnlyList<KeySpec> Describe()
     {
-        var o = SceneObject.Describing(out var keys);
+        var o = JsonKeys.Describing(out var keys);
         foreach (var type in All) SceneReader.ReadModel(o, type);
         return keys;
     }
 
-    private static Model Box(SceneObject o)
+    private static Model Box(JsonKeys o)
     {
         var min = o.Vector("min", "B0, the corner with the least coordinates.");
         var max = o.Vector("max", "B1, the corner with the greatest coordinates.");
@@ -59,7 +59,7 @@ internal static class PrimitiveList
         }
     }
 
-    private static Model Triangle(SceneObject o)
+    private static Model Triangle(JsonKeys o)
     {
         var (a, b, c) = (o.Vector("a", "A, the first corner."), o.Vector("b", "B, the second corner."), o.Vector("c", "C, the third corner."));
         if (MeshPlacement.IsOnOneLine(a, b, c))
@@ -72,7 +72,7 @@ internal static class PrimitiveList
         && Math.Abs(Math.IEEERemainder(angle, Math.PI / 12)) < 1e-4;
 
     /// <summary>Triangles of a file or of the scene, placed; after an error the mesh is empty.</summary>
-    private static Model Mesh(SceneObject o)
+    private static Model Mesh(JsonKeys o)
     {
         var nothing = new Mesh([], []);
         var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.");

@@ -36,7 +36,7 @@ public static class SceneReader
 
     /// <summary>Reads a short file in the form of a scene file. Returns null if there is an error.</summary>
     /// <param name="name">The name of the outermost object in messages.</param>
-    internal static T? ReadShort<T>(string path, string name, Func<SceneObject, T?> read, out SceneReading reading) where T : class =>
+    internal static T? ReadShort<T>(string path, string name, Func<JsonKeys, T?> read, out SceneReading reading) where T : class =>
         Read(path, "", () => InputFile.Read(path, "file", MaxShortBytes), name, read, out reading);
 
     private static SceneReading Read(string displayName, string folder, Func<ReadOnlyMemory<byte>> open)
@@ -47,7 +47,7 @@ public static class SceneReader
     }
 
     private static T? Read<T>(
-        string displayName, string folder, Func<ReadOnlyMemory<byte>> open, string name, Func<SceneObject, T?> read, out SceneReading reading)
+        string displayName, string folder, Func<ReadOnlyMemory<byte>> open, string name, Func<JsonKeys, T?> read, out SceneReading reading)
         where T : class
     {
         try
@@ -60,21 +60,21 @@ public static class SceneReader
             return null;
         }
         var tree = JsonTree.Parse(reading, key => TakesText(key, read));
-        var result = tree is not null && SceneObject.AsObject(tree.Root, name) is { } root ? read(root) : null;
+        var result = tree is not null && JsonKeys.AsObject(tree.Root, name) is { } root ? read(root) : null;
         reading.End();
         return reading.ErrorCount == 0 ? result : null;
     }
 
     /// <summary>Whether a key of a file, or of a model, may have a text as its value.</summary>
-    private static bool TakesText<T>(string key, Func<SceneObject, T?> read)
+    private static bool TakesText<T>(string key, Func<JsonKeys, T?> read)
     {
-        read(SceneObject.Describing(out var keys));
+        read(JsonKeys.Describing(out var keys));
         return key == "type" || keys.Concat(keys.SelectMany(outer => outer.Members)).Concat(PrimitiveList.KeysOfAllTypes).Any(known =>
             known.Name == key && known.Kind is KeyKind.Text or KeyKind.Texts or KeyKind.FileName or KeyKind.Choice or KeyKind.Color);
     }
 
     /// <summary>Reads the outermost object of a scene; null if there is an error in it.</summary>
-    internal static Scene? ReadScene(SceneObject o)
+    internal static Scene? ReadScene(JsonKeys o)
     {
         o.Text("$schema", "Where editors find the schema of scene files; the program does not use it.", false);
         var camera = o.Object("camera", "Where the picture is taken from, and how wide it looks.") is { } c ? ReadCamera(c) : null;
@@ -87,51 +87,47 @@ public static class SceneReader
         return o.IsSound ? new(camera!, models, background) : null;
     }
 
-    private static Camera? ReadCamera(SceneObject o)
+    private static Camera? ReadCamera(JsonKeys o)
     {
         var orElse = new Camera(default, default);
         var camera = new Camera(
             o.Vector("position", "P, where the rays start."),
             o.Vector("target",
                 "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
-                    "at twice its distance all is black."),
-            up: o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", orElse.Up),
-            fovY: o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), orElse.FovY),
-            width: o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
-            height: o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
-            zNear: o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
-            zFar: o.Number("zFar", "Nothing farther is seen; greater than zNear.", Limits.None, orElse.ZFar),
-            bias: o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
-            clip: o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+                    "at twice its distance all is black."))
+        {
+            Up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", orElse.Up),
+            FovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), orElse.FovY),
+            Width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
+            Height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
+            ZNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
+            ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", Limits.None, orElse.ZFar),
+            Bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
+            Clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
                 "depth", "distance") == "distance" ? ClipMode.Distance : ClipMode.Depth,
-            sample: o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
-                "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner);
+            Sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+                "corner", "center") == "center" ? PixelSample.Center : PixelSample.Corner,
+        };
         o.Close();
 
-        var view = camera.Target - camera.Position;
-        var position = o.PathOf("position");
-        var (width, height) = (camera.Width, camera.Height);
-        var (zNear, zFar) = (camera.ZNear, camera.ZFar);
+        camera.Check(o.PathOf(""), (key, message) =>
+        {
+            if (key == "zFar" && !o.Has(key))
+                o.Refuse("zNear", $" must be less than {o.PathOf(key)}, which is {camera.ZFar} where it is not given, but is {camera.ZNear}");
+            else if (key == "zFar" && !o.Has("zNear"))
+                o.Refuse(key, $" must be greater than {o.PathOf("zNear")}, which is {camera.ZNear} where it is not given, but is {camera.ZFar}");
+            else if (key == "up" && !o.Has(key))
+                o.Refuse(key, $"{message} where it is not given; the camera looks along it: add \"up\": [1, 0, 0]");
+            else if (key != "fovY") o.Refuse(key, message); // its limits are the key's
+        });
         var fovY = camera.FovY;
-        var ofUp = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
-        var ofZNear = o.Has("zNear") ? "" : " where it is not given";
-        if (view.Length == 0) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
-        else if (Camera.IsParallel(camera.Up, view))
-            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {position}, but is {camera.Up}{ofUp}");
-        if (zFar <= zNear && !o.Has("zFar"))
-            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
-        else if (zFar <= zNear)
-            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{ofZNear}, but is {zFar}");
-        if ((long)width * height > Camera.MaxPixels)
-            o.Refuse("height",
-                $" times {o.PathOf("width")} must be at most {Camera.MaxPixels:N0}, but is {height} x {width} = {(long)width * height:N0}");
         if (fovY is >= 0.2 and < 3)
             o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
         return o.IsSound ? camera : null;
     }
 
     /// <summary>Reads a model of any type; null if the type is unknown.</summary>
-    private static Model? ReadModel(SceneObject o)
+    private static Model? ReadModel(JsonKeys o)
     {
         var name = o.Choice("type", "What the model is.", null, PrimitiveList.Names);
         var type = Array.Find(PrimitiveList.All, type => type.Name == name);
@@ -142,7 +138,7 @@ public static class SceneReader
     }
 
     /// <summary>Reads all keys of a model but the type.</summary>
-    internal static Model ReadModel(SceneObject o, PrimitiveType type)
+    internal static Model ReadModel(JsonKeys o, PrimitiveType type)
     {
         var model = type.Read(o);
         model.Color = o.Color("color", "Its colour in full light, as [red, green, blue], 1 being full intensity, or as \"#rrggbb\".", Color.White);

@@ -5,7 +5,7 @@ using RayCaster.Files;
 // Reads the command line. You need not read this.
 
 Console.OutputEncoding = System.Text.Encoding.UTF8; // of a console of Windows; others have it already
-if (args.Length == 0 && FilePlace.FolderWith("scenes/room.json") is { } folder)
+if (args.Length == 0 && PathResolver.FolderWith("scenes/room.json") is { } folder)
     args = [Path.Combine(folder, "scenes/room.json"), Path.Combine(folder, "room.png")]; // as F5 in an editor does
 if (args is [var scene]) args = [scene, Path.ChangeExtension(Path.GetFileName(scene), "png")]; // room.png, in this folder
 if (args is not ([_, _] or [_, "--pixel", ..]))

@@ -23,7 +23,7 @@ public static class RightNumbers
     private static Assembly Load()
     {
         var folder = AppContext.BaseDirectory;
-        if (!File.Exists(Path.Combine(folder, $"{Teaching}.dll")) && FilePlace.FolderWith("RayCaster.sln") is { } clone)
+        if (!File.Exists(Path.Combine(folder, $"{Teaching}.dll")) && PathResolver.FolderWith("RayCaster.sln") is { } clone)
             folder = Programs.Build(Path.Combine(clone, "src", Teaching));
         return Assembly.LoadFrom(Path.Combine(folder, $"{Teaching}.dll"));
     }

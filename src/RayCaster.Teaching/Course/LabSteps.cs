@@ -31,7 +31,7 @@ public static class LabSteps
             // The least bias that exists: t > 0.
             Camera = step >= Clipping
                 ? c
-                : c.With(zNear: 0, zFar: double.MaxValue, bias: double.Epsilon),
+                : c with { ZNear = 0, ZFar = double.MaxValue, Bias = double.Epsilon },
         };
     }
 

@@ -36,8 +36,8 @@ public sealed class PixelNumbers
         }
         unwritten = [.. notes()];
         var camera = scene.Camera;
-        if (unwritten.Contains(Slides.Bias)) camera = camera.With(bias: double.Epsilon);
-        if (unwritten.Contains(Slides.ClipPlanes)) camera = camera.With(zNear: 0, zFar: double.MaxValue);
+        if (unwritten.Contains(Slides.Bias)) camera = camera with { Bias = double.Epsilon };
+        if (unwritten.Contains(Slides.ClipPlanes)) camera = camera with { ZNear = 0, ZFar = double.MaxValue };
         right = camera.RayThrough(column, row);
         var models = scene.Models.Select(model => IsWritten(model) ? model : new Mesh([], []));
         nearest = ScalarRenderer.Cast(scene with { Camera = camera, Models = [.. models] }, column, row);

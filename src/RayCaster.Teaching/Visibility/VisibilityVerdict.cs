@@ -68,7 +68,7 @@ internal static class VisibilityVerdict
     private static double PercentHit(Scene scene, Vector3 position, Vector3 target, double fovY)
     {
         const int side = 32;
-        var camera = scene.Camera.With(position: position, target: target, fovY: fovY, width: side, height: side);
+        var camera = scene.Camera with { Position = position, Target = target, FovY = fovY, Width = side, Height = side };
         return new Renderer(scene with { Camera = camera }, 1).CastHits().Model.Count(model => model >= 0) * 100.0 / (side * side);
     }
 

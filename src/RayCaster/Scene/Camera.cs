@@ -31,100 +31,94 @@ public sealed record Camera
     /// <summary>The most pixels in all.</summary>
     public const long MaxPixels = 10_000_000_000;
 
-    /// <summary>A camera; the defaults are those of a scene file.</summary>
-    /// <param name="up">(0, 0, 1) if left out.</param>
-    public Camera(Vector3 position, Vector3 target, Vector3? up = null, double fovY = 45, int width = 500, int height = 500,
-        double zNear = 0.01, double zFar = 100, double bias = 1e-6, ClipMode clip = ClipMode.Depth, PixelSample sample = PixelSample.Corner)
-    {
-        (Position, Target, Up, FovY, Width, Height) = (position, target, up ?? new(0, 0, 1), fovY, width, height);
-        (ZNear, ZFar, Bias, Clip, Sample) = (zNear, zFar, bias, clip, sample);
+    private Vector3 w, u, v; // fields, because each setter would be compiled for the first picture
+    private double planeHeight, planeWidth, fadeDistance;
+    private ClipRange clipRange;
 
-        W = -(Target - Position).Normalized;
-        U = (Up % W).Normalized;
-        V = W % U;
-        PlaneHeight = 2 * Math.Tan(FovY / 2 * Math.PI / 180); // FovY is in degrees, Math.Tan takes radians
-        PlaneWidth = PlaneHeight * Width / Height; // not PlaneHeight * (Width / Height): of two integers that is a whole number
-        FadeDistance = (2 * (Target - Position)).Length;
-        ClipRange = new(Bias, ZNear, ZFar);
-    }
-
-    /// <summary>The same camera with some numbers changed.</summary>
-    public Camera With(Vector3? position = null, Vector3? target = null, Vector3? up = null, double? fovY = null, int? width = null,
-        int? height = null, double? zNear = null, double? zFar = null, double? bias = null, ClipMode? clip = null, PixelSample? sample = null) =>
-        new(position ?? Position, target ?? Target, up ?? Up, fovY ?? FovY, width ?? Width, height ?? Height,
-            zNear ?? ZNear, zFar ?? ZFar, bias ?? Bias, clip ?? Clip, sample ?? Sample);
+    /// <summary>A camera; what is not set is as in a scene file that leaves it out.</summary>
+    public Camera(Vector3 position, Vector3 target) => (Position, Target) = (position, target);
 
     /// <summary>P, where the rays start.</summary>
-    public Vector3 Position { get; }
+    public Vector3 Position { get; init { field = value; Derive(); } }
 
     /// <summary>T, different from P: the camera looks at it.</summary>
-    public Vector3 Target { get; }
+    public Vector3 Target { get; init { field = value; Derive(); } }
 
     /// <summary>The direction that is up in the picture; any length but zero, not parallel to T − P.</summary>
-    public Vector3 Up { get; }
+    public Vector3 Up { get; init { field = value; Derive(); } } = new(0, 0, 1);
 
     /// <summary>The angle from the picture's lower to its upper edge, in degrees, 0 &lt; fovY &lt; 180.</summary>
-    public double FovY { get; }
+    public double FovY { get; init { field = value; Derive(); } } = 45;
 
     /// <summary>Pixels in a row.</summary>
-    public int Width { get; }
+    public int Width { get; init { field = value; Derive(); } } = 500;
 
     /// <summary>Rows.</summary>
-    public int Height { get; }
+    public int Height { get; init { field = value; Derive(); } } = 500;
 
     /// <summary>A hit counts if its z is at least this.</summary>
-    public double ZNear { get; }
+    public double ZNear { get; init { field = value; Derive(); } } = 0.01;
 
     /// <summary>A hit counts if its z is at most this.</summary>
-    public double ZFar { get; }
+    public double ZFar { get; init { field = value; Derive(); } } = 100;
 
     /// <summary>A hit counts if t &gt; bias; with a bias of 0, if t ≥ 0.</summary>
-    public double Bias { get; }
+    public double Bias { get; init { field = value; Derive(); } } = 1e-6;
 
     /// <summary>Whether z, which zNear and zFar limit, is a depth or a distance.</summary>
-    public ClipMode Clip { get; }
+    public ClipMode Clip { get; init; }
 
     /// <summary>Where in its pixel a ray passes.</summary>
-    public PixelSample Sample { get; }
+    public PixelSample Sample { get; init; }
 
     /// <summary>W = −(T − P) normalised: backwards. W, U, V and h are NaN or infinite if they cannot be computed
     /// (<see cref="ValidationError"/>).</summary>
-    public Vector3 W { get; }
+    public Vector3 W => w;
 
     /// <summary>U = (up × W) normalised: to the right.</summary>
-    public Vector3 U { get; }
+    public Vector3 U => u;
 
     /// <summary>V = W × U: upwards, across the view.</summary>
-    public Vector3 V { get; }
+    public Vector3 V => v;
 
     /// <summary>h = 2 tan(fovY / 2): the height of the picture plane at distance 1.</summary>
-    public double PlaneHeight { get; }
+    public double PlaneHeight => planeHeight;
 
     /// <summary>w = h · width / height.</summary>
-    public double PlaneWidth { get; }
+    public double PlaneWidth => planeWidth;
 
     /// <summary>2 |T − P|: attenuation reaches 0 at this distance, and everything beyond it is black.</summary>
-    public double FadeDistance { get; }
+    public double FadeDistance => fadeDistance;
 
     /// <summary>Decides by bias, zNear and zFar which crossings count.</summary>
-    public ClipRange ClipRange { get; }
+    public ClipRange ClipRange => clipRange;
 
     /// <summary>Why this camera cannot take a picture, in words; null if it can.</summary>
     public string? ValidationError
     {
         get
         {
-            var view = Target - Position;
-            return view.Length == 0 ? $"the camera is at its target, {Target}"
-                : !double.IsFinite(view.Length) ? $"the camera is at {Position}, too far from its target {Target}"
-                : IsParallel(Up, view) ? $"the camera at {Position} looks along up, which is {Up}"
-                : !(FovY > 0 && FovY < 180) ? FormattableString.Invariant($"fovY is {FovY}, but must be between 0 and 180")
-                : null;
+            string? error = null;
+            Check("", (setting, message) => error ??= setting + FormattableString.Invariant(message));
+            return error;
         }
     }
 
-    /// <summary>Whether up and the view direction are parallel: |up × W| ≤ 1e-12 · |up|. The lengths of both do not matter.</summary>
-    public static bool IsParallel(Vector3 up, Vector3 view) => (up % view.Normalized).Length <= 1e-12 * up.Length;
+    /// <summary>Checks the settings.</summary>
+    /// <param name="prefix">Stands before the names of settings in a message.</param>
+    /// <param name="refuse">Called for each mistake, with the setting and a message that follows its name.</param>
+    public void Check(string prefix, Action<string, FormattableString> refuse)
+    {
+        var view = Target - Position;
+        if (view.Length == 0) refuse("target", $" must differ from {prefix}position, but both are {Target}");
+        else if (double.IsInfinity(view.Length)) refuse("target", $" is {Target}, too far from {prefix}position, {Position}");
+        else if ((Up % view.Normalized).Length <= 1e-12 * Up.Length) // whatever the length of up
+            refuse("up", $" must not be parallel to {prefix}target - {prefix}position, but is {Up}");
+        if (FovY is <= 0 or >= 180) refuse("fovY", $" must be greater than 0 and less than 180, but is {FovY}");
+        if (ZFar <= ZNear) refuse("zFar", $" must be greater than {prefix}zNear, which is {ZNear}, but is {ZFar}");
+        if ((long)Width * Height > MaxPixels)
+            refuse("height", $" times {prefix}width must be at most {MaxPixels:N0}, but is {Height} x {Width} = {(long)Width * Height:N0}");
+    }
 
     /// <summary>The ray of a pixel.</summary>
     /// <param name="column">c, from the left, from 0.</param>
@@ -172,4 +166,16 @@ public sealed record Camera
     /// <summary>The depth z per unit of t along d: −d·W; 1 if zNear and zFar limit the distance.</summary>
     public N DepthPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
         Clip == ClipMode.Depth ? -(direction * W) : 1;
+
+    /// <summary>Computes what depends on the settings, after a change of one.</summary>
+    private void Derive()
+    {
+        w = -(Target - Position).Normalized;
+        u = (Up % w).Normalized;
+        v = w % u;
+        planeHeight = 2 * Math.Tan(FovY / 2 * Math.PI / 180); // FovY is in degrees, Math.Tan takes radians
+        planeWidth = planeHeight * Width / Height; // not planeHeight * (Width / Height): of two integers that is a whole number
+        fadeDistance = (2 * (Target - Position)).Length;
+        clipRange = new(Bias, ZNear, ZFar);
+    }
 }

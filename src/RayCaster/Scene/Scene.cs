@@ -28,5 +28,5 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     }
 
     /// <summary>The same scene in a picture of another size.</summary>
-    public Scene WithSize(int width, int height) => this with { Camera = Camera.With(width: width, height: height) };
+    public Scene WithSize(int width, int height) => this with { Camera = Camera with { Width = width, Height = height } };
 }

@@ -5,11 +5,11 @@ namespace RayCaster.Cli.Tests.Docs;
 /// <summary>The documents show what the program prints and draws.</summary>
 public class DocsTests
 {
-    /// <summary>All pages but what is built; those of tests/HandedOut are written for the folder that is handed out.</summary>
+    /// <summary>All pages but what is built; those of src/HandOut are written for the folder that is handed out.</summary>
     public static TheoryData<string> Documents => new(
         Directory.GetFiles(ProjectFolder.Root, "*.md", SearchOption.AllDirectories)
             .Select(file => Path.GetRelativePath(ProjectFolder.Root, file).Replace('\\', '/'))
-            .Where(file => !Regex.IsMatch(file, "^tests/HandedOut/|/(bin|obj)/")));
+            .Where(file => !Regex.IsMatch(file, "^src/HandOut/|/(bin|obj)/")));
 
     [Fact]
     public void AllPagesAreRead() =>
@@ -64,7 +64,7 @@ public class DocsTests
     [Fact]
     public void TheShapeToAddIsTheSameInBothWays()
     {
-        var camera = new Camera(new(5, 2, 3), Vector3.Zero, width: 60, height: 40);
+        var camera = new Camera(new(5, 2, 3), Vector3.Zero) { Width = 60, Height = 40 };
         Assert.Equal(Drawn(new Cylinder(new(0.3, 0, 0), 1, 2)), Drawn(Model.Of(new Tube(new(0.3, 0, 0), 1, 2))));
 
         byte[] Drawn(Model model) => ScalarRenderer.Render(new(camera, [model], new(0, 0, 1))).Rgb;

@@ -5,7 +5,7 @@ internal static class SceneInCode
 {
     public static void Run()
     {
-        var camera = new Camera(position: new(6, 0, 2.5), target: new(-6, 0, 0), width: 500, height: 500);
+        var camera = new Camera(position: new(6, 0, 2.5), target: new(-6, 0, 0)) { Width = 500, Height = 500 };
         Model[] models =
         [
             new Model<Plane>(new(Point: new(0, 0, 0), Normal: new(0, 0, 1))) { Color = new(127 / 255.0, 178 / 255.0, 217 / 255.0) },

@@ -22,7 +22,7 @@ public class AddedShapesTests
     [MemberData(nameof(Shapes))]
     public void AreDrawnLikeTheDefinition(string shapes)
     {
-        var scene = new Scene(new(new(8, 3, 4), Vector3.Zero, width: 79, height: 53), models[shapes], new Color(0, 0, 1));
+        var scene = new Scene(new(new(8, 3, 4), Vector3.Zero) { Width = 79, Height = 53 }, models[shapes], new Color(0, 0, 1));
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, Renderer.Render(scene).Rgb);
     }
 

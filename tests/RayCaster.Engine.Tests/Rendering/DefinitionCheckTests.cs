@@ -4,7 +4,7 @@ namespace RayCaster.Engine.Tests.Rendering;
 public sealed class DefinitionCheckTests
 {
     private static readonly Scene scene = new(
-        new(new(5, 0, 0), Vector3.Zero, width: 30, height: 20), [Model.Of(default(NearerInPackets))]);
+        new(new(5, 0, 0), Vector3.Zero) { Width = 30, Height = 20 }, [Model.Of(default(NearerInPackets))]);
 
     [Fact]
     public void WhoDrawsAPictureThatDiffersFromTheDefinitionIsToldWhere() =>
@@ -33,7 +33,7 @@ public sealed class DefinitionCheckTests
             var mesh = MeshGenerator.BumpySphere(subdivisions);
             var indices = (int[])mesh.Indices.Clone();
             for (var triangle = random.Next(100); triangle < indices.Length / 3; triangle += 100) indices[3 * triangle + 1] = indices[3 * triangle];
-            var camera = new Camera(3.2 * Some.Direction(random), Vector3.Zero, width: width, height: height);
+            var camera = new Camera(3.2 * Some.Direction(random), Vector3.Zero) { Width = width, Height = height };
             var picture = Renderer.Render(new(camera, [new Mesh(mesh.Vertices, indices)]));
             var check = new DefinitionCheck(new(camera, [new Mesh(mesh.Vertices, mesh.Indices)]), 0, height, threads: 1);
             check.RunAlongside(() => check.Sample(picture.Rgb), threads: 1);

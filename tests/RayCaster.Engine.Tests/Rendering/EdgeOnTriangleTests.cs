@@ -16,7 +16,15 @@ public class EdgeOnTriangleTests
         for (var i = 0; i < 40_000; i++)
         {
             var (d, across) = (Some.Direction(random), Some.Direction(random));
-            var camera = new Camera(Vector3.Zero, d, up: Some.Direction(random), fovY: 1, width: 1, height: 1, sample: PixelSample.Center, zNear: 0);
+            var camera = new Camera(Vector3.Zero, d)
+            {
+                Up = Some.Direction(random),
+                FovY = 1,
+                Width = 1,
+                Height = 1,
+                Sample = PixelSample.Center,
+                ZNear = 0,
+            };
             d = camera.RayThrough(0, 0).Direction;
             var triangle = new Triangle(Corner(), Corner(), Corner());
             var t = ScalarRenderer.Cast(new Scene(camera, [Model.Of(triangle)]), 0, 0).T;

@@ -35,7 +35,7 @@ public class FloatRangeTests
     public void AMeshOfAnySizeComesOutToTheBit(int power)
     {
         var (unit, ball) = (Math.Pow(10, power), MeshGenerator.BumpySphere(2));
-        var camera = new Camera(unit * new Vector3(2, 0.5, 1), Vector3.Zero, width: 128, height: 70, zNear: 0, zFar: 100 * unit, bias: 0);
+        var camera = new Camera(unit * new Vector3(2, 0.5, 1), Vector3.Zero) { Width = 128, Height = 70, ZNear = 0, ZFar = 100 * unit, Bias = 0 };
         var mesh = new Mesh([.. ball.Vertices.Select(p => unit * p)], ball.Indices);
         RendererTests.AssertEqual(new(camera, [mesh], new Color(0.1, 0.2, 0.3)), $"1e{power}");
     }
@@ -64,7 +64,8 @@ public class FloatRangeTests
             });
         }
         foreach (var model in models) model.Color = color;
-        return new(new Camera(At(5, 0.5, 1), Vector3.Zero, width: 128, height: 80, zNear: 0, zFar: 12 * unit, bias: 1e-6 * unit, clip: clip),
+        return new(
+            new Camera(At(5, 0.5, 1), Vector3.Zero) { Width = 128, Height = 80, ZNear = 0, ZFar = 12 * unit, Bias = 1e-6 * unit, Clip = clip },
             models, new Color(0.1, 0.2, 0.3));
     }
 }

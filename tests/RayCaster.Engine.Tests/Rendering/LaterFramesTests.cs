@@ -9,7 +9,7 @@ public class LaterFramesTests
         var shared = Models();
         Parallel.For(0, 8, i => // the first frames come at the same time
         {
-            var camera = new Camera(new(4 * Math.Cos(i), 4 * Math.Sin(i), 1), Vector3.Zero, width: 90, height: 70);
+            var camera = new Camera(new(4 * Math.Cos(i), 4 * Math.Sin(i), 1), Vector3.Zero) { Width = 90, Height = 70 };
             var later = new Renderer(new(camera, shared), 2) { ManyFrames = true }.CastHits();
             var alone = new Renderer(new(camera, Models()), 1).CastHits();
             Assert.Equal(alone.T, later.T);
@@ -21,7 +21,7 @@ public class LaterFramesTests
     public void AModelThatIsAddedToTheListShowsInTheNextFrame()
     {
         var models = Models().ToList();
-        var camera = new Camera(new(4, 0, 1), Vector3.Zero, width: 90, height: 70);
+        var camera = new Camera(new(4, 0, 1), Vector3.Zero) { Width = 90, Height = 70 };
         new Renderer(new(camera, models), 1) { ManyFrames = true }.CastHits();
         models.Add(Model.Of(new Sphere(new(3, 0, 0.75), 0.3)));
         Assert.Contains(models.Count - 1, new Renderer(new(camera, models), 1) { ManyFrames = true }.CastHits().Model);

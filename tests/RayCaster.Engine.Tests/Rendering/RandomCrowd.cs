@@ -56,11 +56,18 @@ internal static class RandomCrowd
             _ => (2 * random.Next(1, 75), 2 * random.Next(1, 55)), // even: a ray along the view
         };
         return new Scene(
-            new Camera(position, aim, up: Math.Abs((aim - position).Normalized.Z) > 0.99 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1),
-                fovY: isOutline ? Math.Pow(10, 1 - 6 * random.NextDouble()) : random.Next(5) == 0 ? 1 + 175 * random.NextDouble() : 45,
-                width: width, height: height,
-                zNear: zNear, zFar: random.Next(4) == 0 ? length * (1 + random.NextDouble()) : unit * 1e6, bias: unit * random.Next(2) * 1e-6,
-                clip: (ClipMode)random.Next(2), sample: isAligned ? PixelSample.Corner : (PixelSample)random.Next(2)),
+            new Camera(position, aim)
+            {
+                Up = Math.Abs((aim - position).Normalized.Z) > 0.99 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1),
+                FovY = isOutline ? Math.Pow(10, 1 - 6 * random.NextDouble()) : random.Next(5) == 0 ? 1 + 175 * random.NextDouble() : 45,
+                Width = width,
+                Height = height,
+                ZNear = zNear,
+                ZFar = random.Next(4) == 0 ? length * (1 + random.NextDouble()) : unit * 1e6,
+                Bias = unit * random.Next(2) * 1e-6,
+                Clip = (ClipMode)random.Next(2),
+                Sample = isAligned ? PixelSample.Corner : (PixelSample)random.Next(2),
+            },
             models, new Color(0.1, 0.2, 0.3));
 
         Vector3 Point(double range) => Some.Point(random, range);

@@ -149,7 +149,7 @@ public class RendererTests
         }
         models.Insert(random.Next(models.Count), Model.Of(new Plane(new(0, 0, -4), new(0, 0, 1))));
         var position = Some.Point(random, 9);
-        var camera = new Camera(position, new(0.1, 0, 0), width: 100, height: 83, sample: (PixelSample)(seed % 2));
+        var camera = new Camera(position, new(0.1, 0, 0)) { Width = 100, Height = 83, Sample = (PixelSample)(seed % 2) };
         AssertEqual(new Scene(camera, models), $"seed {seed}");
     }
 
@@ -160,7 +160,7 @@ public class RendererTests
     public void TheRoomComesOutToTheBit(double x, double y, double z, double fovY)
     {
         var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
-        var camera = room.Camera.With(width: 700, height: 333, position: new(x, y, z), target: Vector3.Zero, fovY: fovY);
+        var camera = room.Camera with { Width = 700, Height = 333, Position = new(x, y, z), Target = Vector3.Zero, FovY = fovY };
         AssertEqual(room with { Camera = camera, Background = new(0.2, 0.4, 2) },
             "the room");
     }
@@ -182,7 +182,7 @@ public class RendererTests
                 models.Add(Model.Of(new Sphere(Some.Point(random, 0.015), 0.0002 + 0.001 * random.NextDouble())));
             var (position, target) = (new Vector3(Some.Number(random, 2), Some.Number(random, 2), 9 + Some.Number(random, 1)), Vector3.Zero);
             var up = (position - target).Normalized + 3e-12 * Some.Point(random, 1);
-            var camera = new Camera(position, target, up: up, fovY: 0.2, width: 150, height: 150);
+            var camera = new Camera(position, target) { Up = up, FovY = 0.2, Width = 150, Height = 150 };
             if (camera.ValidationError is null) AssertEqual(new Scene(camera, models), $"picture {i}");
         }
     }
@@ -190,7 +190,7 @@ public class RendererTests
     [Fact]
     public void OfEqualHitsTheFirstModelShows()
     {
-        Scene With(params Model[] models) => new(new Camera(new(5, 0, 0), Vector3.Zero, width: 9, height: 9), models);
+        Scene With(params Model[] models) => new(new Camera(new(5, 0, 0), Vector3.Zero) { Width = 9, Height = 9 }, models);
         var plane = new Plane(Vector3.Zero, new(1, 0, 0));
         Model red = Model.Of(plane), blue = Model.Of(plane);
         (red.Color, blue.Color) = (new(1, 0, 0), new(0, 0, 1));
@@ -214,7 +214,7 @@ public class RendererTests
     {
         using var cancellation = new CancellationTokenSource();
         var watched = new Watched(Model.Of(new Sphere(Vector3.Zero, 1)), _ => cancellation.Cancel());
-        var camera = new Camera(new(5, 0, 0), Vector3.Zero, width: 600, height: 600);
+        var camera = new Camera(new(5, 0, 0), Vector3.Zero) { Width = 600, Height = 600 };
         var renderer = new Renderer(new(camera, [watched]), threads: 1);
         Assert.Throws<OperationCanceledException>(() => renderer.CastHits(null, cancellation.Token));
         Assert.Throws<OperationCanceledException>(() => renderer.DrawInto(new Picture(600, 600), cancellation.Token));
@@ -228,7 +228,7 @@ public class RendererTests
     public void CancellingStopsThePreparationOfAMesh(double fovY)
     {
         var mesh = MeshGenerator.Icosphere(3);
-        var camera = new Camera(new(5, 0, 0), Vector3.Zero, fovY: fovY, width: 1, height: 1);
+        var camera = new Camera(new(5, 0, 0), Vector3.Zero) { FovY = fovY, Width = 1, Height = 1 };
         var screen = new ScreenSpace(camera);
         Assert.Equal(fovY > 1, screen.IsFine);
         Assert.Throws<OperationCanceledException>(() => new MeshView<Packet>(new Mesh(mesh.Vertices, mesh.Indices), screen, new(true)));
@@ -246,7 +246,7 @@ public class RendererTests
     public void AnErrorOfAShapeKeepsTheStackOfItsThread(int threads)
     {
         var faulty = new Watched(Model.Of(new Sphere(Vector3.Zero, 1)), _ => throw new InvalidOperationException());
-        var camera = new Camera(new(5, 0, 0), Vector3.Zero, width: 600, height: 600);
+        var camera = new Camera(new(5, 0, 0), Vector3.Zero) { Width = 600, Height = 600 };
         var error = Assert.Throws<InvalidOperationException>(() => new Renderer(new(camera, [faulty]), threads).Draw(.., _ => { }));
         Assert.Contains(nameof(Watched), error.StackTrace);
     }
@@ -278,7 +278,7 @@ public class RendererTests
         var red = Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)));
         var blue = Model.Of(new Plane(new(-5, 0, 0), new(1, tilt, tilt / 3)));
         (red.Color, blue.Color) = (new(1, 0, 0), new(0, 0, 1));
-        var camera = new Camera(new(20, 1, 0), new(0, 0.5, 0.3), width: 256, height: 100);
+        var camera = new Camera(new(20, 1, 0), new(0, 0.5, 0.3)) { Width = 256, Height = 100 };
         AssertEqual(new Scene(camera, [red, blue]), $"planes at an angle of {tilt}");
     }
 

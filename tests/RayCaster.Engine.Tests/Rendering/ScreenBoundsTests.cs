@@ -56,10 +56,17 @@ public class ScreenBoundsTests
             var (look, tilt) = (Some.Direction(random), Some.Direction(random));
 
             // The camera is put where the ray of this pixel passes through a point of the outline.
-            var turned = new Camera(Vector3.Zero, look, up: tilt, fovY: fovY, width: width, height: height);
+            var turned = new Camera(Vector3.Zero, look) { Up = tilt, FovY = fovY, Width = width, Height = height };
             var d = turned.RayThrough(column, row).Direction;
             var position = outline(random, turned, d) - distance * d;
-            var camera = new Camera(position, position + distance * look, up: tilt, fovY: fovY, width: width, height: height, zFar: 2 * distance);
+            var camera = new Camera(position, position + distance * look)
+            {
+                Up = tilt,
+                FovY = fovY,
+                Width = width,
+                Height = height,
+                ZFar = 2 * distance,
+            };
             var behind = Model.Of(new Sphere(position - distance * look, 1));
             var scene = new Scene(camera, [.. Enumerable.Repeat(behind, companions), model]);
 

@@ -1,7 +1,7 @@
 namespace RayCaster.Files.Tests.Fuzzing;
 
 /// <summary>A stream without a length that cannot seek, and comes in pieces of at most 100 bytes.</summary>
-internal class Pipe(byte[] bytes) : ForwardStream
+internal class Pipe(byte[] bytes) : Stream
 {
     /// <summary>How many bytes were read.</summary>
     public long Given { get; private set; }
@@ -12,6 +12,17 @@ internal class Pipe(byte[] bytes) : ForwardStream
         for (; count < Math.Min(buffer.Length, 100) && ByteAt(Given) is { } value; Given++) buffer[count++] = value;
         return count;
     }
+
+    public override bool CanRead => true;
+    public override bool CanWrite => false;
+    public override bool CanSeek => false;
+    public override long Length => throw new NotSupportedException();
+    public override long Position { get => throw new NotSupportedException(); set => throw new NotSupportedException(); }
+    public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));
+    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+    public override void Flush() { }
+    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+    public override void SetLength(long value) => throw new NotSupportedException();
 
     /// <summary>The byte at a place; null at the end.</summary>
     protected virtual byte? ByteAt(long place) => place < bytes.Length ? bytes[place] : null;

@@ -2,7 +2,7 @@ namespace RayCaster.Files.Tests.Scenes;
 
 public class CameraMotionTests
 {
-    private static readonly Camera Scene = new(new(10, 0, 4), new(1, 2, 3), fovY: 40, width: 30, height: 20, zNear: 0.5, zFar: 90);
+    private static readonly Camera Scene = new(new(10, 0, 4), new(1, 2, 3)) { FovY = 40, Width = 30, Height = 20, ZNear = 0.5, ZFar = 90 };
 
     [Fact]
     public void AnOrbitBeginsWithTheScenesOwnPicture() => Assert.Same(Scene, CameraMotion.Orbit(Scene, 0, 7));
@@ -21,7 +21,7 @@ public class CameraMotionTests
     [Fact]
     public void AnOrbitGoesAboutWhateverIsUp()
     {
-        var scene = new Camera(new(0, 3, 5), Vector3.Zero, up: new(0, 7, 0));
+        var scene = new Camera(new(0, 3, 5), Vector3.Zero) { Up = new(0, 7, 0) };
         for (var frame = 0; frame < 9; frame++)
         {
             var camera = CameraMotion.Orbit(scene, frame, 9);
@@ -31,12 +31,12 @@ public class CameraMotionTests
     }
 
     [Theory]
-    [InlineData(1, 2, 3, "the camera is at its target, [1, 2, 3]")]
-    [InlineData(1, 2, 9, "the camera at [1, 2, 9] looks along up, which is [0, 0, 1]")]
+    [InlineData(1, 2, 3, "target must differ from position, but both are [1, 2, 3]")]
+    [InlineData(1, 2, 9, "up must not be parallel to target - position, but is [0, 0, 1]")]
     public void ACameraThatSeesNothingSaysWhy(double x, double y, double z, string flaw)
     {
         Assert.Null(Scene.ValidationError);
-        Assert.Equal(flaw, Scene.With(position: new(x, y, z)).ValidationError);
+        Assert.Equal(flaw, (Scene with { Position = new(x, y, z) }).ValidationError);
     }
 
     private static void AssertNear(Vector3 expected, Vector3 actual, double tolerance = 1e-12) =>

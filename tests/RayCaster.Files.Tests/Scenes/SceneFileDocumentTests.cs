@@ -15,7 +15,7 @@ public class SceneFileDocumentTests
     [Fact]
     public void EveryKeyOfSceneAndCameraIsExplained()
     {
-        SceneReader.ReadScene(SceneObject.Describing(out var scene));
+        SceneReader.ReadScene(JsonKeys.Describing(out var scene));
         AssertExplained(scene.Concat(scene.SelectMany(key => key.Members)));
     }
 
@@ -30,11 +30,11 @@ public class SceneFileDocumentTests
     public void EveryKeyOfABuiltInTypeIsExplained(string name)
     {
         Assert.Contains($"\n| `{name}` | ", Document);
-        SceneReader.ReadModel(SceneObject.Describing(out var keys), PrimitiveList.All.Single(type => type.Name == name));
+        SceneReader.ReadModel(JsonKeys.Describing(out var keys), PrimitiveList.All.Single(type => type.Name == name));
         AssertExplained(keys);
     }
 
-    private static void AssertExplained(IEnumerable<SceneKey> keys)
+    private static void AssertExplained(IEnumerable<KeySpec> keys)
     {
         var missing = keys.Select(key => key.Name).Where(key => !Document.Contains($"`{key}`"));
         Assert.False(missing.Any(), $"docs/scene-file.md does not explain: {string.Join(", ", missing)}");

@@ -17,8 +17,18 @@ public class SceneReaderTests
     public void EveryKeyOfTheCameraIsRead()
     {
         var scene = Read("Good/everything.json");
-        var camera = new Camera(new(20, 1, 2), new(0, 0.5, 0), up: new(0, 1, 0), fovY: 60, width: 64, height: 48, zNear: 0.5, zFar: 50,
-            bias: 0, clip: ClipMode.Distance, sample: PixelSample.Center);
+        var camera = new Camera(new(20, 1, 2), new(0, 0.5, 0))
+        {
+            Up = new(0, 1, 0),
+            FovY = 60,
+            Width = 64,
+            Height = 48,
+            ZNear = 0.5,
+            ZFar = 50,
+            Bias = 0,
+            Clip = ClipMode.Distance,
+            Sample = PixelSample.Center,
+        };
 
         Assert.Equal(camera, scene.Camera);
         Assert.Equal(new Color(1, 128 / 255.0, 0), scene.Background);

@@ -12,14 +12,14 @@ internal static class SceneSchema
 
     public static string Write()
     {
-        var scene = SceneObject.Describing(out var keys);
+        var scene = JsonKeys.Describing(out var keys);
         SceneReader.ReadScene(scene);
         var definitions = PrimitiveList.All.Select(type => KeyValuePair.Create<string, JsonNode?>(type.Name, ModelOf(type)));
         return Document("Scene", "A scene for RayCaster: a camera and the models that it sees.",
             With(ObjectOf(keys, Element), "definitions", new JsonObject(definitions.Prepend(new("model", AnyModel())))));
     }
 
-    private static JsonObject Element(SceneKey key) => new() { ["$ref"] = "#/definitions/model" };
+    private static JsonObject Element(KeySpec key) => new() { ["$ref"] = "#/definitions/model" };
 
     /// <summary>A model of some type: the type says by which definition it is checked, so that an editor complains about this type's keys
     /// only.</summary>
@@ -50,7 +50,7 @@ internal static class SceneSchema
 
     private static JsonObject ModelOf(PrimitiveType type)
     {
-        var model = SceneObject.Describing(out var keys);
+        var model = JsonKeys.Describing(out var keys);
         SceneReader.ReadModel(model, type);
         var schema = ObjectOf(keys, Element);
         schema["properties"]!.AsObject().Insert(0, "type", new JsonObject { ["const"] = type.Name, ["description"] = type.Meaning });

@@ -44,7 +44,7 @@ public sealed class WorkTests : InTemporaryFolder
     {
         var text = string.Format(null, file, string.Concat(Enumerable.Range(0, parts).Select(i => string.Format(null, part, $"{i:x}"))));
         var tree = JsonTree.Parse(new("a.json", Encoding.ASCII.GetBytes(text), "."))!;
-        SceneReader.ReadScene(SceneObject.AsObject(tree.Root)!);
+        SceneReader.ReadScene(JsonKeys.AsObject(tree.Root)!);
         Assert.NotEqual(0, tree.Reading.ErrorCount);
         return tree.KeysLookedAt;
     }

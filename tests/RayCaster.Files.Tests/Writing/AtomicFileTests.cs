@@ -157,7 +157,7 @@ public sealed class AtomicFileTests : InTemporaryFolder
     [InlineData("my.nul", false)]
     public void DevicesOfWindowsHaveNames(string name, bool isDevice)
     {
-        Assert.Equal(isDevice, FilePlace.IsDeviceOnWindows(name));
+        Assert.Equal(isDevice, PathResolver.IsDeviceOnWindows(name));
         if (isDevice && OperatingSystem.IsWindows())
             Assert.Equal($"cannot write {folder[name]}: {name} is the name of a device on Windows; choose another",
                 Assert.Throws<ProblemException>(() => Write(name)).Message);

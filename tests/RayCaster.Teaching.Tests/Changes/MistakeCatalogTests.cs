@@ -83,7 +83,7 @@ public class MistakeCatalogTests
                 .. ((Vector3[])[new(0, -8, 0.8), new(0, 6, 4), new(0, -14, 0), new(0, -6.3, 1.7), new(0, 1.6, 4)])
                     .SelectMany(place => Row(place, Math.Abs(place.Y + 10) / 8)),
             ];
-            return new(new(new(0, -10, 0), Vector3.Zero, fovY: 60, width: 36, height: 24, zNear: 4, zFar: 12), models);
+            return new(new(new(0, -10, 0), Vector3.Zero) { FovY = 60, Width = 36, Height = 24, ZNear = 4, ZFar = 12 }, models);
 
             static Model[] Row(Vector3 at, double size)
             {

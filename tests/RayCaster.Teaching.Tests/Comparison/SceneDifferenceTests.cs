@@ -5,7 +5,7 @@ public class SceneDifferenceTests
 {
     /// <summary>A wall behind a box and a ball, which has no name; a background.</summary>
     private static readonly Scene scene = new(
-        new Camera(new(10, 0, 2), new(0, 0, 0), width: 120, height: 80, fovY: 60),
+        new Camera(new(10, 0, 2), new(0, 0, 0)) { Width = 120, Height = 80, FovY = 60 },
         [
             Named(new Plane(new(-4, 0, 0), new(1, 0, -0.5)), "wall", new(0.8, 0.7, 0.6)),
             Named(new Aabb(new(-1, -3, -1), new(1, -1, 1.5)), "box", new(0.9, 0.2, 0.1)),
@@ -112,7 +112,7 @@ public class SceneDifferenceTests
     [Fact]
     public void WhereEverythingIsWrongNoModelIsBlamed()
     {
-        var camera = new Camera(new(10, 3, 4), new(0, 0, 0), width: 120, height: 80, fovY: 90);
+        var camera = new Camera(new(10, 3, 4), new(0, 0, 0)) { Width = 120, Height = 80, FovY = 90 };
         Assert.Contains("The outlines are others: look at the camera", TextOf(Renderer.Render(scene with { Camera = camera })));
     }
 
@@ -124,7 +124,7 @@ public class SceneDifferenceTests
     public void APixelThatHangsOnAThousandthOfAPixelMayShowEither()
     {
         // The edge of the quarter plane runs exactly along a column of corners.
-        var camera = new Camera(new(10, 0, 0), new(0, 0, 0), width: 60, height: 40);
+        var camera = new Camera(new(10, 0, 0), new(0, 0, 0)) { Width = 60, Height = 40 };
         var edge = new Scene(camera, [Named(new Aabb(new(-1, 0, -90), new(1, 90, 90)), "half", new(1, 1, 1))], new(0, 0, 0.5));
         var reference = Renderer.Render(edge);
         Assert.NotEqual(reference[29, 0], reference[30, 0]);

@@ -24,7 +24,7 @@ public class MutationCoverageTests
     [Fact]
     public void AnEmptyWorldShowsNothing()
     {
-        var fitness = MutationCoverage.Measure([new(new Camera(new(1, 0, 0), Vector3.Zero, width: 30, height: 20), [])]);
+        var fitness = MutationCoverage.Measure([new(new Camera(new(1, 0, 0), Vector3.Zero) { Width = 30, Height = 20 }, [])]);
         Assert.Contains(MistakeCatalog.Named("w-sign")!, fitness.Hidden);
         Assert.Contains("the world is empty", CoverageReport.Text(fitness));
     }

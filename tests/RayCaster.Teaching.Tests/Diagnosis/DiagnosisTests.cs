@@ -119,7 +119,7 @@ public class DiagnosisTests
     [Fact]
     public void APictureOfNothingProvesNothing()
     {
-        var empty = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, width: 6, height: 4), []);
+        var empty = new Scene(new Camera(new(20, 0, 0), Vector3.Zero) { Width = 6, Height = 4 }, []);
         Assert.Contains("it proves nothing", DiagnosisReport.Text(DiagnosisResult.Find(empty, new Picture(6, 4), new()), "mine.png", "scene.json"));
     }
 
@@ -138,7 +138,7 @@ public class DiagnosisTests
     [InlineData("att-int", "All that is drawn is black")]
     public void APictureThatVeryManyMistakesMakeDecidesNothing(string id, string says)
     {
-        var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, width: 60, height: 40),
+        var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero) { Width = 60, Height = 40 },
             [Model.Of(new Aabb(new(-5, -4, -4), new(0, 4, 4)))])
         {
             Background = new(0.2, 0.4, 0.6),
@@ -152,7 +152,7 @@ public class DiagnosisTests
     [Fact(Explicit = true)]
     public void OfOneColourNoMistakeIsNamed()
     {
-        var floor = new Scene(new Camera(new(0, -5, 2), new(0, 0, -2), width: 30, height: 20),
+        var floor = new Scene(new Camera(new(0, -5, 2), new(0, 0, -2)) { Width = 30, Height = 20 },
             [new Model<Plane>(new(new(0, 0, -2), new(0, 0, 1))) { Color = new(0.9, 0.5, 0.2) }]);
         var corner = MistakeCatalog.Draw(floor, [MistakeCatalog.Named("pix-int")!.Usual]);
         Assert.True(corner.IsOneColor);

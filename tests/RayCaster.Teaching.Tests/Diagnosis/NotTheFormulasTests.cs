@@ -49,7 +49,7 @@ public class NotTheFormulasTests
     [Fact]
     public void ARightPictureOfOneColourIsNotAccused()
     {
-        var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, fovY: 3, width: 20, height: 20),
+        var wall = new Scene(new Camera(new(20, 0, 0), Vector3.Zero) { FovY = 3, Width = 20, Height = 20 },
             [new Model<Plane>(new(new(-5, 0, 0), new(1, 0, 0)))]);
         var diagnosis = DiagnosisResult.Find(wall, Renderer.Render(wall), new());
         Assert.Equal(DiagnosisKind.Matches, diagnosis.Kind);

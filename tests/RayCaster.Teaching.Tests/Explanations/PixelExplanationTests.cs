@@ -133,7 +133,7 @@ public class PixelExplanationTests
     {
         var ball = Model.Of(new Sphere(new(-5, 0, 0), 1));
         ball.Name = "ball";
-        var scene = new Scene(new Camera(new(0, 0, 0), new(-20, 0, 0), width: 40, height: 40), [ball]);
+        var scene = new Scene(new Camera(new(0, 0, 0), new(-20, 0, 0)) { Width = 40, Height = 40 }, [ball]);
         var picture = ScalarRenderer.Render(scene);
         var column = Enumerable.Range(0, 40).First(x => picture[x + 1, 20] != (0, 0, 0));
         var pixel = new PixelExplanation(scene, column, 20);
@@ -220,7 +220,7 @@ public class PixelExplanationTests
 
     /// <summary>One pixel, whose ray goes along −x from the origin.</summary>
     private static Scene Scene(IReadOnlyList<Model> models, double zNear = 0) =>
-        new(new Camera(new(0, 0, 0), new(-20, 0, 0), width: 1, height: 1, zNear: zNear, sample: PixelSample.Center), models);
+        new(new Camera(new(0, 0, 0), new(-20, 0, 0)) { Width = 1, Height = 1, ZNear = zNear, Sample = PixelSample.Center }, models);
 
     private static ModelExplanation Explain(Model model, double zNear = 0) => new PixelExplanation(Scene([model], zNear), 0, 0).Models[0];
 }

@@ -68,7 +68,7 @@ public class FormulaProgramTests
     public void AMeshIsHitAsItsTrianglesAre()
     {
         var ball = MeshGenerator.Icosphere(1);
-        var scene = new Scene(new(new(3, 1, 1), Vector3.Zero, width: 60, height: 40),
+        var scene = new Scene(new(new(3, 1, 1), Vector3.Zero) { Width = 60, Height = 40 },
             [new Mesh(ball.Vertices, ball.Indices) { Color = new(1, 0.5, 0) }]);
         foreach (var id in new[] { "tri-uv", "dir-unnorm" })
         {
@@ -82,7 +82,7 @@ public class FormulaProgramTests
     [Fact]
     public void AModelOfOnesOwnIsAskedForItsHits()
     {
-        var scene = new Scene(new(new(0, -5, 0), Vector3.Zero, width: 8, height: 8), [new Wall { Color = new(1, 0.5, 0) }]);
+        var scene = new Scene(new(new(0, -5, 0), Vector3.Zero) { Width = 8, Height = 8 }, [new Wall { Color = new(1, 0.5, 0) }]);
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, Draw(scene).Rgb);
         Assert.Equal(((byte)0, (byte)128, (byte)255), Draw(scene, "bgr", "att-none")[4, 4]);
     }

@@ -10,16 +10,16 @@ internal static class RubricSchema
 
     public static string Write()
     {
-        var rubric = SceneObject.Describing(out var keys);
+        var rubric = JsonKeys.Describing(out var keys);
         RubricReader.ReadRubric(rubric, "", new());
-        var item = SceneObject.Describing(out var itemKeys);
+        var item = JsonKeys.Describing(out var itemKeys);
         RubricReader.ReadItem(item, []);
         return Document("Rubric", "What a class is marked by: scenes, where the pictures of them are, and what costs points.",
             ObjectOf(keys, key => key.Kind == KeyKind.Objects ? ObjectOf(itemKeys, TextOf) : TextOf(key)));
     }
 
     /// <summary>What is one of known words, so that an editor completes it.</summary>
-    private static JsonObject TextOf(SceneKey key)
+    private static JsonObject TextOf(KeySpec key)
     {
         IEnumerable<string>? words = key.Name switch
         {

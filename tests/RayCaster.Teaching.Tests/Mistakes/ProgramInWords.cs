@@ -50,9 +50,9 @@ internal static class ProgramInWords
         double[] numbers = [.. value.Split(' ').Select(number => double.Parse(number, CultureInfo.InvariantCulture))];
         return name switch
         {
-            "target" => camera.With(target: new(numbers[0], numbers[1], numbers[2])),
-            "fovY" => camera.With(fovY: numbers[0]),
-            _ => camera.With(zFar: numbers[0]),
+            "target" => camera with { Target = new(numbers[0], numbers[1], numbers[2]) },
+            "fovY" => camera with { FovY = numbers[0] },
+            _ => camera with { ZFar = numbers[0] },
         };
     }
 }

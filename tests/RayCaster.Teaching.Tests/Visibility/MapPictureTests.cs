@@ -3,7 +3,7 @@ namespace RayCaster.Teaching.Tests.Visibility;
 /// <summary>What maps show of a pixel is what the definition finds there.</summary>
 public class MapPictureTests
 {
-    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero, fovY: 40, width: 31, height: 21);
+    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero) { FovY = 40, Width = 31, Height = 21 };
 
     [Fact]
     public void PixelsOfOneModelHaveOneColourAndNothingIsBlack()
@@ -51,7 +51,7 @@ public class MapPictureTests
     [Fact]
     public void AMapThatDoesNotFitIsRefusedWithTheLimit()
     {
-        var scene = Scene() with { Camera = Camera.With(width: 1_000_000, height: 10_000) };
+        var scene = Scene() with { Camera = Camera with { Width = 1_000_000, Height = 10_000 } };
         Assert.Contains($"{MapPicture.MaxPixels:N0}", Assert.Throws<ProblemException>(() => MapPicture.Draw(scene, MapKind.T)).Message);
     }
 

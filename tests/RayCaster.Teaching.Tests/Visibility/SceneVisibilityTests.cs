@@ -4,7 +4,7 @@ namespace RayCaster.Teaching.Tests.Visibility;
 public class SceneVisibilityTests
 {
     /// <summary>Looks from (10, 0, 0) along −x.</summary>
-    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero, fovY: 60, width: 24, height: 16, zNear: 2, zFar: 50, bias: 1);
+    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero) { FovY = 60, Width = 24, Height = 16, ZNear = 2, ZFar = 50, Bias = 1 };
 
     [Fact]
     public void AModelShowsInAsManyPixelsAsTheRendererFinds()
@@ -97,7 +97,7 @@ public class SceneVisibilityTests
         foreach (var z in new[] { 0.0, 5 }) // in the plane, and beside it
         {
             var scene = new Scene(
-                Camera.With(width: 1, height: 2),
+                Camera with { Width = 1, Height = 2 },
                 [Model.Of(new Plane(new(0, 0, z), new(0, 0, 1))), Model.Of(new Circle(new(0, 0, z), new(0, 0, 1), 3))]);
             Assert.Equal([1, 2], SceneVisibility.Take(scene).Models.Select(entry => entry[Outcome.Misses])); // row 1 of 2 looks along −x
         }
@@ -113,7 +113,7 @@ public class SceneVisibilityTests
     [Fact]
     public void OfALargePictureAGridIsJudged()
     {
-        var scene = new Scene(Camera.With(width: 8000, height: 4000), [Model.Of(new Plane(Vector3.Zero, new(1, 0, 0)))]);
+        var scene = new Scene(Camera with { Width = 8000, Height = 4000 }, [Model.Of(new Plane(Vector3.Zero, new(1, 0, 0)))]);
         var ledger = SceneVisibility.Take(scene);
         Assert.InRange(ledger.Rays, SceneVisibility.MaxSampled / 2, SceneVisibility.MaxSampled);
         Assert.Contains($"judged from {ledger.Rays:N0} of 32,000,000:", ledger.Report());

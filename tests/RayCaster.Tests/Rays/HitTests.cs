@@ -5,7 +5,7 @@ public class HitTests
 {
     /// <summary>One pixel whose ray runs from (10, 0, 0) along −x; the target is the origin, so the light ends at t = 20.</summary>
     private static readonly Camera camera =
-        new(new(10, 0, 0), default, width: 1, height: 1, zNear: 0, sample: PixelSample.Center);
+        new(new(10, 0, 0), default) { Width = 1, Height = 1, ZNear = 0, Sample = PixelSample.Center };
 
     private static Model Wall(double x, Color color) => new Model<Plane>(new Plane(new(x, 0, 0), new(1, 0, 0))) { Color = color };
 
@@ -46,7 +46,7 @@ public class HitTests
     [Fact]
     public void WhatIsClippedAwayHidesNothing()
     {
-        var clipped = new Camera(camera.Position, camera.Target, width: 1, height: 1, zNear: 6, zFar: 10, sample: PixelSample.Center);
+        var clipped = new Camera(camera.Position, camera.Target) { Width = 1, Height = 1, ZNear = 6, ZFar = 10, Sample = PixelSample.Center };
         var scene = new Scene(clipped, [Wall(5, new(1, 0, 0)), Wall(0, new(0, 1, 0)), Wall(-1, new(0, 0, 1))]);
         Assert.Equal((0, 128, 0), ScalarRenderer.Render(scene)[0, 0]);
     }
@@ -57,7 +57,7 @@ public class HitTests
     [Fact]
     public void RowsAreCountedFromTheBottomAndColumnsFromTheLeft()
     {
-        var four = new Camera(default, new(-1, 0, 0), fovY: 90, width: 2, height: 2, zNear: 0, sample: PixelSample.Center);
+        var four = new Camera(default, new(-1, 0, 0)) { FovY = 90, Width = 2, Height = 2, ZNear = 0, Sample = PixelSample.Center };
         Model ball = new Model<Sphere>(new Sphere(new(-1, 0.5, 0.5), 0.1)); // to the right and above
         var picture = ScalarRenderer.Render(new Scene(four, [ball], Color.Black));
         Assert.NotEqual((0, 0, 0), picture[1, 0]);

@@ -69,7 +69,7 @@ public class TriangleTests
     public void ATriangleSeenEdgeOnIsNotHitByRaysThatOnlyPassWithinItsPlane()
     {
         var triangle = new Triangle(new(0, 0, -2), new(-0.2, -0.2, -2.1), new(0.30000000000000004, 0.2, -1.9));
-        var camera = new Camera(new(-1, 2, -1), new(0, 2, -1), fovY: 90, width: 23, height: 16, sample: PixelSample.Center);
+        var camera = new Camera(new(-1, 2, -1), new(0, 2, -1)) { FovY = 90, Width = 23, Height = 16, Sample = PixelSample.Center };
         RayAssert.HitsAlong(triangle, camera.RayThrough(4, 11), null);
     }
 }

@@ -62,7 +62,7 @@ public class WatertightTests(ITestOutputHelper output)
     public void ACubeOfTrianglesCoversWhatTheBoxCovers(double x, double y, double z)
     {
         var up = x == 0 && y == 0 ? new Vector3(0, 1, 0) : new(0, 0, 1);
-        var camera = new Camera(new(x, y, z), default, up: up, fovY: 60, width: 128, height: 128);
+        var camera = new Camera(new(x, y, z), default) { Up = up, FovY = 60, Width = 128, Height = 128 };
         var mesh = Covered(Solids.Cube());
         var (smaller, larger) = (Covered(Box(1 - 1e-12)), Covered(Box(1 + 1e-12)));
         Assert.InRange(mesh.Count(covered => covered), 1000, 16_000);
@@ -84,7 +84,7 @@ public class WatertightTests(ITestOutputHelper output)
         Vector3[] targets = [new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(1, 1, 1), mesh[0].A, mesh[40].B];
         foreach (var target in targets)
         {
-            var scene = new Scene(new(default, target, up: new(0.1, 0.2, 1), fovY: 90, width: 24, height: 24), [mesh]);
+            var scene = new Scene(new(default, target) { Up = new(0.1, 0.2, 1), FovY = 90, Width = 24, Height = 24 }, [mesh]);
             Assert.All(Pixels(scene.Camera), pixel => Assert.True(IsHit(scene, pixel), $"a hole at {pixel} towards {target}"));
         }
     }

@@ -59,7 +59,7 @@ public class SlideTests
     [Fact]
     public void SlideAttenuationHalvesTheColourAtTheTarget()
     {
-        var camera = new Camera(Position, Target, sample: PixelSample.Center, width: 1, height: 1);
+        var camera = new Camera(Position, Target) { Sample = PixelSample.Center, Width = 1, Height = 1 };
         var scene = new Scene(camera, [Model.Of(new Plane(Target, new(1, 0, 0)))]);
         var hit = ScalarRenderer.Cast(scene, 0, 0);
         var attenuation = 1 - hit.T / (2 * (Target - Position)).Length;

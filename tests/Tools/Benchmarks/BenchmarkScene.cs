@@ -119,5 +119,5 @@ internal sealed class BenchmarkScene(string name, string title, Func<int, int, S
 
     /// <summary>A camera that a thing of radius 1.1 about the origin fills from top to bottom.</summary>
     private static Camera CameraAt(int width, int height) =>
-        new(new(2.2, 1.5, 1.2), new(0, 0, 0), width: width, height: height, zNear: 0.125, zFar: 128);
+        new(new(2.2, 1.5, 1.2), new(0, 0, 0)) { Width = width, Height = height, ZNear = 0.125, ZFar = 128 };
 }

@@ -16,7 +16,7 @@ public class FineMeshTests
         var mesh = seed % 2 == 0 ? MeshGenerator.BumpySphere(5) : MeshGenerator.TorusKnot(2, 3, 1, 0.4, 0.2, 300, 16);
         if (seed > 4) Shuffle(mesh.Indices, random);
         var position = (seed % 3 == 0 ? 0.5 : 3) * new Vector3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, 1).Normalized;
-        var camera = new Camera(position, new(0.1, 0.2, 0), width: random.Next(150, 400), height: random.Next(150, 300), zNear: seed % 2);
+        var camera = new Camera(position, new(0.1, 0.2, 0)) { Width = random.Next(150, 400), Height = random.Next(150, 300), ZNear = seed % 2 };
         var scene = new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
         var hits = new Renderer(scene, 2).CastHits();
         for (var i = 0; i < 60; i++)
@@ -31,7 +31,7 @@ public class FineMeshTests
     public void SomeLinesOfAMeshAreThoseOfTheWholePicture()
     {
         var mesh = MeshGenerator.BumpySphere(5);
-        var scene = new Scene(new(new(3, 2, 1), Vector3.Zero, width: 300, height: 200), [new Mesh(mesh.Vertices, mesh.Indices)]);
+        var scene = new Scene(new(new(3, 2, 1), Vector3.Zero) { Width = 300, Height = 200 }, [new Mesh(mesh.Vertices, mesh.Indices)]);
         var whole = Renderer.Render(scene).Rgb;
         var random = new Random(1);
         for (var i = 0; i < 12; i++)

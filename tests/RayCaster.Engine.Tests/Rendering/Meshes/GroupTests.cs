@@ -3,7 +3,7 @@ namespace RayCaster.Engine.Tests.Rendering.Meshes;
 /// <summary>Tests of several consecutive triangles at once give the same results as tests of each triangle.</summary>
 public class GroupTests
 {
-    private static readonly Camera camera = new(new(5, 0.4, 0.3), Vector3.Zero, fovY: 6, width: 64, height: 64);
+    private static readonly Camera camera = new(new(5, 0.4, 0.3), Vector3.Zero) { FovY = 6, Width = 64, Height = 64 };
 
     [Theory]
     [InlineData(0, -1)]

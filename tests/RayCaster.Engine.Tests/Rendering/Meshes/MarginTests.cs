@@ -32,7 +32,7 @@ public class MarginTests
     /// <summary>Small triangles with a side that passes a sample by less than floats can distinguish, on either side of it.</summary>
     private static (Camera Camera, MeshData Mesh) OnEdges(Random random)
     {
-        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, fovY: 40, width: 1000, height: 64);
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero) { FovY = 40, Width = 1000, Height = 64 };
         var vertices = new List<Vector3>();
         for (var i = 0; i < 80; i++)
         {
@@ -52,7 +52,7 @@ public class MarginTests
     /// <param name="count">How many.</param>
     private static (Camera Camera, MeshData Mesh) Needles(Random random, double thinnest, int count)
     {
-        var camera = new Camera(Vector3.Zero, new(-0.6, 0.5, 0.3), fovY: 40, width: 16, height: 16);
+        var camera = new Camera(Vector3.Zero, new(-0.6, 0.5, 0.3)) { FovY = 40, Width = 16, Height = 16 };
         var vertices = new List<Vector3> { At(camera, -20, -20, 1), At(camera, 50, -20, 1), At(camera, -20, 50, 1) };
         for (var i = 0; i < count; i++)
         {
@@ -71,7 +71,7 @@ public class MarginTests
     /// <summary>Four triangles that fill the picture, one closely behind the other.</summary>
     private static (Camera Camera, MeshData Mesh) Sheets(Random random, double slope, double gap)
     {
-        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, fovY: 40, width: 64, height: 64);
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero) { FovY = 40, Width = 64, Height = 64 };
         var vertices = new List<Vector3>();
         var (right, up, nearest) = (slope * (random.NextDouble() - 0.5), slope * (random.NextDouble() - 0.5), 1 + random.NextDouble());
         for (var i = 0; i < 4; i++)
@@ -91,7 +91,7 @@ public class MarginTests
     /// of the groups' boxes, which are floats.</summary>
     private static (Camera Camera, MeshData Mesh) UpToATile(Random random)
     {
-        var camera = new Camera(new(-5, 3, 2), Vector3.Zero, fovY: 4e-9, width: 130, height: 20);
+        var camera = new Camera(new(-5, 3, 2), Vector3.Zero) { FovY = 4e-9, Width = 130, Height = 20 };
         var vertices = new List<Vector3>();
         for (var i = 0; i < 640; i++)
         {
@@ -105,7 +105,7 @@ public class MarginTests
     /// <summary>Small triangles, some in a place, one closely behind the other, and at an angle, where floats are at their coarsest.</summary>
     private static (Camera Camera, MeshData Mesh) Steep(Random random)
     {
-        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, fovY: 0.0005, width: 30_000, height: 1);
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero) { FovY = 0.0005, Width = 30_000, Height = 1 };
         var vertices = new List<Vector3>();
         for (var i = 0; i < 20; i++)
         {
@@ -133,7 +133,7 @@ public class MarginTests
         do
         {
             var up = position.Normalized + 1e-9 * new Vector3(random.NextDouble(), random.NextDouble(), random.NextDouble());
-            camera = new(position, Vector3.Zero, up: up, fovY: 0.01, width: 32, height: 32);
+            camera = new(position, Vector3.Zero) { Up = up, FovY = 0.01, Width = 32, Height = 32 };
         }
         while (camera.Skew is < 5e-9 or > 1e-8);
         var vertices = new List<Vector3>();
@@ -158,6 +158,6 @@ public class MarginTests
 
     /// <summary>A ball that a clip plane cuts where it fills the picture.</summary>
     private static (Camera Camera, MeshData Mesh) CutBy(double zNear, double zFar) => (
-        new(new(3, 0.013, 0.017), Vector3.Zero, fovY: 12, width: 64, height: 64, zNear: zNear, zFar: zFar),
+        new(new(3, 0.013, 0.017), Vector3.Zero) { FovY = 12, Width = 64, Height = 64, ZNear = zNear, ZFar = zFar },
         MeshGenerator.Icosphere(2));
 }

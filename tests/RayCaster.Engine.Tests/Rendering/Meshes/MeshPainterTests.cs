@@ -14,8 +14,14 @@ public class MeshPainterTests
         var mesh = MeshGenerator.BumpySphere(4 + seed / 2);
         var position = (seed == 4 ? 0.3 : 2 + random.NextDouble())
             * new Vector3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, 0.7).Normalized;
-        var camera = new Camera(position, new(0.1, 0.2, 0), width: 503, height: 317, zNear: 0.5, zFar: 0.5 + 2 * random.NextDouble(),
-            clip: (ClipMode)(seed % 2));
+        var camera = new Camera(position, new(0.1, 0.2, 0))
+        {
+            Width = 503,
+            Height = 317,
+            ZNear = 0.5,
+            ZFar = 0.5 + 2 * random.NextDouble(),
+            Clip = (ClipMode)(seed % 2),
+        };
         var models = new Model[]
         {
             new Mesh(mesh.Vertices, mesh.Indices) { Color = new(random.NextDouble(), 1, 1.5) },

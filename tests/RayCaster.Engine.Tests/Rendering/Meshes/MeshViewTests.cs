@@ -19,7 +19,7 @@ public class MeshViewTests
     public void TrianglesSeenEdgeOnComeOutToTheBit(int seed)
     {
         var random = new Random(seed);
-        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, fovY: 40, width: 64, height: 64);
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero) { FovY = 40, Width = 64, Height = 64 };
         var vertices = new List<Vector3>();
         for (var i = 0; i < 200; i++)
         {
@@ -35,7 +35,7 @@ public class MeshViewTests
     [Fact]
     public void ManyTrianglesInOnePlaceComeOutToTheBit()
     {
-        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, width: 12, height: 9);
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero) { Width = 12, Height = 9 };
         Vector3[] corners = [new(0, -1, -1), new(0, 1, -1), new(0.1, 0, 1)];
         RendererTests.AssertEqual(new(camera, [new Mesh(corners, [.. Enumerable.Range(0, 30_000).Select(i => (i + i / 3) % 3)])]), "duplicates");
     }
@@ -58,6 +58,6 @@ public class MeshViewTests
         }
         for (var i = 0; i < spheres; i++) models.Insert(random.Next(models.Count), Model.Of(new Sphere(Some.Point(random, 1), 0.1)));
         if (spheres > 0) models.AddRange([Model.Of(new Plane(new(0.5, 0, 0), new(1, 0.2, 0))), new Cylinder(new(0, 0.5, 0), 0.3, 1)]);
-        RendererTests.AssertEqual(new(new(new(-5, 0, 0), Vector3.Zero, fovY: 25, width: 90, height: 70), models), "a hundred meshes");
+        RendererTests.AssertEqual(new(new(new(-5, 0, 0), Vector3.Zero) { FovY = 25, Width = 90, Height = 70 }, models), "a hundred meshes");
     }
 }

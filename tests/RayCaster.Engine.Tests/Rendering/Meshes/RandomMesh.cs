@@ -40,10 +40,18 @@ internal static class RandomMesh
             _ => (random.Next(2, 60), random.Next(2, 60)),
         };
         var zNear = random.Next(3) == 0 ? 4 * random.NextDouble() : random.Next(2) * 0.01;
-        var camera = new Camera(unit * position, unit * target, up: up, fovY: fovY, width: width, height: height, zNear: unit * zNear,
-            zFar: unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)),
-            bias: random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
-            clip: (ClipMode)random.Next(2), sample: (PixelSample)random.Next(2));
+        var camera = new Camera(unit * position, unit * target)
+        {
+            Up = up,
+            FovY = fovY,
+            Width = width,
+            Height = height,
+            ZNear = unit * zNear,
+            ZFar = unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)),
+            Bias = random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
+            Clip = (ClipMode)random.Next(2),
+            Sample = (PixelSample)random.Next(2),
+        };
         return (camera, new(Array.ConvertAll(mesh.Vertices, p => unit * p), mesh.Indices));
     }
 

@@ -39,7 +39,7 @@ public class SpatialOrderTests
     public void APictureOfTrianglesInRandomOrderIsTheDefinitions()
     {
         var mesh = new Mesh(shuffled.Vertices, shuffled.Indices) { Color = new(0.9, 0.2, 0.3) };
-        var scene = new Scene(new(new(0.5, -1, 2), new(0.5, 0.5, 0), width: 9, height: 5), [Model.Of(new Sphere(new(0, 0, 0), 0.1)), mesh]);
+        var scene = new Scene(new(new(0.5, -1, 2), new(0.5, 0.5, 0)) { Width = 9, Height = 5 }, [Model.Of(new Sphere(new(0, 0, 0), 0.1)), mesh]);
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, Renderer.Render(scene).Rgb);
     }
 

@@ -3,7 +3,7 @@ using System.Text.Json;
 namespace RayCaster.Page;
 
 /// <summary>Receives the page's requests.</summary>
-internal sealed partial class Tab
+internal sealed partial class PageSession
 {
     /// <summary>Takes a message of requests.</summary>
     /// <returns>False if the page sends no such message: another program does.</returns>
@@ -66,9 +66,9 @@ internal sealed partial class Tab
                     wishes = wishes with { Hint = Named<HintLevel>(value) };
                     break;
                 case "diagnose":
-                    diagnosing.Cancel(); // if it has not begun, it begins and is told to be cancelled
+                    wishes.Diagnosing.Cancel(); // if it has not begun, it begins and is told to be cancelled
                     if (!value.GetBoolean()) break;
-                    diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end);
+                    wishes = wishes with { Diagnosing = CancellationTokenSource.CreateLinkedTokenSource(end) };
                     pending |= MessageKind.Diagnosis;
                     break;
                 case "forgetMine":
@@ -117,8 +117,11 @@ internal sealed partial class Tab
     /// <summary>Restores a camera that the page remembers, or with null the scene's own.</summary>
     private void SeeThrough(JsonElement value)
     {
-        var camera = IsNull(value) || live.State.Scene is not { } scene ? null : scene.Camera.With(
-            position: VectorOf(value.GetProperty("position")), target: VectorOf(value.GetProperty("target")));
+        var camera = IsNull(value) || live.State.Scene is not { } scene ? null : scene.Camera with
+        {
+            Position = VectorOf(value.GetProperty("position")),
+            Target = VectorOf(value.GetProperty("target")),
+        };
         See(camera?.ValidationError is null ? camera : null);
         outdated.Cancel();
         Rest();
@@ -133,7 +136,7 @@ internal sealed partial class Tab
     private void WriteCamera(int version)
     {
         var camera = wishes.View.Camera;
-        _ = Task.Run(() => Post(Messages.Of(new { Kind = "written", Problem = Write() })));
+        _ = Task.Run(() => Post(new WrittenMessage(Write())));
 
         string Write()
         {

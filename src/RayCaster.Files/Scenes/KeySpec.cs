@@ -20,13 +20,13 @@ internal enum KeyKind
 
 /// <summary>A key of an object in a scene file, described by the code that reads it. The editors' schema is made from these.</summary>
 /// <param name="Default">The value if the key is left out; null for none.</param>
-internal sealed record SceneKey(string Name, KeyKind Kind, string Meaning, bool IsRequired, object? Default = null)
+internal sealed record KeySpec(string Name, KeyKind Kind, string Meaning, bool IsRequired, object? Default = null)
 {
     public Limits Limits { get; init; } = Limits.None;
 
     public string[] Choices { get; init; } = [];
 
-    public IReadOnlyList<SceneKey> Members { get; init; } = [];
+    public IReadOnlyList<KeySpec> Members { get; init; } = [];
 }
 
 /// <summary>Which numbers a key may have.</summary>

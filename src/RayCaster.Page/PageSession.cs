@@ -8,13 +8,13 @@ namespace RayCaster.Page;
 /// one before the last, so a slow or stopped browser costs nothing.
 /// </summary>
 /// <param name="answers">What the page wants to receive from here.</param>
-internal sealed partial class Tab(
-    IConnection connection, LiveScene live, MinePicture mine, Studio studio, CancellationToken end, MessageKind answers = MessageKind.All)
+internal sealed partial class PageSession(
+    IConnection connection, LiveScene live, UserPicture mine, RenderQueue queue, CancellationToken end, MessageKind answers = MessageKind.All)
 {
     private const int MaxUnseen = 2;
 
     private readonly Channel<bool> wake = Channel.CreateBounded<bool>(new BoundedChannelOptions(1) { FullMode = BoundedChannelFullMode.DropWrite });
-    private readonly ConcurrentQueue<byte[]> posted = new();
+    private readonly ConcurrentQueue<Message> posted = new();
     private Task sending = Task.CompletedTask;
     private bool hasFault; // the page shows a fault of the code
     private Comparison? compared; // the comparison that the page knows
@@ -22,23 +22,23 @@ internal sealed partial class Tab(
 
     private readonly Lock sync = new(); // for the fields below
     private MessageKind pending;
-    private Wishes wishes = new();
+    private Wishes wishes = new(new(), new());
     private SceneState? known; // the state that the page knows
-    private CancellationTokenSource outdated = new(), diagnosing = new();
+    private CancellationTokenSource outdated = new();
 
     /// <summary>A pixel of the picture that the page shows, from the left and from the top.</summary>
     private sealed record Place(int Column, int Line);
 
     /// <summary>What the page has last requested. The reading loop replaces it as a whole, so the sending loop needs no lock to read it.</summary>
+    /// <param name="Diagnosing">Cancelled by "Cancel", which may come before the diagnosis begins.</param>
     /// <param name="Shown">How many frames the page has shown.</param>
-    private sealed record Wishes(View View, bool IsMoving, int Divisor, MapKind? Map, Place? Hover, Place? Explained, HintLevel Hint, int Shown)
-    {
-        public Wishes() : this(new(), false, 1, null, null, null, HintLevel.Question, 0) { }
-    }
+    private sealed record Wishes(
+        View View, CancellationTokenSource Diagnosing, bool Diagnoses = false, HintLevel Hint = HintLevel.Question, bool IsMoving = false,
+        int Divisor = 1, MapKind? Map = null, Place? Hover = null, Place? Explained = null, int Shown = 0);
 
     public void Wake() => wake.Writer.TryWrite(true);
 
-    public void Post(byte[] message)
+    public void Post(Message message)
     {
         posted.Enqueue(message);
         Wake();
@@ -51,7 +51,40 @@ internal sealed partial class Tab(
         Wake();
     }
 
-    /// <summary>Answers the requests, the quickest first, until the page cannot be reached.</summary>
+    /// <summary>What answers each kind of request, the quickest first.</summary>
+    private (MessageKind Kind, Func<SceneState, Wishes, Task> Answer)[] Answers => field ??=
+    [
+        (MessageKind.Hover, async (state, now) =>
+        {
+            var scene = now.View.Of(state.Scene!);
+            if (now.Hover is { } place && IsIn(scene, place)) await SendAsync(Messages.OfHover(scene, place.Column, place.Line));
+        }),
+        (MessageKind.Frame, SendPictureAsync),
+        (MessageKind.Camera, (state, now) =>
+            SendAsync(Messages.OfCamera(now.View.Camera ?? state.Scene!.Camera, now.View.Camera is not null))),
+        (MessageKind.Explanation, async (state, now) =>
+        {
+            var scene = now.View.Of(state.Scene!);
+            if (now.Explained is not { } place || !IsIn(scene, place)) return;
+            var reference = now.View.Camera is null ? mine.PictureFor(scene.Camera) : null;
+            await SendAsync(await Task.Run(() => Messages.OfExplanation(scene, place.Column, place.Line, reference)));
+        }),
+        (MessageKind.Map, async (state, now) =>
+        {
+            if (now.Map is not { } kind) return;
+            var map = await queue.DoAsync(() => MapPicture.Draw(now.View.Of(state.Scene!), kind), Outdated());
+            await SendAsync(Messages.OfLegend(map, kind));
+            await SendFrameAsync(CanvasImage.Of(map.Picture), Layer.Map, state.Version, isFinal: true);
+        }),
+        (MessageKind.Comparison | MessageKind.Diagnosis, SendComparisonAsync),
+        (MessageKind.Ledger, async (state, now) =>
+        {
+            var scene = now.View.Of(state.Scene!);
+            await SendAsync(Messages.OfLedger(scene, await Task.Run(() => SceneVisibility.Take(scene, Outdated()))));
+        }),
+    ];
+
+    /// <summary>Answers the requests until the page cannot be reached.</summary>
     public async Task AnswerAsync()
     {
         Wake();
@@ -63,13 +96,9 @@ internal sealed partial class Tab(
                 await SendSceneAsync(state);
                 while (posted.TryDequeue(out var message)) await SendAsync(message);
                 if (state.Scene is null) continue;
-                await SendHoverAsync(state);
-                await SendPictureAsync(state);
-                await SendCameraAsync(state);
-                await SendExplanationAsync(state);
-                await SendMapAsync(state);
-                await SendComparisonAsync(state);
-                await SendLedgerAsync(state);
+                foreach (var (kind, answer) in Answers)
+                    if (Take(kind) is { } now)
+                        await answer(state, now);
             }
             catch (OperationCanceledException) when (!end.IsCancellationRequested)
             {
@@ -81,7 +110,7 @@ internal sealed partial class Tab(
             {
                 // Often a formula that was changed. The page shows the fault until a picture is drawn again.
                 hasFault = true;
-                await SendAsync(Messages.OfFault(Fault.InWords("raycaster-live", fault)));
+                await SendAsync(new FaultMessage(Fault.InWords("raycaster-live", fault)));
             }
         }
     }
@@ -104,83 +133,45 @@ internal sealed partial class Tab(
     /// <summary>Notes that the page needs again everything that depends on the scene and the view.</summary>
     private void Refresh() => pending |= MessageKind.Frame | MessageKind.Explanation | MessageKind.Map | MessageKind.Ledger;
 
-    /// <summary>Whether something is still to be sent; from now on it is not, unless it is requested again.</summary>
-    private bool Takes(MessageKind message)
+    /// <summary>What the page wishes, if something of a kind is to be sent now; from then on it is not, unless it is requested again.</summary>
+    private Wishes? Take(MessageKind kinds)
     {
         lock (sync)
         {
-            var isPending = (pending & answers).HasFlag(message);
-            pending &= ~message;
-            return isPending;
+            var mustWait = wishes.IsMoving && (kinds & (MessageKind.Explanation | MessageKind.Map | MessageKind.Ledger)) != 0
+                || kinds == MessageKind.Frame && sent - wishes.Shown >= MaxUnseen;
+            var taken = pending & answers & kinds;
+            if (mustWait || taken == 0) return null;
+            pending &= ~kinds;
+            return wishes with { Diagnoses = taken.HasFlag(MessageKind.Diagnosis) };
         }
     }
 
-    private async Task SendPictureAsync(SceneState state)
+    private async Task SendPictureAsync(SceneState state, Wishes now)
     {
-        if (sent - wishes.Shown >= MaxUnseen || !Takes(MessageKind.Frame)) return;
-        var now = wishes;
         var view = now.IsMoving ? now.View with { Divisor = now.Divisor } : now.View;
-        var frame = await studio.DrawAsync(state.Scene!, view, now.IsMoving ? end : Outdated());
+        var frame = await queue.DrawAsync(state.Scene!, view, now.IsMoving ? end : Outdated());
         await SendFrameAsync(frame, Layer.Picture, state.Version, !now.IsMoving);
-        if (hasFault) await SendAsync(Messages.OfFault(null));
+        if (hasFault) await SendAsync(new FaultMessage(null));
         hasFault = false;
     }
 
-    private async Task SendCameraAsync(SceneState state)
+    private async Task SendComparisonAsync(SceneState state, Wishes now)
     {
-        if (!Takes(MessageKind.Camera)) return;
-        var camera = wishes.View.Camera;
-        await SendAsync(Messages.OfCamera(camera ?? state.Scene!.Camera, camera is not null));
-    }
-
-    private async Task SendHoverAsync(SceneState state)
-    {
-        if (!Takes(MessageKind.Hover) || wishes is not { Hover: { } place } now) return;
-        var scene = now.View.Of(state.Scene!);
-        if (IsIn(scene, place)) await SendAsync(Messages.OfHover(scene, place.Column, place.Line));
-    }
-
-    private async Task SendExplanationAsync(SceneState state)
-    {
-        if (wishes.IsMoving || !Takes(MessageKind.Explanation) || wishes is not { Explained: { } place, View: var seen }) return;
-        if (!IsIn(seen.Of(state.Scene!), place)) return;
-        await SendAsync(await Task.Run(() =>
-        {
-            var scene = seen.Of(state.Scene!);
-            var reference = seen.Camera is null ? mine.PictureFor(scene.Camera) : null;
-            return Messages.OfExplanation(scene, place.Column, place.Line, reference);
-        }));
-    }
-
-    private async Task SendMapAsync(SceneState state)
-    {
-        if (wishes.IsMoving || !Takes(MessageKind.Map) || wishes is not { Map: { } kind } now) return;
-        var scene = now.View.Of(state.Scene!);
-        var (legend, frame) = await studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
-        await SendAsync(legend);
-        await SendFrameAsync(frame, Layer.Map, state.Version, isFinal: true);
-    }
-
-    private async Task SendComparisonAsync(SceneState state)
-    {
-        bool diagnoses;
-        CancellationTokenSource diagnosis;
-        lock (sync) (diagnoses, diagnosis) = (Takes(MessageKind.Diagnosis), diagnosing); // "Cancel" may come before the diagnosis begins
-        if (!Takes(MessageKind.Comparison) && !diagnoses) return;
         var comparison = mine.CompareWith(state, live.Path);
         if (!ReferenceEquals(comparison, compared))
         {
-            if (!diagnoses) diagnosis.Cancel();
+            if (!now.Diagnoses) await now.Diagnosing.CancelAsync();
             compared = comparison;
             if (answers.HasFlag(MessageKind.Comparison)) await SendAsync(comparison, state.Version);
         }
-        if (diagnoses) _ = SendDiagnosisAsync(comparison, wishes.Hint, diagnosis.Token);
+        if (now.Diagnoses) _ = SendDiagnosisAsync(comparison, now.Hint, now.Diagnosing.Token);
     }
 
     private async Task SendAsync(Comparison comparison, int version)
     {
         foreach (var (layer, frame) in comparison.Frames()) await SendFrameAsync(frame, layer, version, isFinal: true);
-        await SendAsync(await studio.DoAsync(comparison.Message, end));
+        await SendAsync(await queue.DoAsync(comparison.Message, end));
         if (comparison.ByObject() is { } byObject) await SendFrameAsync(byObject, Layer.ByObject, version, isFinal: true);
     }
 
@@ -190,7 +181,7 @@ internal sealed partial class Tab(
         string text;
         try
         {
-            text = await comparison.DiagnoseAsync(level, studio.SearchTime, cancellation);
+            text = await comparison.DiagnoseAsync(level, queue.SearchTime, cancellation);
         }
         catch (Exception) when (cancellation.IsCancellationRequested)
         {
@@ -200,15 +191,7 @@ internal sealed partial class Tab(
         {
             text = Fault.InWords("raycaster-live", fault);
         }
-        if (ReferenceEquals(comparison, compared)) Post(Messages.Of(new { Kind = "diagnosis", Text = text }));
-    }
-
-    private async Task SendLedgerAsync(SceneState state)
-    {
-        if (wishes.IsMoving || !Takes(MessageKind.Ledger)) return;
-        var scene = wishes.View.Of(state.Scene!);
-        var ledger = await Task.Run(() => SceneVisibility.Take(scene, Outdated()));
-        await SendAsync(Messages.OfLedger(scene, ledger));
+        if (ReferenceEquals(comparison, compared)) Post(new DiagnosisMessage(text));
     }
 
     /// <summary>Cancelled when the scene or the view changes, or the page closes.</summary>
@@ -230,10 +213,10 @@ internal sealed partial class Tab(
         sending = connection.SendAsync(frame.Header(layer, version, sent, isFinal), frame, end);
     }
 
-    private async Task SendAsync(byte[] message)
+    private async Task SendAsync(Message message)
     {
         await sending;
-        sending = connection.SendAsync(message, end);
+        sending = connection.SendAsync(message.ToJson(), end);
     }
 
     private static bool IsIn(Scene scene, Place place) =>

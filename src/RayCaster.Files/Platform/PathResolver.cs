@@ -3,7 +3,7 @@ using System.Formats.Tar;
 namespace RayCaster.Files;
 
 /// <summary>Follows links, and tells files from devices, pipes and what the process has open.</summary>
-public static class FilePlace
+public static class PathResolver
 {
     private const int MaxLinks = 40; // as many as Linux follows
 

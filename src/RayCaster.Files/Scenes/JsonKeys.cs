@@ -10,7 +10,7 @@ namespace RayCaster.Files;
 /// The same calls describe the keys: <see cref="Describing"/> makes an object without any, which collects those that are looked for. The editors'
 /// schema is made from these, so it cannot differ from the reader.
 /// </remarks>
-internal sealed class SceneObject(JsonValue json, List<SceneKey>? described = null)
+internal sealed class JsonKeys(JsonValue json, List<KeySpec>? described = null)
 {
     private const double ShortestDirection = 1e-200, LongestDirection = 1e200;
 
@@ -26,16 +26,16 @@ internal sealed class SceneObject(JsonValue json, List<SceneKey>? described = nu
     public bool IsSound => reading.ErrorCount == errorsBefore;
 
     /// <summary>An object without keys that collects those that are read. Nobody sees what it reports.</summary>
-    public static SceneObject Describing(out IReadOnlyList<SceneKey> keys)
+    public static JsonKeys Describing(out IReadOnlyList<KeySpec> keys)
     {
-        var described = new List<SceneKey>();
+        var described = new List<KeySpec>();
         keys = described;
         return new(JsonTree.Parse(new("", "{}"u8.ToArray(), ""))!.Root, described);
     }
 
     /// <summary>The value as an object; null, after a report, if it is something else.</summary>
     /// <param name="name">What a message calls it, if not by its path.</param>
-    public static SceneObject? AsObject(JsonValue value, string? name = null)
+    public static JsonKeys? AsObject(JsonValue value, string? name = null)
     {
         if (value.Kind == JsonTokenType.StartObject) return new(value);
         value.Reading.Add(true, value.Start, value.End, $"{name ?? value.Path} must be an object in braces {{ }}, but is {value.InWords}");
@@ -135,7 +135,7 @@ internal sealed class SceneObject(JsonValue json, List<SceneKey>? described = nu
 
     public string OptionalChoice(string key, string meaning, params string[] words) => Choice(key, meaning, words[0], words) ?? words[0];
 
-    public SceneObject? Object(string key, string meaning)
+    public JsonKeys? Object(string key, string meaning)
     {
         if (described is null) return Take(new(key, KeyKind.Object, meaning, true)) is { } value ? AsObject(value) : null;
         var describing = Describing(out var members);
@@ -144,7 +144,7 @@ internal sealed class SceneObject(JsonValue json, List<SceneKey>? described = nu
     }
 
     /// <summary>The objects of an array; elements that are something else are reported and left out.</summary>
-    public IEnumerable<SceneObject> Objects(string key, string meaning)
+    public IEnumerable<JsonKeys> Objects(string key, string meaning)
     {
         foreach (var element in Elements(new(key, KeyKind.Objects, meaning, true), "objects"))
             if (AsObject(element) is { } o)
@@ -198,7 +198,7 @@ internal sealed class SceneObject(JsonValue json, List<SceneKey>? described = nu
     }
 
     /// <summary>The value of a key, which is read only once. Null if the key is missing, which is an error for a required key.</summary>
-    private JsonValue? Take(SceneKey key)
+    private JsonValue? Take(KeySpec key)
     {
         described?.Add(key);
         keysRead.Add(key.Name);
@@ -215,7 +215,7 @@ internal sealed class SceneObject(JsonValue json, List<SceneKey>? described = nu
         Take(new(key, kind, meaning, orElse is null, orElse))?.Vector(limits) ?? orElse ?? JsonValue.NoVector;
 
     /// <summary>The elements of an array; none where it is left out or something else.</summary>
-    private IEnumerable<JsonValue> Elements(SceneKey key, string name) =>
+    private IEnumerable<JsonValue> Elements(KeySpec key, string name) =>
         Take(key) is { } value && value.IsArray(name) ? value.Elements : [];
 
     private JsonValue? Place(string key, int? element)

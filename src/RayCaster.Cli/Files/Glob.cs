@@ -1,7 +1,7 @@
 namespace RayCaster.Cli;
 
 /// <summary>The files that words such as "parts/*.png" name: the shells of Windows do not expand patterns.</summary>
-internal static class FilePatterns
+internal static class Glob
 {
     /// <summary>The files, each once; those of a pattern in the order of their names.</summary>
     /// <param name="words">Files, which need not exist, and patterns with <c>*</c> and <c>?</c> in their last part.</param>

@@ -1,7 +1,7 @@
 namespace RayCaster.Page;
 
 /// <summary>Draws for all pages, one picture after another: each takes every core.</summary>
-internal class Studio
+internal class RenderQueue
 {
     private readonly SemaphoreSlim turn = new(1, 1);
 

@@ -77,7 +77,7 @@ public class Step04Camera : StepTests
             var (P, T, up) = (chance.Point(), chance.Point(), chance.Direction());
             if ((up % (T - P).Normalized).Length < 0.1) continue; // up may not lie along the view
             var (fovY, width, height) = (20 * chance.Length(8), (int)(100 * chance.Length()), (int)(100 * chance.Length()));
-            var right = new RayCaster.Camera(P, T, up, fovY, width, height);
+            var right = new RayCaster.Camera(P, T) { Up = up, FovY = fovY, Width = width, Height = height };
             var (position, target, upwards) = (RayAssert.Mine(P), RayAssert.Mine(T), RayAssert.Mine(up));
             var given = new Untouched(("Position", position), ("Target", target), ("Up", upwards));
             var mine = new Camera(position, target, upwards, fovY, width, height);

@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Files;
 
 /// <summary>Numbers for people: doubles with six significant digits and a true minus sign, counts, shares.</summary>
 public static class Digits
@@ -30,8 +30,9 @@ public static class Digits
     /// <summary>"3 of 1,000 pixels (0.3 %)".</summary>
     public static string Part(int part, int whole) => $"{Number(part)} of {Count(whole, "pixel")} ({Share(part, whole)})";
 
-    /// <summary>"1 pixel", "1,000 pixels".</summary>
-    public static string Count(long number, string what) => Plural.Format(number, what);
+    /// <summary>"1 vertex", "1,000 vertices".</summary>
+    public static string Count(long number, string what) =>
+        $"{Number(number)} {(number == 1 ? what : what == "vertex" ? "vertices" : what + "s")}";
 
     /// <summary>"1,000".</summary>
     public static string Number(long number) => number.ToString("N0", CultureInfo.InvariantCulture);

@@ -1,7 +1,7 @@
 namespace RayCaster.Web;
 
 /// <summary>Draws some lines at a time, and listens to the page between them: a worker has one thread.</summary>
-internal sealed class PatientStudio : Studio
+internal sealed class ChunkedRenderQueue : RenderQueue
 {
     /// <summary>So many pixels take less than a tenth of a second. A tile of the engine has so many lines.</summary>
     private const int PixelsAtOnce = 1 << 15, Step = 64;

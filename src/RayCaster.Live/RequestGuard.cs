@@ -7,7 +7,7 @@ namespace RayCaster.Live;
 /// Accepts requests of the page only. The page's own files hold no secret and are served to every local program. What reads or changes a scene
 /// must name the token in the page's address, which other users of this machine do not know, and must come from the page itself.
 /// </summary>
-internal sealed class Gate(int port, string token)
+internal sealed class RequestGuard(int port, string token)
 {
     private const string Policy = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; " +
         "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";

@@ -1,7 +1,7 @@
 namespace RayCaster.Page;
 
 /// <summary>The picture of the user's own program: a watched file, or one that was dropped on the page.</summary>
-internal sealed class MinePicture(string? path, TimeProvider clock, CancellationToken end)
+internal sealed class UserPicture(string? path, TimeProvider clock, CancellationToken end)
 {
     /// <summary>How long a file must be broken before it is reported: the user's program may still be writing it.</summary>
     private static readonly TimeSpan GracePeriod = TimeSpan.FromMilliseconds(300);
