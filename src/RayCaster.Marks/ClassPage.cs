@@ -7,7 +7,7 @@ internal static class ClassPage
     public static string Create(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         var page = new Page($"{rubric.Title}: {marks.Count} submissions");
-        var mistakes = marks.SelectMany(student => student.Mistakes.Concat(student.NotDrawn).Select(id => (id, student)))
+        var mistakes = marks.SelectMany(student => student.Mistakes.Concat(student.MissingParts).Select(id => (id, student)))
             .GroupBy(made => made.id, made => made.student).OrderByDescending(made => made.Count()).ToArray();
         if (mistakes is [var most, ..])
             page.Element("h2", $"Most often: {Cause(most.Key)}")
@@ -33,12 +33,12 @@ internal static class ClassPage
     private static string Mean(IReadOnlyList<StudentMarks> marks, Func<StudentMarks, double> points) =>
         MarksTable.Number(Math.Round(marks.Average(points), 2));
 
-    private static string Cause(string id) => MistakeCatalog.Named(id)?.Cause ?? MarkWords.NotDrawn(id);
+    private static string Cause(string id) => MistakeCatalog.Named(id)?.Cause ?? MarkWords.MissingParts(id);
 
     /// <summary>What a mistake makes of the scene that it changes most, as small pictures show, beside the right picture.</summary>
     private static string Pictures(Rubric rubric, string id)
     {
-        var change = MistakeCatalog.Named(id)?.Usual ?? MissingParts.Without(id);
+        var change = MistakeCatalog.Named(id)?.Usual ?? MissingPart.Without(id);
         var clearest = rubric.Scenes.MaxBy(scene => Change(scene.Scene.WithSize(scene.Right.Width / 4 + 1, scene.Right.Height / 4 + 1)))!;
         return $"{Page.Image(MistakeCatalog.Draw(clearest.Scene, [change]), $"{clearest.Name} with {id}")} " +
             Page.Image(clearest.Right, $"{clearest.Name}, right");
@@ -64,7 +64,7 @@ internal static class ClassPage
     {
         var style = student.Undecided > 0 ? "undecided" : student.Points < rubric.Points ? "lost" : "";
         var items = string.Concat(student.Items.Select(item => $"<td class=\"n\">{MarksTable.Item(item)}</td>"));
-        var found = string.Join(", ", student.NotDrawn.Select(part => "no " + part).Concat(student.Mistakes))
+        var found = string.Join(", ", student.MissingParts.Select(part => "no " + part).Concat(student.Mistakes))
             + (student.HidingMistakes.Count > 0 ? $" (or {string.Join(" or ", student.HidingMistakes)})" : "");
         return $"<tr class=\"{style}\"><td>{Link(student)}</td><td class=\"n\">{MarksTable.Number(student.Points)}" +
             $"{(student.Undecided > 0 ? $" + {MarksTable.Number(student.Undecided)}?" : "")}</td>{items}<td>{Page.Escaped(found)}</td></tr>";

@@ -14,7 +14,7 @@ internal static class FeedbackPage
         page.Table("Points", ["Part", "Points", "Why"], [.. marks.Items.Zip(rubric.Items, (item, of) => Row(rubric, item, of.Remark, marks))]);
         foreach (var note in marks.OnTests) page.Element("p", Sentence(note));
         page.Table("Other mistakes, which cost no points", ["What is to be seen"],
-            [.. marks.Mistakes.Concat(marks.NotDrawn).Except(marks.Items.SelectMany(item => item.Because))
+            [.. marks.Mistakes.Concat(marks.MissingParts).Except(marks.Items.SelectMany(item => item.Because))
                 .Select(because => Hint(rubric, because, marks)).Where(hint => hint != "").Select(hint => $"<tr><td>{hint}</td></tr>")]);
         var common = pictures.All(picture => picture.Picture is null && picture.Problem == pictures[0].Problem) ? pictures[0].Problem : null;
         if (common is not null) page.Element("h2", "No pictures").Element("p", Sentence(pictures[0].ProblemOf(several: pictures.Count > 1)!));
@@ -46,7 +46,7 @@ internal static class FeedbackPage
     /// <summary>A hint; empty for a mistake if the rubric has no hints.</summary>
     private static string Hint(Rubric rubric, string because, StudentMarks marks) => rubric.Hint switch
     {
-        null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.NotDrawn(because)) : "",
+        null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.MissingParts(because)) : "",
         HintLevel.Symptom => Page.Escaped(MarkWords.Symptom(because, marks.Typical)),
         _ => Page.Escaped($"{MarkWords.Symptom(because, marks.Typical)} {MarkWords.Question(because, marks.HidingMistakes)}".Trim()),
     };
@@ -63,7 +63,7 @@ internal static class FeedbackPage
         else if (scene.Verdict == SceneVerdict.Right) page.Html($"<p>{mine}</p>");
         else
         {
-            var wrong = 100.0 * submitted.Scene.Judge.WrongPixels(submitted.Picture!) / submitted.Picture!.Count;
+            var wrong = 100.0 * submitted.Scene.Diagnoser.WrongPixels(submitted.Picture!) / submitted.Picture!.Count;
             page.Element("p",
                 FormattableString.Invariant($"{wrong:0.##} % of the pixels ") +
                 $"differ by more than {PictureJudge.Tolerance} level. " +

@@ -33,7 +33,7 @@ internal sealed class Marker(Rubric rubric)
     }
 
     private StudentMarks Untouched(string student, IReadOnlyList<SubmittedPicture> submitted) => new(
-        student, [.. rubric.Items.Select(item => new ItemMarks(item.Name, item.Points, 0, 0, item.Undone))],
+        student, [.. rubric.Items.Select(item => new ItemMarks(item.Name, item.Points, 0, 0, item.MissingParts))],
         [.. submitted.Select(picture => new SceneMarks(picture.Scene.Name, SceneVerdict.Explained))], [], [], [], [],
         ["all pictures are those of the hand-out before anything is written"]);
 
@@ -41,10 +41,10 @@ internal sealed class Marker(Rubric rubric)
     {
         List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = diagnoses.GetOrAdd(string.Join(' ', pictures.Select(picture => $"{picture.Scene.Name}/{picture.Digest}")),
-            _ => new(() => ProgramDiagnosis.Find([.. pictures.Select(picture => (picture.Scene.Judge, picture.Picture!))], rubric.Known))).Value;
+            _ => new(() => ProgramDiagnosis.Find([.. pictures.Select(picture => (picture.Scene.Diagnoser, picture.Picture!))], rubric.Known))).Value;
         var verdict = diagnosis.Verdict;
-        return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Judge(picture, pictures.IndexOf(picture), diagnosis))],
-            [.. MissingParts.All.Intersect(verdict.NotYet)],
+        return new(student, Items(diagnosis, pictures), [.. submitted.Select(picture => Verdict(picture, pictures.IndexOf(picture), diagnosis))],
+            [.. MissingPart.All.Intersect(verdict.MissingParts)],
             [.. verdict.AllMistakes.Where(mistake => mistake.Place is null).Select(mistake => mistake.Id)],
             [.. verdict.Mistakes.Where(mistake => diagnosis.IsCertain && mistake.IsUsual).Select(mistake => mistake.Id)],
             [.. diagnosis.HidingMistakes.Select(mistake => mistake.Id)],
@@ -114,35 +114,35 @@ internal sealed class Marker(Rubric rubric)
     {
         return some.Count > 0
             && item.Mistakes.All(mistake => ShowAsMuchAsAll(scene => scene.Shows(mistake)))
-            && item.Undone.All(part => ShowAsMuchAsAll(scene => scene.Needs(part)));
+            && item.MissingParts.All(part => ShowAsMuchAsAll(scene => scene.Needs(part)));
 
         bool ShowAsMuchAsAll(Predicate<MarkedScene> shows) => some.Exists(shows) || !rubric.Scenes.Any(scene => shows(scene));
     }
 
     /// <summary>Whether an item is about formulas of shapes. A fault that no mistake explains may be in any of the others, unless most pictures
     /// are right: these use them too.</summary>
-    private static bool IsOfShapes(RubricItem item) => item.Undone.Any(MissingParts.IsShape);
+    private static bool IsOfShapes(RubricItem item) => item.MissingParts.Any(MissingPart.IsShape);
 
     /// <summary>Whether an item is about a shape that mistakes keep out of all pictures: it may be unwritten.</summary>
     private static bool IsOutOfSight(RubricItem item, ProgramDiagnosis diagnosis, List<SubmittedPicture> pictures) =>
-        diagnosis.Verdict.Mistakes.Count > 0 && item.Undone.Where(MissingParts.IsShape).ToArray() is { Length: > 0 } kinds
+        diagnosis.Verdict.Mistakes.Count > 0 && item.MissingParts.Where(MissingPart.IsShape).ToArray() is { Length: > 0 } kinds
             && kinds.Any(kind => pictures.Any(picture => picture.Scene.Needs(kind))) && !kinds.Any(diagnosis.Drawn.Contains);
 
     /// <summary>Whether what has no name, and costs nothing, may be in an item's formulas: it needs their shape, or has a mistake in them.</summary>
     private static bool Concerns(ProgramDiagnosis diagnosis, RubricItem item) =>
-        item.Undone.Any(diagnosis.MayBeIn) || item.Mistakes.Any(mistake => diagnosis.MayBeIn(MistakeCatalog.Named(mistake)!));
+        item.MissingParts.Any(diagnosis.MayBeIn) || item.Mistakes.Any(mistake => diagnosis.MayBeIn(MistakeCatalog.Named(mistake)!));
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
     private (double Lost, string[] Because) Cost(RubricItem item, Suspect program)
     {
-        string[] undone = [.. program.NotYet.Intersect(item.Undone)];
+        string[] undone = [.. program.MissingParts.Intersect(item.MissingParts)];
         if (undone.Length > 0) return (item.Points, undone);
         string[] mistakes = [.. program.AllMistakes.Where(mistake => rubric.ItemOf(mistake) == item).Select(mistake => mistake.Id)];
         return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
     }
 
     /// <param name="place">The picture's place among those that can be judged.</param>
-    private static SceneMarks Judge(SubmittedPicture picture, int place, ProgramDiagnosis diagnosis)
+    private static SceneMarks Verdict(SubmittedPicture picture, int place, ProgramDiagnosis diagnosis)
     {
         var verdict = !picture.CanBeJudged ? SceneVerdict.NoPicture
             : !diagnosis.Wrong.Contains(place) ? SceneVerdict.Right
@@ -190,6 +190,6 @@ internal sealed class Marker(Rubric rubric)
         select same.ToArray();
 
     private static string Names(Suspect program) => string.Join(" + ",
-        program.NotYet.Select(part => $"no {part}").Concat(program.AllMistakes.Select(mistake =>
+        program.MissingParts.Select(part => $"no {part}").Concat(program.AllMistakes.Select(mistake =>
             mistake.Place is null ? mistake.Id : $"a slip in {mistake.Cause}")));
 }

@@ -21,7 +21,7 @@ internal static class MarksTable
         [
             student.Student, Number(student.Points), Number(student.Undecided), Number(rubric.Points),
             Number(student.TeacherPoints), student.Comment, .. student.Items.Select(Item),
-            string.Join("; ", student.LookYourself), string.Join(" ", student.NotDrawn), string.Join(" ", student.Mistakes),
+            string.Join("; ", student.LookYourself), string.Join(" ", student.MissingParts), string.Join(" ", student.Mistakes),
             $"{student.RightPictures} of {student.Scenes.Count}",
         ]);
         return "\uFEFF" + string.Concat(lines.Prepend(head).Select(cells => string.Join(',', cells.Select(Cell)) + "\r\n"));

@@ -6,9 +6,10 @@ public sealed class Rubric
     internal Rubric(IReadOnlyList<MarkedScene> scenes)
     {
         Scenes = scenes;
-        var judges = scenes.Select(scene => scene.Judge).ToArray();
+        var judges = scenes.Select(scene => scene.Diagnoser).ToArray();
         Known = judges.Any(judge => judge.TooManyModels) ? []
-            : [.. MistakeCatalog.All.Intersect(judges.SelectMany(judge => judge.Known)).Except(judges.SelectMany(judge => judge.NotTried))];
+            : [.. MistakeCatalog.All.Intersect(judges.SelectMany(judge => judge.Known))
+                .Where(mistake => judges.All(judge => MutationCoverage.CanTry(judge.Scene, mistake)))];
     }
 
     internal string Title { get; init; } = "Marks";
@@ -38,10 +39,10 @@ public sealed class Rubric
     internal RubricItem? ItemOf(Change change)
     {
         var item = ItemOf(change.Id);
-        if (item is null || !item.Undone.Any(MissingParts.IsShape)) return item;
-        string[] changed = [.. change.ShapesIn(Scenes[0].Scene.Camera)];
+        if (item is null || !item.MissingParts.Any(MissingPart.IsShape)) return item;
+        string[] changed = [.. change.ChangedShapes];
         return IsOfChanged(item) ? item : Items.FirstOrDefault(IsOfChanged) ?? item;
 
-        bool IsOfChanged(RubricItem other) => other.Undone.Any(changed.Contains);
+        bool IsOfChanged(RubricItem other) => other.MissingParts.Any(changed.Contains);
     }
 }

@@ -2,8 +2,8 @@ namespace RayCaster.Marks;
 
 /// <summary>A part of the lab that has points.</summary>
 /// <param name="Each">The points that one of its mistakes costs; all together cost at most the item's points.</param>
-/// <param name="Undone">The parts of a program that cost all its points if they are missing (<see cref="MissingParts.All"/>).</param>
-internal sealed record RubricItem(string Name, double Points, double Each, IReadOnlyList<string> Mistakes, IReadOnlyList<string> Undone)
+/// <param name="MissingParts">The parts of a program that cost all its points if they are missing (<see cref="MissingPart.All"/>).</param>
+internal sealed record RubricItem(string Name, double Points, double Each, IReadOnlyList<string> Mistakes, IReadOnlyList<string> MissingParts)
 {
     /// <summary>What the students' pages say of it, whatever was found; null for nothing.</summary>
     public string? Remark { get; init; }

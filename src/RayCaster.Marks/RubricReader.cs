@@ -56,7 +56,7 @@ public static class RubricReader
         var name = o.Text("name", "What the item is called.", true) ?? "";
         var points = o.Number("points", "What it is worth.", Limits.From(0.01, 10_000)); // tables have two decimals
         var mistakes = o.Texts("mistakes", "The ids of the mistakes that cost points of it (docs/mistakes.md).", false);
-        var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", MissingParts.All)}.", false);
+        var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", MissingPart.All)}.", false);
         var each = o.Number("each", "What one of its mistakes costs; all of its points where it is left out.", Limits.Positive, points);
         var step = o.Whole("step", "The step of the hand-out whose tests decide; 0 for none.", 0, LabSteps.Count, 0);
         var by = o.OptionalChoice("by", "What decides: the pictures, the tests of its step, or both; where these contradict each other, you do.",
@@ -70,7 +70,7 @@ public static class RubricReader
         for (var i = 0; i < mistakes.Count; i++)
             if (before.FirstOrDefault(item => item.Mistakes.Contains(mistakes[i])) is { } other)
                 o.Refuse("mistakes", $" is {mistakes[i]}, which costs points of \"{other.Name}\" already: a mistake belongs to one item", i);
-        RefuseUnknown(o, "undone", undone, MissingParts.All, $"one of {string.Join(", ", MissingParts.All)}");
+        RefuseUnknown(o, "undone", undone, MissingPart.All, $"one of {string.Join(", ", MissingPart.All)}");
         if (undone.Contains("triangle")) undone = [.. undone, "mesh"]; // a mesh is its triangles
         if (by != "pictures" && step == 0) o.Refuse("by", $" needs step: the step of the hand-out whose tests decide");
         return new(name, points, each, mistakes, undone)

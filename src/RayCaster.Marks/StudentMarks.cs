@@ -2,10 +2,10 @@ namespace RayCaster.Marks;
 
 /// <summary>A student's points, with reasons.</summary>
 /// <param name="Typical">The mistakes whose symptoms the pictures certainly show: other variants of a mistake may show others.</param>
-/// <param name="HidingMistakes">The mistakes that draw the same pictures as a program in which <paramref name="NotDrawn"/> is missing.</param>
+/// <param name="HidingMistakes">The mistakes that draw the same pictures as a program in which <paramref name="MissingParts"/> is missing.</param>
 /// <param name="LookYourself">What the teacher must look at; empty if nothing is.</param>
 internal sealed record StudentMarks(string Student, IReadOnlyList<ItemMarks> Items, IReadOnlyList<SceneMarks> Scenes,
-    IReadOnlyList<string> NotDrawn, IReadOnlyList<string> Mistakes, IReadOnlyList<string> Typical, IReadOnlyList<string> HidingMistakes,
+    IReadOnlyList<string> MissingParts, IReadOnlyList<string> Mistakes, IReadOnlyList<string> Typical, IReadOnlyList<string> HidingMistakes,
     IReadOnlyList<string> LookYourself)
 {
     /// <summary>What the student must know of the tests, too.</summary>

@@ -27,7 +27,7 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
     {
         if (Result?.Difference is not { } difference) yield break;
         yield return (Layer.Mine, CanvasImage.Of(Mine!));
-        yield return (Layer.Difference, CanvasImage.Of(HeatMap.Of(difference)));
+        yield return (Layer.Difference, CanvasImage.Of(HeatMap.Draw(difference)));
     }
 
     /// <summary>The difference by object; null if the pictures' sizes differ.</summary>

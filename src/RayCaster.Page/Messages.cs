@@ -41,7 +41,7 @@ internal static class Messages
     public static LedgerMessage OfLedger(Scene scene, SceneVisibility ledger) => new(
         ledger.Rays,
         ledger.Models.Take(MaxModels).Select((entry, i) => new LedgerEntry(
-            ModelName.Plain(scene, i), entry[Outcome.Shows], entry[Outcome.Shows] > 0 ? "" : InWords(entry.Reason))),
+            ModelName.Plain(scene, i), entry[Outcome.Shows], entry[Outcome.Shows] > 0 ? "" : OutcomeText.Of(entry.Reason).Place)),
         ledger.Report());
 
     public static LegendMessage OfLegend(MapPicture map, MapKind kind)
@@ -60,16 +60,6 @@ internal static class Messages
     /// <summary>A link that opens VS Code at a place.</summary>
     private static string LinkTo(string file, int line, int column) =>
         $"vscode://file/{Uri.EscapeDataString(file.Replace('\\', '/').TrimStart('/')).Replace("%2F", "/")}{(line > 0 ? $":{line}:{column}" : "")}";
-
-    private static string InWords(Outcome outcome) => outcome switch
-    {
-        Outcome.Hidden => "hidden by nearer models",
-        Outcome.Behind => "behind the camera",
-        Outcome.UnderBias => "nearer than bias",
-        Outcome.BeforeNear => "nearer than zNear",
-        Outcome.BeyondFar => "beyond zFar",
-        _ => "the rays miss it",
-    };
 
     private static double[] Numbers(Vector3 v) => [v.X, v.Y, v.Z];
 }

@@ -8,7 +8,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         text => text switch { "symptom" => HintLevel.Symptom, "question" => HintLevel.Question, "answer" => HintLevel.Answer, _ => null });
     private static readonly Option<string[]> parts = Option.List("--done", "<parts>",
         "What your program draws already, for example plane,sphere: plane, sphere, aabb, circle, triangle, mesh, attenuation, clipping. " +
-        "If one of these does not show, that is a mistake; other parts may be missing.", MissingParts.All);
+        "If one of these does not show, that is a mistake; other parts may be missing.", MissingPart.All);
     private static readonly Option<bool> asJson = Option.Switch("--json", "Prints everything as JSON, also the answers and errors.");
 
     public override string Description =>
@@ -29,7 +29,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
     {
         try
         {
-            return Judge(line);
+            return Diagnose(line);
         }
         catch (Exception e) when (line.Get(asJson) && e is ProblemException or ReportedException)
         {
@@ -38,7 +38,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         }
     }
 
-    private static int Judge(CommandLine line)
+    private static int Diagnose(CommandLine line)
     {
         var operands = line.Exactly("<scene>", "<mine>");
         var scenePath = operands[0];
@@ -58,7 +58,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         }
         var budget = line.Budget();
         var prepared = new Diagnoser(scene, line.Get(Option.Threads), budget: budget, size: size);
-        var diagnosis = prepared.Judge(picture, line.Get(parts) ?? WrittenParts.Find());
+        var diagnosis = prepared.Diagnose(picture, line.Get(parts) ?? WrittenParts.Find());
         var hidden = diagnosis.Kind == DiagnosisKind.Matches ? prepared.Hidden : [];
         var mayChange = diagnosis.IsOpen || diagnosis.Kind == DiagnosisKind.Matches; // after a match it may be the mistakes that cannot show
         if (mayChange && budget?.UsedUp is { } limit) line.Warn($"Not everything was tried within {limit}; --all tries everything.");

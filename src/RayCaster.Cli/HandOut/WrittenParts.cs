@@ -12,7 +12,7 @@ internal static partial class WrittenParts
         if (!lab.Exists) return [];
         var open = lab.EnumerateFiles("*.cs").SelectMany(file => Note().Matches(File.ReadAllText(file.FullName)))
             .Select(note => Slides.StepOf(note.Groups["slide"].Value)).ToHashSet();
-        return [.. MissingParts.All.Where(part => !open.Contains(MissingParts.StepOf(part)))];
+        return [.. MissingPart.All.Where(part => !open.Contains(MissingPart.StepOf(part)))];
     }
 
     [GeneratedRegex(@"^\s*(return )?Todo\.Note\(""(?<slide>[^""]+)""", RegexOptions.Multiline)]

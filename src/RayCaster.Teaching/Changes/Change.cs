@@ -9,10 +9,10 @@ public sealed record Change
     /// <summary>The id of all slips that are not in the catalogue.</summary>
     public const string NoName = "edit";
 
-    internal Change(ImmutableArray<ImmutableArray<StepChange>> ways, double bits) => (Ways, Bits) = (ways, bits);
+    internal Change(ImmutableArray<StepChange> ofSteps, double bits) => (OfSteps, Bits) = (ofSteps, bits);
 
-    /// <summary>What it does to a program: the first of these that fits, because a rule of depths is another than one of distances.</summary>
-    internal ImmutableArray<ImmutableArray<StepChange>> Ways { get; }
+    /// <summary>What it does to a program.</summary>
+    internal ImmutableArray<StepChange> OfSteps { get; }
 
     /// <summary>The less, the likelier.</summary>
     internal double Bits { get; init; }
@@ -30,7 +30,7 @@ public sealed record Change
     internal Mutation? Mutation { get; init; }
 
     /// <summary>What is not written yet: a kind of shape, attenuation or clipping; null for others.</summary>
-    internal string? Missing { get; init; }
+    internal string? MissingPart { get; init; }
 
     /// <summary>The lines that no loop reaches; null for others.</summary>
     internal UnreachedLines? Unreached { get; init; }
@@ -55,8 +55,8 @@ public sealed record Change
 
     /// <summary>The steps whose formulas it changes itself; where it is a rule of some kinds of shape, these shapes alone.</summary>
     internal IEnumerable<StepKind> OwnSteps =>
-        Ways[0].OfType<StepChange.Written>().Where(step => !step.Shapes.IsEmpty).ToArray() is { Length: > 0 } rules
-            ? rules.SelectMany(rule => rule.Shapes) : Ways[0].SelectMany(step => step.Steps);
+        OfSteps.OfType<StepChange.Written>().Where(step => !step.Shapes.IsEmpty).ToArray() is { Length: > 0 } rules
+            ? rules.SelectMany(rule => rule.Shapes) : OfSteps.SelectMany(step => step.Steps);
 
     internal bool IsOtherSample => Mistake?.IsOtherSample == true;
 
@@ -67,17 +67,12 @@ public sealed record Change
     public bool IsOnlyOf(string kind) => ShapeKind.Find(kind) is { } shape && Steps.SetEquals([shape.Step]);
 
     /// <summary>The kinds of shape whose formulas it changes in the slides' program, by their names in scene files.</summary>
-    public IEnumerable<string> ShapesIn(Camera camera) =>
-        In(FormulaProgram.For(camera)) is { } program ? ShapeKind.All.Where(kind => program.ChangedShapes.Any(shape => shape.Step == kind.Step))
-            .Select(kind => kind.Name) : [];
+    public IEnumerable<string> ChangedShapes => In(FormulaProgram.Slides) is { } program
+        ? ShapeKind.All.Where(kind => program.ChangedShapes.Any(shape => shape.Step == kind.Step)).Select(kind => kind.Name) : [];
 
     /// <summary>A program with it; null if the program has a change of the same part of a formula, or if it does not fit.</summary>
-    internal FormulaProgram? In(FormulaProgram program)
-    {
-        foreach (var way in Ways)
-            if (way.Aggregate((FormulaProgram?)program, (all, step) => all is null ? null : step.In(all)) is { } changed) return changed;
-        return null;
-    }
+    internal FormulaProgram? In(FormulaProgram program) =>
+        OfSteps.Aggregate((FormulaProgram?)program, (all, step) => all is null ? null : step.In(all));
 
     /// <summary>Its id.</summary>
     public override string ToString() => Id;

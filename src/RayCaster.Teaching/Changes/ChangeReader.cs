@@ -4,55 +4,53 @@ namespace RayCaster.Teaching.Changes;
 internal static class ChangeReader
 {
     /// <summary>What "some" shapes are: each kind, the solid ones, the flat ones.</summary>
-    private static readonly ImmutableArray<StepKind>[] some =
+    private static readonly StepKind[][] some =
     [
-        .. ShapeKind.Basic.Select(shape => (ImmutableArray<StepKind>)[shape.Step]), [StepKind.Sphere, StepKind.Aabb],
+        .. ShapeKind.Basic.Select(shape => (StepKind[])[shape.Step]), [StepKind.Sphere, StepKind.Aabb],
         [StepKind.Plane, StepKind.Circle, StepKind.Triangle],
     ];
 
-    /// <summary>A line, whose parts each begin with a step, but for further formulas of the step before them.</summary>
+    /// <summary>A line, whose parts each begin with a step, but for further formulas of the step before them. "for SHAPES" before them names the
+    /// kinds of shape whose rule is meant.</summary>
     /// <returns>Several, if shapes or styles are to be tried one by one.</returns>
-    public static IEnumerable<ImmutableArray<StepChange>> Read(string line)
+    public static IEnumerable<StepChange[]> Read(string line)
+    {
+        if (line.Split(' ', 3) is ["for", var shapes, var rest])
+            return (shapes == "some" ? some : [[.. shapes.Split('+').SelectMany(KindsOf)]]).SelectMany(own => Read(rest, own));
+        return Read(line, []);
+    }
+
+    private static IEnumerable<StepChange[]> Read(string line, StepKind[] shapes)
     {
         List<List<string>> steps = [];
         foreach (var part in line.Split("; "))
         {
-            if (UnsaidOf(part) is null && !part.StartsWith("for ", StringComparison.Ordinal) && KindOf(part.Split(' ', '/')[0]) is null)
+            if (UnsaidOf(part) is null && KindsOf(part.Split(' ', '/')[0]).Length == 0)
                 (steps.Count > 0 ? steps[^1] : throw Unknown(part)).Add(part);
             else steps.Add([part]);
         }
-        return steps.Aggregate((IEnumerable<ImmutableArray<StepChange>>)[[]], (all, step) =>
-            from before in all from choice in ReadStep(step[0], step[1..]) select before.Add(choice));
+        return steps.Aggregate((IEnumerable<StepChange[]>)[[]], (all, step) =>
+            from before in all from choice in ReadStep(step[0], step[1..], shapes) select (StepChange[])[.. before, .. choice]);
     }
 
-    /// <summary>Reads "for SHAPES STEP/STYLE NAME = EXPRESSION", all but the step left out, or what no formula says.</summary>
-    public static IReadOnlyList<StepChange> ReadStep(string text, params List<string> more)
+    /// <summary>Reads "STEP/STYLE NAME = EXPRESSION", all but the step left out, or what no formula says. "rule" and "sample" are two
+    /// steps.</summary>
+    private static IEnumerable<StepChange[]> ReadStep(string text, List<string> more, StepKind[] shapes)
     {
-        if (UnsaidOf(text) is { } unsaid) return [unsaid];
-        var words = text.Split(' ');
-        ImmutableArray<StepKind>[] shapes = [[]];
-        if (words[0] == "for")
-        {
-            shapes = words[1] == "some" ? some : [[.. words[1].Split('+').Select(word => KindOf(word) ?? throw Unknown(text))]];
-            words = words[2..];
-        }
-        var step = words[0].Split('/');
-        var kind = KindOf(step[0]) ?? throw Unknown(text);
-        if (words.Length > 1) more = [string.Join(' ', words[1..]), .. more];
-        ImmutableArray<(string, string)> formulas = [.. more.Select(FormulaOf)];
-        return
-        [
-            .. from style in step.Length > 1 ? step[1].Split('|') : (string?[])[null]
-               from own in shapes
-               select new StepChange.Written(kind, style, own, formulas),
-        ];
+        if (UnsaidOf(text) is { } unsaid) return [[unsaid]];
+        var (first, formula) = text.Split(' ', 2) is [var one, var two] ? (one, two) : (text, null);
+        var step = first.Split('/');
+        ImmutableArray<(string, string)> formulas = [.. (formula is null ? more : more.Prepend(formula)).Select(FormulaOf)];
+        return (step.Length > 1 ? step[1].Split('|') : (string?[])[null]).Select(style => KindsOf(step[0]).Select(kind =>
+            new StepChange.Written(kind, style, kind is StepKind.Depth or StepKind.Distance ? [.. shapes] : [], formulas)).ToArray<StepChange>());
     }
 
     private static (string Name, string Right) FormulaOf(string written) =>
         written.StartsWith("hits ", StringComparison.Ordinal) ? ("hits", written[5..])
         : written.Split(" = ") is [var name, var right] ? (name, right) : throw Unknown(written);
 
-    private static StepKind? KindOf(string word) => Enum.TryParse<StepKind>(word, ignoreCase: true, out var kind) ? kind : null;
+    private static StepKind[] KindsOf(string word) =>
+        [.. Enum.GetValues<StepKind>().Where(kind => kind.InWords() == word || kind.ToString().Equals(word, StringComparison.OrdinalIgnoreCase))];
 
     private static StepChange? UnsaidOf(string text) => text.Split(' ') switch
     {

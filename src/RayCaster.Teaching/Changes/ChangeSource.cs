@@ -10,18 +10,18 @@ internal static class ChangeSource
     public static Change Missing(string part)
     {
         Change[] same = [.. MistakeCatalog.DrawnWithout(part).Select(mistake => mistake.Usual)];
-        ImmutableArray<ImmutableArray<StepChange>> ways = same.Length == 0 ? [[new StepChange.LeftOut(part)]]
-            : [.. same.Aggregate((IEnumerable<ImmutableArray<StepChange>>)[[]], (all, change) =>
-                from before in all from way in change.Ways select before.AddRange(way))];
-        return new(ways, Priors.MissingPart) { Missing = part };
+        return new(same.Length == 0 ? [new StepChange.MissingShape(part)] : [.. same.SelectMany(change => change.OfSteps)], Priors.MissingPart)
+        {
+            MissingPart = part,
+        };
     }
 
     /// <summary>Lines that no loop reaches.</summary>
-    public static Change Of(UnreachedLines lines) => new([[new StepChange.Unreached(lines)]], Priors.BitsOf(lines)) { Unreached = lines };
+    public static Change From(UnreachedLines lines) => new([new StepChange.Unreached(lines)], Priors.BitsOf(lines)) { Unreached = lines };
 
     /// <summary>Known mistakes, each in all its ways.</summary>
     /// <param name="likely">Which are likelier than the others; null for none.</param>
-    public static IEnumerable<Change> Of(IEnumerable<Mistake> known, Predicate<Change>? likely) =>
+    public static IEnumerable<Change> From(IEnumerable<Mistake> known, Predicate<Change>? likely) =>
         from mistake in known
         from change in mistake.Changes
         select likely is null || change.IsOtherSample || likely(change) ? change : change with { Bits = change.Bits + Priors.Unlikely };
@@ -31,43 +31,38 @@ internal static class ChangeSource
         from step in StepsOf(scene)
         from mutation in MutationFactory.NamedMutationsOf(step)
         where known.Any(mistake => mistake.Id == mutation.Label)
-        select Of(mutation);
+        select From(mutation);
 
     /// <summary>The slips in each step that a scene shows, in each style. Those of a mistake that is not among the known ones are left out.
     /// </summary>
     public static IEnumerable<Change> Mutations(Scene scene, IReadOnlyCollection<Mistake> known) =>
         from mutation in MutationsIn(scene)
         where mutation.Label is null || known.Any(mistake => mistake.Id == mutation.Label)
-        select Of(mutation);
+        select From(mutation);
 
     /// <summary>A slip.</summary>
-    public static Change Of(Mutation mutation) => new([[.. mutation.Beside.Append(mutation.Step).Select(step => new StepChange.Mutated(step))]],
+    public static Change From(Mutation mutation) => new([.. mutation.Beside.Append(mutation.Step).Select(step => new StepChange.Mutated(step))],
         mutation.Label is null ? Priors.Unknown + Priors.PerCost * (mutation.Cost - 0.8) : Priors.Known + Priors.Wording * mutation.Cost)
     {
         Mutation = mutation,
     };
 
     /// <summary>Other right styles, which show beside a mistake.</summary>
-    public static IEnumerable<Change> Styles(Scene scene)
-    {
-        var slides = FormulaProgram.For(scene.Camera);
-        return from step in StepsOf(scene)
-               where step.Kind.IsOfShape() || step.Kind is StepKind.Rule or StepKind.Light or StepKind.Pixel
-               orderby Order(step.Kind)
-               where step != slides[step.Kind]
-               select new Change([[new StepChange.OtherStyle(slides[step.Kind], step)]], Priors.Style);
-
-        static int Order(StepKind kind) => kind == StepKind.Pixel ? int.MaxValue : (int)kind;
-    }
+    public static IEnumerable<Change> Styles(Scene scene) =>
+        from step in StepsOf(scene)
+        where step.Kind is not (StepKind.Vectors or StepKind.Camera) && step != FormulaBook.Slides.StylesOf(step.Kind)[0]
+        orderby step.Kind == StepKind.Pixel ? int.MaxValue : (int)step.Kind
+        select new Change([new StepChange.OtherStyle(step)], Priors.Style);
 
     /// <summary>The steps that a scene shows, in each style.</summary>
     private static IEnumerable<Step> StepsOf(Scene scene)
     {
         var shown = scene.Models.Select(model => FormulaEvaluator.KindOf(model)).ToHashSet();
         return from kind in Enum.GetValues<StepKind>()
-               where !kind.IsOfShape() || shown.Contains(kind)
+               where kind.IsOfShape() ? shown.Contains(kind)
+                   : kind.IsOfSample() ? kind == StepKinds.SampleOf(scene.Camera)
+                   : kind is not (StepKind.Depth or StepKind.Distance) || kind == StepKinds.RuleOf(scene.Camera)
                from step in FormulaBook.Slides.StylesOf(kind)
-               where IsPossible(step, scene)
                select step;
     }
 
@@ -82,7 +77,7 @@ internal static class ChangeSource
                 if (step.Kind == StepKind.Vectors)
                     yield return mutation with { Beside = [FormulaBook.Slides[StepKind.Light, "doubled"]], Cost = mutation.Cost + 0.1 };
                 if (step.Kind == StepKind.Camera && mutation.Formula?.Name.Text == "W" && scene.Camera.Clip == ClipMode.Depth)
-                    yield return mutation with { Beside = [FormulaBook.Slides[StepKind.Rule, "aim"]], Cost = mutation.Cost + 0.1 };
+                    yield return mutation with { Beside = [FormulaBook.Slides[StepKind.Depth, "aim"]], Cost = mutation.Cost + 0.1 };
             }
         }
     }
@@ -109,12 +104,4 @@ internal static class ChangeSource
         other => other.Operator == mutation.Operator && other.Formula?.Name == mutation.Formula!.Name
             && other.Meant == mutation.Meant.Replace("Q", point)
             && other.Written == mutation.Written.Replace("Q", point))?.Step;
-
-    /// <summary>Whether a style computes what the scene needs.</summary>
-    private static bool IsPossible(Step step, Scene scene) => step.Kind switch
-    {
-        StepKind.Sample => step == FormulaProgram.For(scene.Camera)[StepKind.Sample],
-        StepKind.Rule => step.Style == "distance" == (scene.Camera.Clip == ClipMode.Distance),
-        _ => true,
-    };
 }

@@ -14,7 +14,7 @@ public sealed class Mistake
     {
         (Id, Slide, Hint) = (id, slide, hint);
         IsWithinRounding = words.ContainsKey("rounding");
-        Missing = words.GetValueOrDefault("missing");
+        MissingPart = words.GetValueOrDefault("missing");
         HiddenBy = words.GetValueOrDefault("hidden")?["by ".Length..].Split(", ") ?? [];
         var bits = Priors.Known + (words.ContainsKey("rare") ? Priors.Rare : 0);
         Changes = [.. changes.Select((change, i) => change with { Mistake = this, IsUsual = i == 0, Bits = bits + (i == 0 ? 0 : Priors.Variant) })];
@@ -44,7 +44,7 @@ public sealed class Mistake
     internal IReadOnlySet<StepKind> Steps { get; }
 
     /// <summary>The part of a program that is not written yet if it draws like this; null if it is no such part.</summary>
-    internal string? Missing { get; }
+    internal string? MissingPart { get; }
 
     /// <summary>What in a scene hides it, by the names of the report's reasons.</summary>
     internal IReadOnlyList<string> HiddenBy { get; }
@@ -53,7 +53,7 @@ public sealed class Mistake
     internal bool IsWithinRounding { get; }
 
     /// <summary>Whether rays pass through the other sample point of each pixel. Beside a mistake that is none.</summary>
-    internal bool IsOtherSample => Steps.All(step => step == StepKind.Sample);
+    internal bool IsOtherSample => Steps.All(step => step.IsOfSample());
 
     /// <summary>Whether a scene has what the mistake changes; if not, its picture is right.</summary>
     public bool Touches(Scene scene) => Touches(scene.Models.Select(model => model.Kind));

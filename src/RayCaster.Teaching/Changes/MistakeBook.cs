@@ -10,7 +10,7 @@ internal static class MistakeBook
     /// <param name="Subjects">A pattern's formulas by name, or parts of them; a * at the end is for any text.</param>
     /// <param name="Operators">A pattern's operators; any if empty.</param>
     internal sealed record Label(
-        string Id, StepChange.Written? Step, ImmutableArray<StepChange> Written, string[] Subjects, MutationOperator[] Operators);
+        string Id, StepChange.Written? Step, StepChange[] Written, string[] Subjects, MutationOperator[] Operators);
 
     private static readonly Lazy<(List<Mistake> Mistakes, List<Label> Labels)> read = new(() => Read(FormulaBook.TextOf("Mistakes.txt")));
 
@@ -29,7 +29,7 @@ internal static class MistakeBook
             var lines = block.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
             var id = lines[0].TrimEnd(']');
             var words = new Dictionary<string, string>();
-            List<(string Cause, List<ImmutableArray<StepChange>> Ways)> changes = [];
+            List<Change> changes = [];
             var cause = "";
             foreach (var line in lines.Skip(1))
             {
@@ -41,10 +41,7 @@ internal static class MistakeBook
                     case "is":
                         foreach (var way in ChangeReader.Read(rest))
                         {
-                            var own = cause.Replace("some shapes", ShapesOf(way), StringComparison.Ordinal);
-                            var same = changes.Find(change => change.Cause == own && IsForAnotherScene(way, change.Ways[^1]));
-                            if (same.Ways is not null) same.Ways.Add(way);
-                            else changes.Add((own, [way]));
+                            changes.Add(new([.. way], Priors.Known) { Cause = cause.Replace("some shapes", ShapesOf(way), StringComparison.Ordinal) });
                             labels.Add(new(id, null, way, [], []));
                         }
                         break;
@@ -52,18 +49,13 @@ internal static class MistakeBook
                 }
             }
             if (id != "")
-                mistakes.Add(new(id, words["slide"], new(words["symptom"], words["question"], words["answer"]), words, changes.Select(change =>
-                    new Change([.. change.Ways], Priors.Known) { Cause = change.Cause })));
+                mistakes.Add(new(id, words["slide"], new(words["symptom"], words["question"], words["answer"]), words, changes));
         }
         return (mistakes, labels);
     }
 
-    /// <summary>Whether it is what another way is in scenes that measure depth, or sample pixels, otherwise.</summary>
-    private static bool IsForAnotherScene(ImmutableArray<StepChange> way, ImmutableArray<StepChange> other) =>
-        (way[0], other[0]) is (StepChange.Written one, StepChange.Written two) && one.IsForAnotherSceneThan(two);
-
     /// <summary>The kinds of shape that a way's first step is for, in words.</summary>
-    private static string ShapesOf(ImmutableArray<StepChange> way)
+    private static string ShapesOf(StepChange[] way)
     {
         string[] words = way[0] is StepChange.Written { Shapes: var shapes } ? [.. shapes.Select(shape => ShapeKind.Find(shape).Many)] : [];
         return words.Length > 1 ? $"{string.Join(", ", words[..^1])} and {words[^1]}" : string.Concat(words);
@@ -74,8 +66,10 @@ internal static class MistakeBook
         if (!line.Contains(" = ", StringComparison.Ordinal) && line.LastIndexOf(':') is > 0 and var colon)
         {
             var (step, subjects) = line[..colon].Split(' ', 2) is [var first, var second] ? (first, second) : (line, "");
-            return [new(id, (StepChange.Written)ChangeReader.ReadStep(step)[0], [], subjects.Split(" | "),
-                [.. line[(colon + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(name => MutationBook.Slips[name])])];
+            MutationOperator[] operators =
+                [.. line[(colon + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(name => MutationBook.Slips[name])];
+            return ChangeReader.Read(step).SelectMany(steps => steps).Select(pattern =>
+                new Label(id, (StepChange.Written)pattern, [], subjects.Split(" | "), operators));
         }
         return Alternatives(line).SelectMany(ChangeReader.Read).Select(way => new Label(id, null, way, [], []));
     }

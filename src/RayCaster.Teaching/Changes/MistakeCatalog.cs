@@ -18,7 +18,7 @@ public static class MistakeCatalog
     public static Mistake? Named(string id) => byId.GetValueOrDefault(id);
 
     /// <summary>The mistakes that together draw the same as a program in which a part is missing; none for shapes.</summary>
-    public static IEnumerable<Mistake> DrawnWithout(string part) => All.Where(mistake => mistake.Missing == part);
+    public static IEnumerable<Mistake> DrawnWithout(string part) => All.Where(mistake => mistake.MissingPart == part);
 
     /// <summary>Draws a scene as a program with mistakes does: for exams, and for testing a rubric.</summary>
     /// <param name="mistakes">All its mistakes, each in one of its ways, such as <see cref="Mistake.Usual"/>.</param>
@@ -26,7 +26,7 @@ public static class MistakeCatalog
     /// <returns>The picture; two of the mistakes swap its width and height.</returns>
     /// <exception cref="ArgumentException">Two mistakes are in the same part of a formula.</exception>
     public static Picture Draw(Scene scene, IReadOnlyList<Change> mistakes, int? threads = null) =>
-        mistakes.Aggregate((FormulaProgram?)FormulaProgram.For(scene.Camera), (program, mistake) => program is null ? null : mistake.In(program))
+        mistakes.Aggregate((FormulaProgram?)FormulaProgram.Slides, (program, mistake) => program is null ? null : mistake.In(program))
             is { } wrong ? wrong.Draw(scene, threads)
             : throw new ArgumentException("two of these mistakes are in the same part of a formula, so no program has both", nameof(mistakes));
 }

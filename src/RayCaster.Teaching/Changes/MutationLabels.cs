@@ -11,12 +11,12 @@ internal static class MutationLabels
     public static IEnumerable<(string Id, StepChange.Written Step, ImmutableArray<Step> Beside)> FormulasFor(Step step) =>
         from label in MistakeBook.Labels
         where label.Written.Length > 0 && label.Written.All(step => step is StepChange.Written { Shapes.IsEmpty: true })
-        let first = (StepChange.Written)label.Written[0]
-        where first.Kind == step.Kind && !first.Formulas.IsEmpty
-            && (first.Style is not null ? first.Style == step.Style
-                : step.Kind == StepKind.Rule ? step.Style != "aim"
-                : step.Kind == StepKind.Sample || step == FormulaBook.Slides.StylesOf(step.Kind)[0])
-        select (label.Id, first, label.Written.Skip(1).Cast<StepChange.Written>().Select(StepOf).ToImmutableArray());
+        let written = label.Written.Cast<StepChange.Written>() // but for the scenes that need the other rule
+            .Where(own => own.Kind == step.Kind || own.Kind.InWords() != step.Kind.InWords()).ToArray()
+        let first = written.FirstOrDefault()
+        where first?.Kind == step.Kind && !first!.Formulas.IsEmpty
+            && (first.Style is not null ? first.Style == step.Style : step == FormulaBook.Slides.StylesOf(step.Kind)[0])
+        select (label.Id, first, written.Skip(1).Select(StepOf).ToImmutableArray());
 
     internal static bool Fits(Mutation mutation, MistakeBook.Label label) =>
         (label.Operators.Length == 0 || label.Operators.Contains(mutation.Operator)) && label.Subjects.Any(subject =>

@@ -8,7 +8,7 @@ public sealed record FormulaPlace
     internal IReadOnlyList<StepKind> Steps { get; }
 
     /// <summary>The step, as its formulas' text calls it; several with commas.</summary>
-    public string Step => string.Join(", ", Steps.Select(MutationNaming.StepOf));
+    public string Step => string.Join(", ", Steps.Select(step => step.InWords()).Distinct());
 
     /// <summary>The name that the edited formula computes; null if several do.</summary>
     public string? Name { get; }
@@ -26,36 +26,6 @@ internal static class MutationNaming
     /// <summary>Most names that are listed where a picture cannot tell formulas apart.</summary>
     private const int MaxNames = 5;
 
-    /// <summary>What the names mean that stand on no slide.</summary>
-    private static readonly Dictionary<string, string> words = new()
-    {
-        ["den"] = "the divisor of t",
-        ["D2"] = "D²",
-        ["O"] = "the vector between C and P",
-        ["S"] = "the sum of the areas",
-        ["e1"] = "the edge at A and B",
-        ["e2"] = "the edge at A and C",
-        ["v0"] = "the edge at A and B",
-        ["v1"] = "the edge at A and C",
-        ["lo"] = "where the ray enters each slab",
-        ["hi"] = "where the ray leaves each slab",
-        ["det"] = "the determinant",
-        ["tmin"] = "t_min",
-        ["tmax"] = "t_max",
-        ["tmin1"] = "t_min of two slabs",
-        ["tmax1"] = "t_max of two slabs",
-        ["start"] = "the t with which the first hit is compared",
-        ["better"] = "the test whether a hit is nearer",
-        ["replaces"] = "the place where a nearer hit is kept",
-        ["lights"] = "the place where a hit gets its colour",
-        ["kept"] = "the test whether a hit counts",
-        ["both"] = "which of two hits shows",
-        ["hit"] = "the test for a hit",
-        ["att"] = "the attenuation",
-        ["level"] = "the way from a colour to its bytes",
-        ["rgb"] = "the order of the bytes",
-    };
-
     /// <summary>The likeliest slip, with the known mistake whose label it has, or with words of its own.</summary>
     /// <param name="slips">All that draw the same, the likeliest first.</param>
     public static Change Named(IReadOnlyList<Change> slips)
@@ -63,7 +33,7 @@ internal static class MutationNaming
         var first = slips[0];
         var likely = LikelyOf(slips);
         if (Array.Find(likely, other => other.Label is not null) is { } known)
-            return first with { Mistake = MistakeCatalog.Named(known.Label!), Cause = $"{StepOf(known.Step.Kind)}: {Describe(known)}" };
+            return first with { Mistake = MistakeCatalog.Named(known.Label!), Cause = $"{known.Step.Kind.InWords()}: {Describe(known)}" };
         return InOwnWords(first, likely);
     }
 
@@ -91,8 +61,8 @@ internal static class MutationNaming
             Place = place,
             Cause = $"{place.Step}: {Describe(mutation)}",
             Hint = new(
-                isOneStep ? SymptomOf(kinds[0]) : "",
-                formula is not null ? $"Look at {InWords(formula.Computed)}. {mutation.Operator.Question}"
+                isOneStep ? FormulaBook.Slides.SymptomOf(kinds[0]) : "",
+                formula is not null ? $"Look at {FormulaBook.Slides.InWords(formula.Computed)}. {mutation.Operator.Question}"
                     : isOneStep ? $"Something is wrong in the formulas of the step \"{place.Step}\"; " +
                         $"this scene cannot tell {NamesOf(formulas)} apart."
                     : $"Something is wrong in one of these steps: {place.Step}. This scene cannot tell them apart.",
@@ -100,29 +70,12 @@ internal static class MutationNaming
         };
     }
 
-    internal static string InWords(string name) => words.GetValueOrDefault(name, name);
-
-    /// <summary>What texts call a step.</summary>
-    internal static string StepOf(StepKind kind) => kind.ToString().ToLowerInvariant();
-
     private static string Describe(Mutation mutation) => mutation.Operator.Tell(mutation.Meant, mutation.Written)
         + (mutation.Formula is { } formula ? $" in {formula}" : " in the whole formula");
 
     private static string NamesOf(IEnumerable<Formula?> formulas)
     {
-        string[] names = [.. formulas.Select(formula => formula is null ? "all of them" : InWords(formula.Computed)).Distinct()];
+        string[] names = [.. formulas.Select(formula => formula is null ? "all of them" : FormulaBook.Slides.InWords(formula.Computed)).Distinct()];
         return names.Length > MaxNames ? "its formulas" : string.Join(names.Length == 2 ? " and " : ", ", names);
     }
-
-    private static string SymptomOf(StepKind kind) => kind switch
-    {
-        StepKind.Vectors => "Everything that is computed with products and lengths of vectors is wrong.",
-        StepKind.Camera or StepKind.File or StepKind.Sample or StepKind.Pixel =>
-            "Everything stands elsewhere or is deformed: the rays are wrong.",
-        StepKind.Rule or StepKind.Nearest =>
-            "What is drawn is right, but it is cut off where it should show, or shows where it should be cut off.",
-        StepKind.Light => "All outlines are right, only the light is not.",
-        StepKind.Bytes => "All outlines are right, only the colours are not.",
-        _ => $"Only {ShapeKind.Find(kind).Many} are wrong; everything else is right.",
-    };
 }

@@ -41,6 +41,9 @@ internal static class Priors
     /// <summary>Some other program, which may draw anything, for each picture.</summary>
     public const double OtherProgram = 44;
 
+    /// <summary>The most that a program costs that is mentioned where none is named, for each picture.</summary>
+    public const double Mentioned = 1.5 * OtherProgram;
+
     /// <summary>Explanations that are longer by less than this are told as equally likely: the shortest has less than 90 % of the probability.
     /// </summary>
     public const double AsLikely = 3;

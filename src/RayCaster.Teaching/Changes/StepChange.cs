@@ -10,7 +10,7 @@ internal abstract class StepChange
     public abstract FormulaProgram? In(FormulaProgram program);
 
     /// <summary>Other formulas of a step, or another style of it, as Mistakes.txt has them.</summary>
-    /// <param name="style">The style; the scene's, or the first one, if null.</param>
+    /// <param name="style">The style; the first one if null.</param>
     /// <param name="shapes">The kinds of shape whose rule it is; empty for all.</param>
     public sealed class Written(
         StepKind kind, string? style, ImmutableArray<StepKind> shapes, ImmutableArray<(string Name, string Right)> formulas) : StepChange
@@ -28,23 +28,14 @@ internal abstract class StepChange
 
         public override IEnumerable<StepKind> Steps => !shapes.IsEmpty ? shapes : formulas.IsEmpty ? [] : [kind];
 
-        private bool IsOfScene => kind is StepKind.Rule or StepKind.Sample;
-
-        /// <summary>Whether it is what another change is in scenes that measure depth, or sample pixels, otherwise.</summary>
-        public bool IsForAnotherSceneThan(Written other) => IsOfScene && other.Kind == kind && style is not null && other.Style is not null
-            && style != other.Style && shapes.SequenceEqual(other.Shapes);
-
         /// <summary>A step with the formulas.</summary>
         public Step In(Step step) => formulas.IsEmpty ? step
             : edited.GetValue(step, own => formulas.Aggregate(own, (all, formula) => all.With(formula.Name, formula.Right)));
 
-        public override FormulaProgram? In(FormulaProgram program)
-        {
-            var own = program[kind].Style;
-            if (IsOfScene && style is not null && style != own) return null;
-            var slides = FormulaBook.Slides;
-            return program.With(In(style is not null ? slides[kind, style] : IsOfScene ? slides[kind, own] : slides.StylesOf(kind)[0]), shapes);
-        }
+        public override FormulaProgram? In(FormulaProgram program) => program.With(In(StyleOf()), shapes);
+
+        /// <summary>The step without the formulas.</summary>
+        private Step StyleOf() => style is null ? FormulaBook.Slides.StylesOf(kind)[0] : FormulaBook.Slides[kind, style];
     }
 
     /// <summary>A step with a slip.</summary>
@@ -56,20 +47,21 @@ internal abstract class StepChange
     }
 
     /// <summary>Another right style of a step, where a program has the usual one.</summary>
-    public sealed class OtherStyle(Step usual, Step style) : StepChange
-    {
-        public override IEnumerable<StepKind> Steps => [];
-
-        public override FormulaProgram? In(FormulaProgram program) => program[usual.Kind] == usual ? program.With(style) : null;
-    }
-
-    /// <summary>A kind of shape, by its name in scene files, that is not drawn.</summary>
-    public sealed class LeftOut(string kind) : StepChange
+    public sealed class OtherStyle(Step style) : StepChange
     {
         public override IEnumerable<StepKind> Steps => [];
 
         public override FormulaProgram? In(FormulaProgram program) =>
-            program.LeftOut.Contains(kind) ? null : program with { LeftOut = program.LeftOut.Add(kind) };
+            program[style.Kind] == FormulaBook.Slides.StylesOf(style.Kind)[0] ? program.With(style) : null;
+    }
+
+    /// <summary>A kind of shape, by its name in scene files, that is not drawn.</summary>
+    public sealed class MissingShape(string kind) : StepChange
+    {
+        public override IEnumerable<StepKind> Steps => [];
+
+        public override FormulaProgram? In(FormulaProgram program) =>
+            program.MissingShapes.Contains(kind) ? null : program with { MissingShapes = program.MissingShapes.Add(kind) };
     }
 
     /// <summary>The camera stands at T and looks at P.</summary>

@@ -19,7 +19,7 @@ public static class ComparisonText
             var isSwapped = (a.Width, a.Height) == (b.Height, b.Width);
             return $"{mine} is wrong: it has {a.Width} x {a.Height} pixels, {reference} has {b.Width} x {b.Height}" +
                 $"{(isSwapped ? ": width and height are swapped" : "")}.\n" +
-                (comparison.Crop is { } crop ? $"It is the right picture without {crop.Missing}. {Cropped}\n" : "")
+                (comparison.Crop is { } crop ? $"It is the right picture without {crop.CroppedPart}. {Cropped}\n" : "")
                 + OneColor(comparison, mine) + Observed(comparison);
         }
         return comparison.Likeness switch

@@ -10,7 +10,7 @@ internal sealed record Crop(int Left, int Top, int Right, int Bottom)
     private const int Samples = 200;
 
     /// <summary>What is missing, for a sentence: <c>its first line and its last column</c>.</summary>
-    public string Missing => string.Join(" and ", ((string?[])
+    public string CroppedPart => string.Join(" and ", ((string?[])
     [
         Some(Top, "first", "line"), Some(Bottom, "last", "line"), Some(Left, "first", "column"), Some(Right, "last", "column"),
     ]).OfType<string>());
@@ -38,7 +38,7 @@ internal sealed record Crop(int Left, int Top, int Right, int Bottom)
                 if (misses > Samples / 20) continue;
                 var part = Picture.Create(mine.Width, mine.Height, (x, y) => reference[x + across, y + down]);
                 var difference = new PictureDifference(mine, part);
-                if (new PictureJudge(part).Judge(difference) != Likeness.Wrong && !(best?.Wrong <= difference.Wrong))
+                if (new PictureJudge(part).Compare(difference) != Likeness.Wrong && !(best?.Wrong <= difference.Wrong))
                     best = (new(left, top, columns - left, lines - top), difference.Wrong);
             }
         }

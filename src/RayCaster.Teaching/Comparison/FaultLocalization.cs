@@ -70,7 +70,7 @@ internal sealed class FaultLocalization
             if (!IsCertain) return null;
             var right = Agreeing.Count == 0 ? "" : $"The rays are right: {Names(Agreeing)} agree{(Agreeing.Count == 1 ? "s" : "")}. ";
             if (Kinds.Count == 0) return right.TrimEnd();
-            var many = string.Join(" and ", Kinds.Select(MissingParts.Many));
+            var many = string.Join(" and ", Kinds.Select(MissingPart.Many));
             var formula = Kinds.Count == 1 ? "their formula" : "their formulas, and at what these share";
             int[] bad = [.. ModelsOf(Kinds).Where(IsBad)], good = [.. ModelsOf(Kinds).Where(AgreesWholly)];
             var what = good.Length > 0 && bad.Length > 0

@@ -60,7 +60,7 @@ internal static class ModelsText
                 : $"{names[0]} is missing: without it the scene gives this picture."
             : $"{string.Join(", ", names)}{(models.Count > MaxNames ? $" and {models.Count - MaxNames} more" : "")} are missing: " +
                 "without them the scene gives this picture." +
-                (areSmall ? $" All other {MissingParts.Many(kinds[0])} are larger: is there a limit that depends on the size?" : "");
+                (areSmall ? $" All other {MissingPart.Many(kinds[0])} are larger: is there a limit that depends on the size?" : "");
         return new(Way.Models, $"{words} Is it in your scene, and in the list that your program casts rays at?",
             Priors.MissingModel + (models.Count > 1 ? Priors.Several * kinds.Length : 0), all.WrongWithoutMissing);
 

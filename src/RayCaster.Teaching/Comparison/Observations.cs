@@ -94,7 +94,7 @@ internal sealed class Observations
     private string LightInWords => ModelsText.Reported(ByModels!) is [var only]
         ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
         : KindsOfWrong is [var kind] && scene!.Models.Any(model => model.Kind != kind)
-            ? $"Only {MissingParts.Many(kind)}: the same outlines, but another light. Is their t right?"
+            ? $"Only {MissingPart.Many(kind)}: the same outlines, but another light. Is their t right?"
         : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
 
     private Explanation? FindBest()

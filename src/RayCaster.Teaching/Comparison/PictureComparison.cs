@@ -25,7 +25,7 @@ public sealed class PictureComparison
         }
         else Crop = Crop.Find(mine, reference);
         judge = new(reference, ByModels is { IsReferenceOwn: true } ? Scene : null);
-        Likeness = Difference is null ? Likeness.Wrong : judge.Judge(Difference);
+        Likeness = Difference is null ? Likeness.Wrong : judge.Compare(Difference);
     }
 
     /// <summary>Compares with a scene's own picture. Its rays are cast once, for the picture and for the models that it shows.</summary>

@@ -37,11 +37,11 @@ public sealed class PictureJudge(Picture reference, Scene? scene = null)
     private static readonly (double Right, double Up)[] rays = [(0, 0), (-Nudge, -Nudge), (-Nudge, Nudge), (Nudge, -Nudge), (Nudge, Nudge)];
 
     /// <summary>The verdict on a picture; one of another size is wrong.</summary>
-    public Likeness Judge(Picture mine) =>
-        (mine.Width, mine.Height) == (reference.Width, reference.Height) ? Judge(new PictureDifference(mine, reference)) : Likeness.Wrong;
+    public Likeness Compare(Picture mine) =>
+        (mine.Width, mine.Height) == (reference.Width, reference.Height) ? Compare(new PictureDifference(mine, reference)) : Likeness.Wrong;
 
     /// <param name="difference">That of the picture in question to the right one.</param>
-    internal Likeness Judge(PictureDifference difference) =>
+    internal Likeness Compare(PictureDifference difference) =>
         difference.Largest == 0 ? Likeness.Identical
         : difference.Wrong > 0 && !AreStray(difference, WrongPixels(difference)) ? Likeness.Wrong
         : difference.OffByOne > Rounded * difference.Pixels ? Likeness.RoundedOtherwise

@@ -57,7 +57,7 @@ internal sealed record PlaceMap(string Words, string Question, Func<Picture, Pic
             if (best is not { } other || rest.Wrong < other.Left.Wrong) best = (map, rest);
         }
         if (best is not var (found, left)) return null;
-        var isRight = judge.Judge(left) != Likeness.Wrong;
+        var isRight = judge.Compare(left) != Likeness.Wrong;
         return new(Way.Places, $"{char.ToUpperInvariant(found.Words[0])}{found.Words[1..]} it is " +
             (!isRight ? $"nearly right, but for {Digits.Part(left.Wrong, left.Pixels)}" : left.Wrong > 0 ? "right but for pixels on outlines"
                 : "right") +

@@ -20,7 +20,7 @@ public static class SideBySide
         Array.Fill(picture.Rgb, Grey);
         Put(mine, picture, 0);
         Put(reference, picture, mine.Width + Gap);
-        if (comparison.Difference is { } difference) Put(HeatMap.Of(difference), picture, 2 * (mine.Width + Gap));
+        if (comparison.Difference is { } difference) Put(HeatMap.Draw(difference), picture, 2 * (mine.Width + Gap));
         return picture;
     }
 

@@ -33,6 +33,6 @@ internal static class UnreachedLinesFinder
         if (Find(difference) is not { } found) return null;
         var (mine, right) = (difference.Mine, difference.Reference);
         var rest = Picture.Create(mine.Width, mine.Height, (x, y) => found.Contains(x, y) ? right[x, y] : mine[x, y]);
-        return judge.Judge(rest) == Likeness.Wrong ? null : new(Way.Places, found.Sentence, Priors.BitsOf(found));
+        return judge.Compare(rest) == Likeness.Wrong ? null : new(Way.Places, found.Sentence, Priors.BitsOf(found));
     }
 }

@@ -53,8 +53,8 @@ public static class LabSteps
     internal static string[] DoneAt(Scene scene, int step) =>
     [
         .. scene.Models.Where(model => StepOf(model) < step).Select(model => model.Kind).Distinct(),
-        .. step >= Shading ? (string[])[MissingParts.Attenuation] : [],
-        .. step >= Clipping ? (string[])[MissingParts.Clipping] : [],
+        .. step >= Shading ? (string[])[MissingPart.Attenuation] : [],
+        .. step >= Clipping ? (string[])[MissingPart.Clipping] : [],
     ];
 
     /// <summary>The kinds of shape in a scene whose formula is written in a step.</summary>

@@ -144,27 +144,27 @@ public sealed class PixelNumbers
         foreach (var (name, result) in ((string, object)[])
             [("a + b", a + b), ("a − b", a - b), ("2 a", 2 * a), ("a × b", a % b), ("a · b", a * b), ("|a|", a.Length)])
         {
-            yield return Of(name, Slides.Vectors, result) with { Name = $"{name} for a = {Digits.Format(a)}, b = {Digits.Format(b)}" };
+            yield return LineOf(name, Slides.Vectors, result) with { Name = $"{name} for a = {Digits.Format(a)}, b = {Digits.Format(b)}" };
             foreach (var (operand, value) in ((string, object)[])[($"a after {name}", a), ($"b after {name}", b)])
-                if (yours.GetValueOrDefault(operand) is Vector3 && Of(operand, Slides.Vectors, value) is { Right: not null } changed)
+                if (yours.GetValueOrDefault(operand) is Vector3 && LineOf(operand, Slides.Vectors, value) is { Right: not null } changed)
                     yield return changed;
         }
         Vector3 P = new(1, 2, 3), d = new(0.48, 0.6, -0.64);
         var which = $"for P = {Digits.Format(P)}, d = {Digits.Format(d)}";
-        yield return Of("X(5)", Slides.Ray, P + 5 * d) with { Name = $"X(5) {which}" };
+        yield return LineOf("X(5)", Slides.Ray, P + 5 * d) with { Name = $"X(5) {which}" };
         foreach (var (t, bias) in ((double, double)[])[(1, 2), (2, 2), (3, 2), (-1, 0), (0, 0)])
             yield return OfCounts($"isAhead of Counts({Digits.Format(t)}) for Bias = {bias}", Slides.Bias, new(bias, -1e9, 1e9), t, 1);
         foreach (var t in (double[])[4, 16, 10, 6, 14])
             yield return OfCounts($"isBetween of Counts({t}) for ZNear = 3, ZFar = 7, DepthPerT = 0.5", Slides.ClipPlanes, new(-1e9, 3, 7), t, 0.5);
         foreach (var (calls, hit) in ((string, string)[])[("Hit(5), Hit(3), Hit(4)", "3, that of call 2"), ("Hit(3), Hit(3)", "3, that of call 1"),
-            ("Hit(−3), Hit(NaN)", "Infinity, null")]) yield return Of($"HitParameter and HitModel after {calls}", Slides.Ray, hit);
+            ("Hit(−3), Hit(NaN)", "Infinity, null")]) yield return LineOf($"HitParameter and HitModel after {calls}", Slides.Ray, hit);
         var plane = new Plane(new(3, 3, -1), new(1, 2, -1));
-        var example = Of("plane", Slides.RayPlane, 0); // where it is not written
+        var example = LineOf("plane", Slides.RayPlane, 0); // where it is not written
         if (example.Yours != null) example = OfCalls("", "plane", Model.Of(plane), Slides.RayPlane, new(P, d));
         yield return example with { Name = $"t of a plane with Q = {Digits.Format(plane.Point)}, n = {Digits.Format(plane.Normal)} {which}" };
 
         Line OfCounts(string name, string slide, ClipRange range, double t, double depthPerT) =>
-            Of(name, slide, range.CountsMask<Scalar>(t, depthPerT) != 0);
+            LineOf(name, slide, range.CountsMask<Scalar>(t, depthPerT) != 0);
     }
 
     private IEnumerable<Line> Lines()
@@ -174,18 +174,18 @@ public sealed class PixelNumbers
             if (example.Yours != null || !hasRays) yield return example with { IsTold = !hasRays || example.Right != null };
         foreach (var step in PixelSteps.OfCamera(scene.Camera))
         {
-            yield return Of(step.Name, Slides.Camera, step.Value);
+            yield return LineOf(step.Name, Slides.Camera, step.Value);
             if (yours.GetValueOrDefault("W") is Exception) yield break; // there is no camera
         }
         if (!hasRays) yield break;
         foreach (var step in PixelSteps.OfRay(scene.Camera, column, row).Where(step => step.Name != "pixel"))
-            yield return Of(step.Name == "d" ? "d" : FromD(step.Name), Slides.PixelTranslation, step.Value);
+            yield return LineOf(step.Name == "d" ? "d" : FromD(step.Name), Slides.PixelTranslation, step.Value);
         if (unwritten.Contains(Slides.PixelTranslation) || yours.GetValueOrDefault("d") is Exception) yield break;
 
         foreach (var name in yours.Keys.Where(name => name.StartsWith("Slab(", StringComparison.Ordinal)))
         {
             double[] of = [.. name[5..^1].Split(", ").Select(number => double.Parse(number, CultureInfo.InvariantCulture))];
-            if (Of(name, Slides.BoxParameters, BodyNumbers.Slab(of[0], of[1], of[2], of[3])) is { Right: not null } wrong) yield return wrong;
+            if (LineOf(name, Slides.BoxParameters, BodyNumbers.Slab(of[0], of[1], of[2], of[3])) is { Right: not null } wrong) yield return wrong;
         }
         foreach (var (i, model) in scene.Models.Index())
         {
@@ -195,15 +195,15 @@ public sealed class PixelNumbers
             var other = OfCalls($"{name} by AnalyticalSolution", $"{i} {Analytical}", model, Slides.SphereAnalytical, right);
             yield return other with { IsTold = other.Right != null }; // it draws nothing
         }
-        yield return Of("hit", Slides.Ray, new ModelAndT(nearest.Model, nearest.T));
+        yield return LineOf("hit", Slides.Ray, new ModelAndT(nearest.Model, nearest.T));
         var lit = scene.Shade(nearest); // or the background
         if (nearest.Model >= 0)
         {
-            yield return Of("attenuation", Slides.Shading, scene.Attenuation<Scalar>(nearest.T).Value);
-            yield return Of("Shade", Slides.Shading, new Vector3(lit.R, lit.G, lit.B)) with { Name = "red, green and blue of Shade" };
+            yield return LineOf("attenuation", Slides.Shading, scene.Attenuation<Scalar>(nearest.T).Value);
+            yield return LineOf("Shade", Slides.Shading, new Vector3(lit.R, lit.G, lit.B)) with { Name = "red, green and blue of Shade" };
         }
         var isUnlit = nearest.Model >= 0 && unwritten.Contains(Slides.Shading);
-        yield return Of("bytes", Slides.RayCasting, (isUnlit ? scene.Models[nearest.Model].Color : lit).ToBytes());
+        yield return LineOf("bytes", Slides.RayCasting, (isUnlit ? scene.Models[nearest.Model].Color : lit).ToBytes());
     }
 
     /// <summary>Which t the model has, and whether one counts that should not, or the other way.</summary>
@@ -222,7 +222,7 @@ public sealed class PixelNumbers
     {
         var rightly = model.Intersect(ray) ?? double.PositiveInfinity;
         if (yours.GetValueOrDefault(key) is not (double T, bool Counts)[] calls)
-            return Of(key, slide, rightly) is { Yours: not null } wrong ? wrong with { Name = name, Right = HitText(rightly) }
+            return LineOf(key, slide, rightly) is { Yours: not null } wrong ? wrong with { Name = name, Right = HitText(rightly) }
                 : new(name, slide, null, null);
         double[] ts = [.. calls.Select(call => call.T)];
         var mine = ts.Where(ray.Counts).DefaultIfEmpty(double.PositiveInfinity).Min();
@@ -250,7 +250,7 @@ public sealed class PixelNumbers
             else yield return new(name, slide, BodyNumbers.Text(own) + BodyNumbers.Which(right, name, own), BodyNumbers.Text(value));
     }
 
-    private Line Of(string name, string slide, object rightly) =>
+    private Line LineOf(string name, string slide, object rightly) =>
         unwritten.Contains(Slides.Vectors) ? new(name, Slides.Vectors, null, null)
         : unwritten.Contains(slide) ? new(name, slide, null, null)
         : yours.GetValueOrDefault(name) is not { } mine ? new(name, slide, Endless, Text(rightly))

@@ -12,20 +12,21 @@ public static class StepHint
     /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
     /// test of no step.
     /// </param>
-    public static string Format(Scene scene, Picture picture, int step, HintLevel level) => Format(scene, Judge(scene, picture, step), step, level);
+    public static string Format(Scene scene, Picture picture, int step, HintLevel level) =>
+        Format(scene, Diagnose(scene, picture, step), step, level);
 
     /// <summary>The same, on a new line, where a mistake in a step's code explains all wrong pixels; otherwise empty.</summary>
     public static string OfAllPixels(Scene scene, Picture picture, int step, HintLevel level) =>
-        Judge(scene, picture, step, new()) is { Kind: DiagnosisKind.Mistake, Suspects: [{ Unexplained: 0, Mistakes: [var mistake] }, ..] } diagnosis
-            && LabSteps.IsOf(mistake, step) ? "\n" + Format(scene, diagnosis, step, level) : "";
+        Diagnose(scene, picture, step, new()) is { Suspects: [{ Unexplained: 0, Mistakes: [var mistake] }, ..] } diagnosis
+            && diagnosis.Kind == DiagnosisKind.Mistake && LabSteps.IsOf(mistake, step) ? "\n" + Format(scene, diagnosis, step, level) : "";
 
     internal static string Format(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, diagnosis, step, level).Select(line => "  " + line));
 
-    internal static DiagnosisResult Judge(Scene scene, Picture picture, int step, SearchBudget? budget = null) => step == 0
+    internal static DiagnosisResult Diagnose(Scene scene, Picture picture, int step, SearchBudget? budget = null) => step == 0
         ? DiagnosisResult.Find(scene, picture)
         : new Diagnoser(scene, budget: budget, possible: mistake => Slides.StepOf(mistake.Slide) <= step)
-            .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
+            .Diagnose(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
 
     private static IEnumerable<string> Lines(Scene scene, DiagnosisResult diagnosis, int step, HintLevel level)
     {
@@ -54,7 +55,7 @@ public static class StepHint
     {
         string[] missing = diagnosis.Kind == DiagnosisKind.TellsNothing
             ? [.. LabSteps.KindsOf(scene, step)]
-            : [.. diagnosis.NotYet.Where(part => part is not (MissingParts.Attenuation or MissingParts.Clipping))];
+            : [.. diagnosis.MissingParts.Where(part => part is not (MissingPart.Attenuation or MissingPart.Clipping))];
         if (missing.Length > 0) yield return $"Missing where it should show: {string.Join(", ", missing)}.";
         // A picture without anything in it may have lost its light, or its hits. Once both are written and tested, the step's shape is to blame.
         var isOfTheShape = missing.Length > 0 && diagnosis.Kind == DiagnosisKind.TellsNothing && step > LabSteps.Clipping;

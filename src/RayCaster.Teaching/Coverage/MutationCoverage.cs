@@ -8,23 +8,14 @@ namespace RayCaster.Teaching.Coverage;
 /// </summary>
 public sealed class MutationCoverage
 {
-    /// <summary>A mistake is visible if it changes so many pixels.</summary>
-    public const int LeastPixels = 20;
-
     /// <summary>On scenes with more models, no mistakes are tried.</summary>
     public const int MaxModels = 10_000;
 
     /// <summary>A smaller picture of the same shape is judged in place of a larger one.</summary>
     private const int MaxPixels = 1_000_000;
 
-    /// <summary>How many pixels of each picture are enough for most mistakes; the others need more.</summary>
-    private const int Samples = 4096;
-
-    /// <summary>How many pixels are compared for the other mistakes, and for each of their other variants.</summary>
-    private const int MoreSamples = 60_000, VariantSamples = 15_000;
-
-    /// <summary>How many pixels are drawn between two looks whether they show a mistake.</summary>
-    private const int PixelsAtOnce = 4096;
+    /// <summary>How many pixels are compared for each mistake, and for each of its other variants; a small part of them shows most.</summary>
+    internal const int MoreSamples = 60_000, VariantSamples = 15_000;
 
     /// <summary>How many mistakes are tried between two looks at the budget.</summary>
     private const int Together = 16;
@@ -42,7 +33,7 @@ public sealed class MutationCoverage
     /// <summary>Whether a smaller picture was judged in place of a large one.</summary>
     public required bool IsReduced { get; init; }
 
-    /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
+    /// <summary>The mistakes that change fewer than <see cref="Rendering.LeastPixels"/> pixels of each picture by more than rounding does.</summary>
     public required IReadOnlyList<Mistake> Hidden { get; init; }
 
     /// <summary>The mistakes that show, but not in the usual way: a program with that may draw the right picture.</summary>
@@ -122,7 +113,7 @@ public sealed class MutationCoverage
     public static bool CanTry(Scene scene, Mistake mistake) => CanTry(scene, mistake.Usual);
 
     /// <summary>The same for what people write.</summary>
-    internal static bool CanTry(Scene scene, Change change) => change.In(FormulaProgram.For(scene.Camera)) is not { MutatesTriangles: true }
+    internal static bool CanTry(Scene scene, Change change) => change.In(FormulaProgram.Slides) is not { MutatesTriangles: true }
         || !scene.Models.Any(model => model is Mesh { TriangleCount: > ShapePart.MaxTriangles });
 
     private static Scene Judged(Scene scene)
@@ -148,29 +139,14 @@ public sealed class MutationCoverage
         return groups;
     }
 
-    /// <summary>As much of a scene's picture with each mistake as is needed.</summary>
-    private sealed class View
+    /// <summary>What a scene shows of mistakes.</summary>
+    private sealed class View(Scene scene, SearchBudget? budget)
     {
-        private readonly SearchBudget? budget;
-        private readonly FormulaProgram slides;
-        private readonly (int X, int Y)[] places; // any beginning is spread over the picture
-        private readonly Picture right;
-        private readonly ConcurrentDictionary<Mistake, byte[]> samples = [];
+        private readonly Rendering most = Rendering.Of(scene, MoreSamples, budget), few = Rendering.Of(scene, VariantSamples, budget);
+        private readonly ConcurrentDictionary<Mistake, FormulaProgram> usual = [];
         private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [];
 
-        public View(Scene scene, SearchBudget? budget)
-        {
-            this.budget = budget;
-            Scene = scene;
-            slides = FormulaProgram.For(scene.Camera);
-            right = slides.Draw(scene); // mistakes are edits of its formulas: other last bits than the definition's are none
-            var spread = new GoldenRatioSequence(right.Count);
-            places = [.. Enumerable.Range(0, right.Count).Select(k => (spread[k] % right.Width, spread[k] / right.Width))];
-        }
-
-        public Scene Scene { get; }
-
-        public bool IsOfOneColor => right.IsOneColor;
+        public bool IsOfOneColor { get; } = FormulaProgram.Slides.Draw(scene).IsOneColor;
 
         /// <summary>Whether the picture shows a mistake, in any of its variants.</summary>
         public bool Shows(Mistake mistake) => shown.GetValueOrDefault(mistake);
@@ -178,73 +154,23 @@ public sealed class MutationCoverage
         /// <summary>The same for its first variant.</summary>
         public bool ShowsFirst(Mistake mistake) => shownFirst.GetValueOrDefault(mistake);
 
-        /// <summary>Whether a mistake changes any byte of the samples.</summary>
-        public bool ShowsByALevel(Mistake mistake) => samples[mistake].Chunk(3).Index().Any(sample =>
-            places[sample.Index] is var (x, y) && right[x, y] != (sample.Item[0], sample.Item[1], sample.Item[2]));
+        /// <summary>Whether a mistake changes any byte of some samples.</summary>
+        public bool ShowsByALevel(Mistake mistake) => !few.Draw(usual[mistake], ..).SequenceEqual(few.Draw(FormulaProgram.Slides, ..));
 
-        /// <summary>Draws samples of the picture, and more of it if they do not show the mistake.</summary>
+        /// <summary>Draws as much of the picture as is needed to see the mistake. It is an edit of the slides' formulas: other last bits than the
+        /// definition's are none.</summary>
         public void Try(Mistake mistake)
         {
-            var program = mistake.Usual.In(slides)!;
-            var drawn = samples[mistake] = FormulaEvaluator.Draw(
-                Scene, program, places[..Math.Min(Samples, right.Count)], budget);
-            shownFirst[mistake] = HasOtherSize(program) || Differ(drawn, 0, LeastPixels)
-                || (mistake.Touches(Scene) && Changes(program, MoreSamples));
-            shown[mistake] = shownFirst[mistake] || (mistake.Touches(Scene)
-                && mistake.Changes.Skip(1).Any(variant => variant.In(slides) is { } other && Changes(other, VariantSamples)));
+            usual[mistake] = mistake.Usual.In(FormulaProgram.Slides)!;
+            if (!mistake.Touches(scene)) return;
+            shownFirst[mistake] = Changes(most, usual[mistake]);
+            shown[mistake] = shownFirst[mistake]
+                || mistake.Changes.Skip(1).Any(variant => variant.In(FormulaProgram.Slides) is { } other && Changes(few, other));
         }
 
         /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
-        public bool AreAlike(Mistake a, Mistake b)
-        {
-            var (one, other) = (a.Usual.In(slides)!, b.Usual.In(slides)!);
-            if (one.IsTurned != other.IsTurned) return false;
-            var left = LeastPixels;
-            var (first, second) = (samples[a], samples[b]);
-            for (var i = 0; i < Math.Min(first.Length, second.Length); i += 3)
-                if (!AreNear(first, second, i) && --left == 0) return false;
-            for (var k = Samples; k < right.Count; k += PixelsAtOnce)
-            {
-                var some = places[k..Math.Min(right.Count, k + PixelsAtOnce)];
-                (first, second) = (FormulaEvaluator.Draw(Scene, one, some, budget), FormulaEvaluator.Draw(Scene, other, some, budget));
-                for (var i = 0; i < first.Length; i += 3)
-                    if (!AreNear(first, second, i) && --left == 0) return false;
-            }
-            return true;
-        }
+        public bool AreAlike(Mistake a, Mistake b) => most.AreAlike(usual[a], usual[b]);
 
-        /// <summary>Whether a variant changes enough pixels of a part of the picture.</summary>
-        private bool Changes(FormulaProgram program, int most)
-        {
-            if (HasOtherSize(program)) return true;
-            most = Math.Min(most, right.Count);
-            var left = (int)Math.Ceiling((double)LeastPixels * most / right.Count);
-            for (var k = 0; k < most; k += PixelsAtOnce)
-            {
-                var some = places[k..Math.Min(most, k + PixelsAtOnce)];
-                left -= Differences(FormulaEvaluator.Draw(Scene, program, some, budget), k);
-                if (left <= 0) return true;
-            }
-            return false;
-        }
-
-        private bool HasOtherSize(FormulaProgram program) => program.SizeOf(Scene.Camera) != (right.Width, right.Height);
-
-        private bool Differ(byte[] drawn, int first, int least) => Differences(drawn, first) >= least;
-
-        /// <summary>How many pixels differ by more than rounding from the right picture's, from one of the places on.</summary>
-        private int Differences(byte[] drawn, int first)
-        {
-            var differing = 0;
-            for (var i = 0; i < drawn.Length; i += 3)
-            {
-                var (x, y) = places[first + i / 3];
-                if (!PictureJudge.IsNear((drawn[i], drawn[i + 1], drawn[i + 2]), right[x, y])) differing++;
-            }
-            return differing;
-        }
-
-        private static bool AreNear(byte[] one, byte[] other, int i) =>
-            PictureJudge.IsNear((one[i], one[i + 1], one[i + 2]), (other[i], other[i + 1], other[i + 2]));
+        private static bool Changes(Rendering rendering, FormulaProgram program) => !rendering.AreAlike(FormulaProgram.Slides, program);
     }
 }

@@ -7,6 +7,9 @@ namespace RayCaster.Teaching.Diagnosis;
 /// <remarks>For a single picture <see cref="DiagnosisResult.Find"/> does.</remarks>
 public sealed class Diagnoser
 {
+    /// <summary>How many pixels are drawn with each mistake, at most.</summary>
+    private const int Pixels = 6000;
+
     private readonly Lazy<(IReadOnlyList<Mistake> Hidden, int Tried)> hidden;
     private readonly (int Width, int Height)? size;
 
@@ -25,10 +28,9 @@ public sealed class Diagnoser
         Possible = possible;
         Budget = budget;
         Right = Renderer.Render(scene, threads);
-        var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
-            && possible?.Invoke(mistake.Usual) != false).ToArray();
-        Known = [.. visible.Where(mistake => mistake.Changes.All(change => MutationCoverage.CanTry(scene, change)))];
-        NotTried = [.. visible.Except(Known)];
+        Known = [.. MistakeCatalog.Visible.Where(mistake => mistake.Touches(scene) && possible?.Invoke(mistake.Usual) != false
+            && mistake.Changes.All(change => MutationCoverage.CanTry(scene, change)))];
+        Rendering = Rendering.Of(scene, MutationCoverage.MoreSamples, budget);
         hidden = new(() => TooManyModels ? ([], 0) : MutationCoverage.HiddenIn(scene, threads, budget));
     }
 
@@ -53,11 +55,11 @@ public sealed class Diagnoser
 
     internal SearchBudget? Budget { get; }
 
+    /// <summary>What programs draw of the picture, as <see cref="MutationCoverage"/> judges it.</summary>
+    internal Rendering Rendering { get; }
+
     /// <summary>The mistakes that can show in this scene at all.</summary>
     public IReadOnlyList<Mistake> Known { get; }
-
-    /// <summary>The mistakes of triangles, if the scene has a mesh of many.</summary>
-    public IReadOnlyList<Mistake> NotTried { get; }
 
     /// <summary>The scene's picture in the size that it should have, if another picture may be a part of it.</summary>
     internal Picture? Whole(Picture picture) => size is var (width, height) && Crop.IsPossible(picture, width, height)
@@ -69,20 +71,40 @@ public sealed class Diagnoser
         || (picture.Height, picture.Width) == (scene.Camera.Width, scene.Camera.Height);
 
     /// <summary>In how many pixels a picture differs by more than rounding. A few on outlines do not count.</summary>
-    public int WrongPixels(Picture picture) => ProgramDiagnosis.SampleOf(this, picture).WrongCount;
+    public int WrongPixels(Picture picture) => Sample(picture, Pixels).WrongCount;
 
-    /// <summary>Judges a picture.</summary>
+    /// <summary>Says what is wrong with a picture.</summary>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
     /// <param name="done">
     /// What the program certainly does: kinds of shape by their names in scene files, "attenuation", "clipping". Everything else may be missing.
     /// </param>
     /// <param name="likely">Which mistakes are likelier than others, for example those of the code written last; none if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
-    public DiagnosisResult Judge(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Change>? likely = null)
+    public DiagnosisResult Diagnose(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Change>? likely = null)
     {
         if (!CanJudge(Scene, picture))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for a scene of {Scene.Camera.Width} x {Scene.Camera.Height}", nameof(picture));
-        return new Decision(this, picture, done ?? [], likely).Decide();
+        if (Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
+            return new() { Kind = DiagnosisKind.Cropped, CroppedPart = crop.CroppedPart };
+        return new PictureDiagnosis(this, StrictWhereNeeded(picture), new(Known, done ?? [], likely, Possible, Budget, Threads)).Find();
+    }
+
+    /// <summary>The pixels by which a picture is judged.</summary>
+    internal PictureSample Sample(Picture picture, int pixels, bool forgiveOutlines = true) =>
+        new(Scene, Right, picture, pixels, forgiveOutlines && !TooManyModels, Budget);
+
+    /// <summary>The same. If most of the wrong ones lie on outlines, these count too where one mistake explains all of them: a box that loses its
+    /// edge to 0 · ∞ is not forgiven.</summary>
+    private PictureSample StrictWhereNeeded(Picture picture)
+    {
+        var sample = Sample(picture, Pixels);
+        if (sample.WrongCount >= sample.OutlineCount || sample.OutlineCount <= Coverage.Rendering.LeastPixels) return sample;
+        var strict = Sample(picture, Pixels, forgiveOutlines: false);
+        return Known.Any(IsAll) ? strict : sample;
+
+        // A mistake of the camera may by chance be the last bits of another program.
+        bool IsAll(Mistake mistake) => !mistake.Steps.Any(step => step.IsOfRays()) && mistake.Changes.Any(change => ((double[])[0.1, 1]).All(share =>
+            strict.Residual(change.In(FormulaProgram.Slides), share).Unexplained <= Decision.Explained * strict.WrongCount));
     }
 }

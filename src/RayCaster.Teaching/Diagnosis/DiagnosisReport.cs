@@ -24,7 +24,7 @@ public static class DiagnosisReport
             AppendMatch(text, diagnosis, picture, scene);
             return text.ToString();
         }
-        if (diagnosis.Missing is { } missingPart)
+        if (diagnosis.CroppedPart is { } missingPart)
         {
             text.Wrap("", $"{picture} is the picture of {scene} without {missingPart}. {ComparisonText.Cropped}");
             return text.ToString();
@@ -32,9 +32,9 @@ public static class DiagnosisReport
         text.AppendLine($"{picture} is not the picture of {scene}: {Digits.Part(diagnosis.WrongCount, diagnosis.PixelCount)} " +
             $"differ by more than {PictureJudge.Tolerance} level.");
         text.AppendLine();
-        if (diagnosis.NotYet.Count > 0)
-            text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(!IsRestRight(diagnosis) ? ""
-                : diagnosis.NotYet.Any(MissingParts.IsShape) ? " All other pixels are right." : " The rest is right.")}");
+        if (diagnosis.MissingParts.Count > 0)
+            text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.MissingParts)}.{(!IsRestRight(diagnosis) ? ""
+                : diagnosis.MissingParts.Any(MissingPart.IsShape) ? " All other pixels are right." : " The rest is right.")}");
         AppendLost(text, diagnosis);
         foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
         if (diagnosis.Kind == DiagnosisKind.TellsNothing)
@@ -51,7 +51,7 @@ public static class DiagnosisReport
     private static bool IsOnlyUnwritten(Suspect suspect) => !Beside(suspect).Any();
 
     /// <summary>The mistakes that are not a part that is not written yet.</summary>
-    private static IEnumerable<Change> Beside(Suspect suspect) => suspect.Mistakes.Except(MissingParts.AsMistakes(suspect.NotYet));
+    private static IEnumerable<Change> Beside(Suspect suspect) => suspect.Mistakes.Except(MissingPart.AsMistakes(suspect.MissingParts));
 
     private static void AppendMatch(StringBuilder text, DiagnosisResult diagnosis, string picture, string scene)
     {
@@ -96,7 +96,6 @@ public static class DiagnosisReport
             var question = level >= HintLevel.Question && nearest.Mistakes is [var only] ? $" {only.Hint.Question}" : "";
             text.Wrap("  ", $"{Names(nearest)} would leave {Rest(diagnosis, nearest)}.{question}", 4);
         }
-        AppendNotTried(text, diagnosis);
     }
 
     /// <summary>Which mistakes lose a shape that is written already.</summary>
@@ -105,7 +104,7 @@ public static class DiagnosisReport
         if (diagnosis.Kind == DiagnosisKind.Unfinished && diagnosis.Suspects.Count > 0)
             text.Wrap("", $"If that is written already, a slip in it, or in what it uses, hides it; so do the mistakes " +
                 $"{string.Join(", ", diagnosis.Suspects.Select(Names))}.");
-        else if (diagnosis.NotYet.FirstOrDefault(MissingParts.IsShape) is { } shape)
+        else if (diagnosis.MissingParts.FirstOrDefault(MissingPart.IsShape) is { } shape)
             text.Wrap("", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes hide it.");
     }
 
@@ -123,7 +122,6 @@ public static class DiagnosisReport
                 text.AppendLine($"  {Names(suspect),-16} {rest}");
             }
         }
-        AppendNotTried(text, diagnosis);
     }
 
     /// <summary>Everything, with the answers.</summary>
@@ -145,9 +143,9 @@ public static class DiagnosisReport
             ["scene"] = Json(scene),
             ["pixels"] = diagnosis.PixelCount,
             ["wrong"] = diagnosis.WrongCount,
-            ["darkerByOne"] = diagnosis.DarkerShare,
-            ["missing"] = diagnosis.MissingModel ?? diagnosis.Missing,
-            ["notYet"] = Json(diagnosis.NotYet),
+            ["rounding"] = diagnosis.Rounding,
+            ["missing"] = diagnosis.MissingModel ?? diagnosis.CroppedPart,
+            ["notYet"] = Json(diagnosis.MissingParts),
             ["likely"] = Json(diagnosis.Likely),
             ["cannotShow"] = Json(hidden.Select(mistake => mistake.Id)),
             ["suspects"] = new JsonArray([.. suspects]),
@@ -169,7 +167,7 @@ public static class DiagnosisReport
         ["otherSample"] = suspect.OtherSample,
         ["samePicture"] = suspect.SamePicture,
         ["twins"] = Json(suspect.Twins.Select(twin => twin.Id)),
-        ["notYet"] = Json(suspect.NotYet),
+        ["notYet"] = Json(suspect.MissingParts),
     };
 
     private static JsonObject Json(Change mistake, bool hasSymptom) => WithoutNulls(new()
@@ -181,8 +179,8 @@ public static class DiagnosisReport
         ["question"] = mistake.Hint.Question,
         ["answer"] = mistake.Hint.Answer,
         ["slide"] = mistake.Slide,
-        ["section"] = mistake.Place?.Step,
-        ["step"] = mistake.Place?.Name,
+        ["step"] = mistake.Place?.Step,
+        ["name"] = mistake.Place?.Name,
         ["formula"] = mistake.Place?.Formula,
     });
 
@@ -223,7 +221,7 @@ public static class DiagnosisReport
             text.Wrap("  Besides:  ", "the rays pass through another point of each pixel than the scene's \"sample\" says (corner or center).");
         if (suspect.OtherFormulas.Count > 0)
         {
-            var steps = suspect.Mistakes.SelectMany(mistake => mistake.OwnSteps).Distinct().Select(MutationNaming.StepOf);
+            var steps = suspect.Mistakes.SelectMany(mistake => mistake.OwnSteps).Select(step => step.InWords()).Distinct();
             text.Wrap("  Or:       ", $"a slip in the step {string.Join(", ", steps)} draws the same here: " +
                 $"in {string.Join(", or in ", suspect.OtherFormulas)}.");
         }
@@ -232,14 +230,6 @@ public static class DiagnosisReport
                 (level == HintLevel.Answer ? $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))}"
                     : suspect.Twins.Count == 1 ? "on this scene another mistake" : $"on this scene {suspect.Twins.Count} other mistakes")
                 + $" {(suspect.Twins.Count == 1 ? "gives" : "give")} the same picture; \"check\" shows which scene would distinguish them.");
-    }
-
-    private static void AppendNotTried(StringBuilder text, DiagnosisResult diagnosis)
-    {
-        if (diagnosis.NotTried.Count > 0)
-            text.Wrap("",
-                $"Not tried, since a mesh of more than {ShapePart.MaxTriangles} triangles is always drawn rightly: " +
-                $"{string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 
     private static string Names(Suspect suspect) => string.Join(" + ", Shown(suspect).Select(NameOf));

@@ -16,10 +16,10 @@ public sealed record DiagnosisResult
     public DiagnosisKind Kind { get; internal init; }
 
     /// <summary>
-    /// What the program does not do yet, as far as the picture shows, as <see cref="MissingParts"/> calls it. With
+    /// What the program does not do yet, as far as the picture shows, as <see cref="MissingPart"/> calls it. With
     /// <see cref="DiagnosisKind.Unfinished"/> everything else is right; otherwise there are also mistakes.
     /// </summary>
-    public IReadOnlyList<string> NotYet { get; internal init; } = [];
+    public IReadOnlyList<string> MissingParts { get; internal init; } = [];
 
     /// <summary>The kind of difference, if no mistake explains it: sentences, the most informative first.</summary>
     public IReadOnlyList<string> Likely { get; internal init; } = [];
@@ -35,7 +35,7 @@ public sealed record DiagnosisResult
 
     /// <summary>The lines and columns without which the scene's picture is this one, with <see cref="DiagnosisKind.Cropped"/>; otherwise null.
     /// </summary>
-    public string? Missing { get; internal init; }
+    public string? CroppedPart { get; internal init; }
 
     /// <summary>Whether models that agree, or all kinds of shape but one, prove that the picture is of this scene.</summary>
     public bool IsOfScene { get; internal init; }
@@ -45,9 +45,6 @@ public sealed record DiagnosisResult
 
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
     public bool TooManyModels { get; internal init; }
-
-    /// <summary>Mistakes that would take too long to try, because the scene has too many triangles.</summary>
-    public IReadOnlyList<Mistake> NotTried { get; internal init; } = [];
 
     /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches proves nothing.</summary>
     public bool ProvesNothing { get; internal init; }
@@ -64,14 +61,11 @@ public sealed record DiagnosisResult
     /// <summary>In how many pixels more it shows what the scene shows a thousandth of a pixel away, where the last bits decide.</summary>
     public int OutlineCount { get; internal init; }
 
-    /// <summary>The share of pixels that are right but for a channel that is one level darker: rounding instead of truncating.</summary>
-    public double DarkerShare { get; internal init; }
-
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="Diagnoser"/>.</summary>
     /// <param name="scene">The scene that it should show, at the picture's size.</param>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
     /// <param name="budget">How much may be done; any amount if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public static DiagnosisResult Find(Scene scene, Picture picture, SearchBudget? budget = null) =>
-        new Diagnoser(scene, budget: budget).Judge(picture);
+        new Diagnoser(scene, budget: budget).Diagnose(picture);
 }

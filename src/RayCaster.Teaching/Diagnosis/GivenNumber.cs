@@ -31,7 +31,8 @@ internal sealed record GivenNumber(int Part, Symbol Name, PixelValues Value, int
         Parallel.ForEach(best, options, i => found[i] = all[i].Closest(found[i].Value, sample));
         var first = best.MinBy(i => found[i].Residual);
         var (number, value) = (all[first], found[first].Value);
-        if (sample.Lost(sample.Slides, number.With(value)).Any()) return (new(sample.PixelCount, sample.PixelCount), ""); // it shows what that loses
+        if (sample.Lost(FormulaProgram.Slides, number.With(value)).Any()) // it shows what that loses
+            return (new(sample.PixelCount, sample.PixelCount), "");
         var axis = number.Axis < 0 ? "" : $"{"xyz"[number.Axis]} of ";
         return (found[first].Residual,
             $"All is right if {axis}{number.Name.Text}{number.Of} is about {Short(value)}; the scene says {Short(number.Right)}.");
@@ -86,7 +87,7 @@ internal sealed record GivenNumber(int Part, Symbol Name, PixelValues Value, int
         return (ResidualAt(value, sample, 1), value);
     }
 
-    private Residual ResidualAt(double value, PictureSample sample, double share) => sample.Residual(sample.Slides, With(value), share);
+    private Residual ResidualAt(double value, PictureSample sample, double share) => sample.Residual(FormulaProgram.Slides, With(value), share);
 
     /// <summary>Three digits.</summary>
     private static string Short(double x) =>

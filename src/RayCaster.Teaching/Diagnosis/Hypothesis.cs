@@ -1,10 +1,12 @@
 namespace RayCaster.Teaching.Diagnosis;
 
 /// <summary>A program that may have drawn the pictures: changes of the slides' formulas, and what they leave unexplained.</summary>
-/// <param name="Programs">The program for the scene of each picture.</param>
-internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, ImmutableArray<Change> Changes)
+internal sealed record Hypothesis(FormulaProgram Program, ImmutableArray<Change> Changes)
 {
     private const int MaxMistakes = 2;
+
+    /// <summary>The right program.</summary>
+    public static Hypothesis Right { get; } = new(FormulaProgram.Slides, []);
 
     /// <summary>What it leaves unexplained of each picture.</summary>
     public ImmutableArray<Residual> Residuals { get; init; } = [];
@@ -28,10 +30,10 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
     public Residual Residual => Residuals.Aggregate((sum, residual) => sum + residual);
 
     /// <summary>The parts that are not written yet.</summary>
-    public IReadOnlyList<string> Missing => [.. Changes.Select(change => change.Missing).OfType<string>()];
+    public IReadOnlyList<string> MissingParts => [.. Changes.Select(change => change.MissingPart).OfType<string>()];
 
     /// <summary>The kinds of shape that are not drawn.</summary>
-    public IReadOnlyList<string> MissingShapes => [.. Missing.Where(MissingParts.IsShape)];
+    public IReadOnlyList<string> MissingShapes => [.. MissingParts.Where(MissingPart.IsShape)];
 
     /// <summary>Whether rays also pass through the other sample point of each pixel.</summary>
     public bool HasOtherSample => Changes.Any(change => change.IsOtherSample) && !IsOtherSample;
@@ -40,16 +42,10 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
     public IReadOnlyList<Change> Mistakes => [.. Changes.Where(change => change.IsMistake || (change.IsOtherSample && IsOtherSample))];
 
     /// <summary>The mistakes as they are told: "no attenuation" is one, too, if all shapes are drawn.</summary>
-    public IReadOnlyList<Change> Reported => MissingShapes.Count > 0 ? Mistakes : [.. Mistakes, .. MissingParts.AsMistakes(Missing)];
-
-    /// <summary>The mistakes, and the other sample point in any case.</summary>
-    public IEnumerable<Change> AllMistakes => HasOtherSample ? Mistakes.Concat(Changes.Where(change => change.IsOtherSample)) : Mistakes;
-
-    /// <summary>How many parts are missing, and how many mistakes there are.</summary>
-    public (int Missing, int Mistakes) Count => (Missing.Count, AllMistakes.Count());
+    public IReadOnlyList<Change> Reported => MissingShapes.Count > 0 ? Mistakes : [.. Mistakes, .. MissingPart.AsMistakes(MissingParts)];
 
     /// <summary>Equal for hypotheses of the same parts and mistakes, in any order and any way of writing them.</summary>
-    public string Key => string.Join(' ', Missing.Concat(Mistakes.Select(mistake => mistake.Id)).Order(StringComparer.Ordinal));
+    public string Key => string.Join(' ', MissingParts.Concat(Mistakes.Select(mistake => mistake.Id)).Order(StringComparer.Ordinal));
 
     /// <summary>Whether each mistake is what most people write who make it.</summary>
     public bool IsUsual => Mistakes.All(mistake => mistake.Place is not null || mistake.IsUsual);
@@ -59,9 +55,9 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
 
     private bool IsOtherSample => Changes.All(change => change.IsOtherSample);
 
-    /// <summary>A program with changes, for each of some scenes; null if they do not fit together.</summary>
-    public static Hypothesis? Create(IEnumerable<Scene> scenes, params IEnumerable<Change> changes) => changes.Aggregate(
-        (Hypothesis?)new([.. scenes.Select(scene => FormulaProgram.For(scene.Camera))], []), (all, change) => all?.Plus(change));
+    /// <summary>A program with changes; null if they do not fit together.</summary>
+    public static Hypothesis? Create(params IEnumerable<Change> changes) =>
+        changes.Aggregate((Hypothesis?)Right, (all, change) => all?.Plus(change));
 
     /// <summary>With one more change; null if it does not fit, or if it is a third mistake: three explain any picture by chance.</summary>
     public Hypothesis? With(Change change)
@@ -71,9 +67,5 @@ internal sealed record Hypothesis(ImmutableArray<FormulaProgram> Programs, Immut
     }
 
     /// <summary>With one more change, whatever it is; null if it does not fit.</summary>
-    public Hypothesis? Plus(Change change)
-    {
-        var programs = Programs.Select(change.In).ToImmutableArray();
-        return programs.Any(program => program is null) ? null : new([.. programs!], Changes.Add(change));
-    }
+    public Hypothesis? Plus(Change change) => change.In(Program) is { } program ? new(program, Changes.Add(change)) : null;
 }

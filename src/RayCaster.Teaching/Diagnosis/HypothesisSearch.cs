@@ -5,17 +5,10 @@ namespace RayCaster.Teaching.Diagnosis;
 /// tried on few pixels and the best on more; then the shortest so far are extended by second changes that explain what they leave.
 /// </summary>
 /// <param name="pictures">The pictures, each of another scene; the bits of all are added.</param>
-/// <param name="known">The known mistakes that are tried.</param>
-/// <param name="done">What the program certainly draws.</param>
-/// <param name="threads">How many threads draw; one per core if null.</param>
-/// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
-/// <param name="budget">How much the search may do; null for any amount. The pictures spend it.</param>
-/// <param name="possible">Which edits are tried that have no name; all if null.</param>
 /// <param name="unreached">Lines that no loop may have reached; null for none.</param>
 /// <param name="shortest">The bits of the shortest explanation without formulas; not found where one mistake is shorter than any.</param>
-internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done,
-    int? threads, Predicate<Change>? likely, SearchBudget? budget, Predicate<Change>? possible,
-    UnreachedLines? unreached, Lazy<double> shortest)
+internal sealed class HypothesisSearch(
+    IReadOnlyList<PictureSample> pictures, SearchOptions options, UnreachedLines? unreached, Lazy<double> shortest)
 {
     // How much of the sample is looked at, as a share of it: by all hypotheses, and by the best of these. The last look is at all of it.
     private const double FirstLook = 0.008, SecondLook = 0.05;
@@ -49,14 +42,13 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     private const int MaxModels = 200;
 
     private readonly List<Hypothesis> found = []; // compared with all of the sample
-    private readonly Hypothesis right = Hypothesis.Create(pictures.Select(picture => picture.Scene))!;
 
     private double Bound => found.Where(of => !of.IsContradicted).Select(of => of.Total).Append(shortest.Value).Min();
 
     /// <summary>The hypotheses that were compared with all of the sample, the shortest explanation first.</summary>
     public List<Hypothesis> Run()
     {
-        found.Add(Measure(right, 1, pictures)); // also if the time is over: there would be nothing to judge by
+        found.Add(Measure(Hypothesis.Right, 1, pictures)); // also if the time is over: there would be nothing to judge by
         try
         {
             Search();
@@ -68,12 +60,12 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         var alike = found.Where(of => of.Changes is [{ Mutation: not null }]).ToLookup(of => of.Left);
         // in the order in which it is told, too
         return [.. found.Where(of => !of.IsContradicted).OrderBy(of => of.Total).Select(of => Named(of, alike[of.Left]))
-            .Where(of => of.Changes.All(change => change.Place is null || possible?.Invoke(change) != false))];
+            .Where(of => of.Changes.All(change => change.Place is null || options.Possible?.Invoke(change) != false))];
     }
 
     /// <summary>Without each of its changes.</summary>
     private IEnumerable<Hypothesis?> Less(Hypothesis of) =>
-        of.Changes.Select(change => Hypothesis.Create(pictures.Select(picture => picture.Scene), of.Changes.Remove(change)));
+        of.Changes.Select(change => Hypothesis.Create(of.Changes.Remove(change)));
 
     /// <summary>With a name for each slip: a picture that several slips draw tells the likeliest.</summary>
     /// <param name="alike">The single slips that draw the same.</param>
@@ -88,26 +80,27 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     private void Search()
     {
         string[] kinds = ShownColors.KindsOf(pictures);
-        string[] parts = [.. kinds.Length > 1 ? kinds : [], MissingParts.Attenuation, MissingParts.Clipping];
-        Change[] missing = [.. ChangeSource.Missing(parts.Except(done))];
-        Change[] named = [.. ChangeSource.Of(known, likely)];
+        string[] parts = [.. kinds.Length > 1 ? kinds : [], MissingPart.Attenuation, MissingPart.Clipping];
+        Change[] missing = [.. ChangeSource.Missing(parts.Except(options.Done))];
+        Change[] named = [.. ChangeSource.From(options.Known, options.Likely)];
         var scene = pictures.MaxBy(picture => (double)picture.WrongCount / picture.PixelCount)!.Scene;
-        Change[] wordings = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Wordings(scene, known)];
-        Change[] lines = unreached is null ? [] : [ChangeSource.Of(unreached)];
+        Change[] wordings = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Wordings(scene, options.Known)];
+        Change[] lines = unreached is null ? [] : [ChangeSource.From(unreached)];
         Change[] cheap = [.. lines, .. missing, .. ChangeSource.Styles(scene), .. named.Where(change => change.IsOtherSample)];
 
         // one change, or a program that is not finished
-        var singles = Measured([.. named.Select(right.With)], FirstLook);
+        var singles = Measured([.. named.Select(Hypothesis.Right.With)], FirstLook);
         var ways = Measured([.. Ways(missing, kinds.Length)], FirstLook);
-        Refine([.. singles.Concat(ways).Concat(Measured([.. lines.Concat(wordings).Select(right.With)], FirstLook)).OrderBy(of => of.Total)]);
+        var others = Measured([.. lines.Concat(wordings).Select(Hypothesis.Right.With)], FirstLook);
+        Refine([.. singles.Concat(ways).Concat(others).OrderBy(of => of.Total)]);
         if (found.Exists(of => !of.IsContradicted && of.Total < Priors.LeastWithoutFormulas) || Bound < Priors.Known + Priors.MissingPart) return;
 
         // with something that costs little, or in an unfinished program
         var shortest = found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(MaxBesideCheap).ToArray();
         foreach (var one in shortest) Extend(one, cheap);
         if (Bound < Priors.Unknown) return;
-        var byColors = ShownColors.MissingParts(pictures, done).Take(MaxUnfinished)
-            .Select(way => ways.Find(other => other.Changes.Select(change => change.Missing).ToHashSet().SetEquals(way)));
+        var byColors = ShownColors.MissingParts(pictures, options.Done).Take(MaxUnfinished)
+            .Select(way => ways.Find(other => other.Changes.Select(change => change.MissingPart).ToHashSet().SetEquals(way)));
         Hypothesis[] unfinished = [.. ways.Take(MaxUnfinished).Concat(byColors.OfType<Hypothesis>()).Distinct()];
         foreach (var way in unfinished) Extend(way, named);
         if (Bound < PairBits) return;
@@ -131,8 +124,8 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
         if (Bound < NearPairBits) return;
 
         // an edit without a name, and two changes of which one may be such an edit
-        Change[] edits = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Mutations(scene, known)];
-        Refine(Measured([.. edits.Select(right.With)], FirstLook));
+        Change[] edits = scene.Models.Count > MaxModels ? [] : [.. ChangeSource.Mutations(scene, options.Known)];
+        Refine(Measured([.. edits.Select(Hypothesis.Right.With)], FirstLook));
         if (Bound < Priors.Known + Priors.Unknown) return;
         foreach (var one in found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).Take(1).Concat(ways.Take(1))) Extend(one, edits);
         ExtendBest(MaxExtended);
@@ -157,8 +150,8 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     private IEnumerable<Hypothesis?> Ways(Change[] missing, int kinds) =>
         from bits in Enumerable.Range(1, (1 << missing.Length) - 1)
         let parts = missing.Where((_, i) => (bits >> i & 1) != 0)
-        where parts.Count(part => MissingParts.IsShape(part.Missing!)) < kinds
-        select parts.Aggregate((Hypothesis?)right, (all, part) => all?.With(part));
+        where parts.Count(part => MissingPart.IsShape(part.MissingPart!)) < kinds
+        select parts.Aggregate((Hypothesis?)Hypothesis.Right, (all, part) => all?.With(part));
 
     /// <summary>Whether only colours or their places in the file are wrong, in the whole picture, so that it explains little alone.</summary>
     private static bool IsOfBytes(Hypothesis one) => one.Changes[0].Steps.All(step => step.IsOfColors() || step == StepKind.File);
@@ -168,17 +161,17 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     {
         Change[] usual =
         [
-            .. ChangeSource.Of(known.Where(mistake => mistake.Steps.Any(step => step.IsOfRays() || step.IsOfHits())), likely)
+            .. ChangeSource.From(options.Known.Where(mistake => mistake.Steps.Any(step => step.IsOfRays() || step.IsOfHits())), options.Likely)
                 .DistinctBy(change => change.Id),
         ];
         return from i in Enumerable.Range(0, usual.Length)
                from second in usual[(i + 1)..]
-               select right.With(usual[i])?.With(second);
+               select Hypothesis.Right.With(usual[i])?.With(second);
     }
 
     private void Extend(Hypothesis first, IEnumerable<Change> changes)
     {
-        PictureSample[] left = [.. pictures.Select((picture, i) => new PictureSample(picture, first.Programs[i]))];
+        PictureSample[] left = [.. pictures.Select(picture => new PictureSample(picture, first.Program))];
         var bound = Bound;
         var before = left.Sum(picture => (double)picture.WrongCount);
         var cheap = changes.Select(first.With).Where(with => with is not null && with.Bits < bound + Priors.AsLikely);
@@ -201,8 +194,8 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     /// pictures prove.</summary>
     private void Add(IEnumerable<Hypothesis> measured) => found.AddRange(measured.Select(of => of with
     {
-        IsContradicted = of.Changes.Length > 0 && of.Total < pictures.Count * Decision.Mentioned
-            && pictures.Index().Any(picture => picture.Item.Contradicts(of.Programs[picture.Index], of.IsAbout)),
+        IsContradicted = of.Changes.Length > 0 && of.Total < pictures.Count * Priors.Mentioned
+            && pictures.Any(picture => picture.Contradicts(of.Program, of.IsAbout)),
     }));
 
     /// <summary>Compares them with a share of the sample, and sorts them.</summary>
@@ -210,14 +203,15 @@ internal sealed class HypothesisSearch(IReadOnlyList<PictureSample> pictures, IR
     {
         var sample = left ?? pictures;
         Hypothesis[] measured = [.. candidates.OfType<Hypothesis>()];
-        var done = SearchBudget.Do(budget, measured.Length, Together, threads, i => measured[i] = Measure(measured[i], share, sample));
+        var done = SearchBudget.Do(options.Budget, measured.Length, Together, options.Threads,
+            i => measured[i] = Measure(measured[i], share, sample));
         if (done < measured.Length) throw new TimeoutException();
         return [.. measured.OrderBy(one => one.Total)]; // those with the same total in the order of the candidates
     }
 
     private static Hypothesis Measure(Hypothesis candidate, double share, IReadOnlyList<PictureSample> sample)
     {
-        ImmutableArray<Residual> residuals = [.. sample.Select((picture, i) => picture.Residual(candidate.Programs[i], share))];
+        ImmutableArray<Residual> residuals = [.. sample.Select(picture => picture.Residual(candidate.Program, share))];
         return candidate with
         {
             Residuals = residuals,

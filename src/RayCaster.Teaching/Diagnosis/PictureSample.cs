@@ -1,5 +1,3 @@
-using System.Collections.Concurrent;
-
 namespace RayCaster.Teaching.Diagnosis;
 
 /// <summary>
@@ -8,26 +6,26 @@ namespace RayCaster.Teaching.Diagnosis;
 /// </summary>
 internal sealed class PictureSample
 {
-    /// <summary>How many wrong pixels, and how many others, tell most programs apart.</summary>
-    private const int FewPixelsAlike = 32;
+    /// <summary>In how many places it is looked whether a kind of shape is drawn where the picture shows it.</summary>
+    private const int PlacesOfKind = 32;
 
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.05;
 
-    /// <summary>The share of a picture's pixels that last bits may change.</summary>
-    private const double LastBits = 0.002;
+    /// <summary>Of so many pixels one may differ in pictures that are the same.</summary>
+    private const int MostAlike = 2000;
 
     /// <summary>If a greater share of the pixels is wrong, those on outlines do not matter.</summary>
     private const double FewPixels = 0.03;
 
-    private readonly ConcurrentDictionary<(int Wrong, int Other), ConcurrentBag<FormulaEvaluator>> evaluators = []; // that no thread uses now
     private readonly SearchBudget? budget;
-    private readonly FormulaProgram? basis; // that others differ from; the slides' if null
     private readonly int most;
     private readonly int allWrong; // also those that a first mistake explains
     private readonly Lazy<Dictionary<string, (int X, int Y)[]>> shownKinds;
     private readonly Lazy<string[]> pieces;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
+    private readonly (int Pixel, bool IsWrong)[] pixels; // both by turns
+    private readonly Rendering rendering;
 
     /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
     /// <param name="pixels">The most pixels that are compared; fewer in a scene of many models.</param>
@@ -43,7 +41,6 @@ internal sealed class PictureSample
         List<int> wrong = [], other = [];
         for (var i = 0; i < PixelCount; i++)
             (difference is null || difference.IsWrong(i) ? wrong : other).Add(i);
-        DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
         if (forgiveOutlines && difference is not null && wrong.Count <= FewPixels * PixelCount)
         {
             OutlineCount = wrong.Count;
@@ -52,8 +49,8 @@ internal sealed class PictureSample
         }
         WrongCount = allWrong = wrong.Count;
         IsOnlyOutlines = difference is not null && judge.AreStray(difference, wrong);
-        wrongPixels = Spread(wrong, most);
-        otherPixels = Spread(other, most);
+        (wrongPixels, otherPixels) = (Spread(wrong, most), Spread(other, most));
+        (this.pixels, rendering) = ByTurns(FormulaProgram.Slides);
     }
 
     /// <summary>The same pixels as evidence for a second mistake: those that a first one does not explain count as wrong.</summary>
@@ -61,14 +58,13 @@ internal sealed class PictureSample
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
         (shownKinds, Colors, pieces) = (whole.shownKinds, whole.Colors, whole.pieces);
-        basis = first with { ByteShift = 0 };
         var drawn = whole.Draw(first);
-        var isExplained = whole.wrongPixels[..drawn.Wrong].Concat(whole.otherPixels[..drawn.Other]).Index()
-            .ToLookup(pixel => PictureJudge.IsNear(drawn.ColorAt(pixel.Index), Picture.At(pixel.Item)), pixel => pixel.Item);
-        wrongPixels = [.. isExplained[false]];
-        otherPixels = [.. isExplained[true]];
+        var isExplained = Enumerable.Range(0, whole.pixels.Length).OrderByDescending(i => whole.pixels[i].IsWrong)
+            .ToLookup(i => PictureJudge.IsNear(At(drawn, i), Picture.At(whole.pixels[i].Pixel)), i => whole.pixels[i].Pixel);
+        (wrongPixels, otherPixels) = ([.. isExplained[false]], [.. isExplained[true]]);
         WrongCount = (int)whole.Residual(first).Unexplained;
         allWrong = whole.allWrong;
+        (pixels, rendering) = ByTurns(first with { ByteShift = 0 });
     }
 
     private PictureSample(PictureSample whole, int[] pixels)
@@ -76,6 +72,27 @@ internal sealed class PictureSample
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
         (shownKinds, Colors, pieces) = (whole.shownKinds, whole.Colors, whole.pieces);
         (wrongPixels, otherPixels, WrongCount, allWrong) = (pixels, [], PixelCount, PixelCount);
+        (this.pixels, rendering) = ByTurns(FormulaProgram.Slides);
+    }
+
+    /// <summary>Wrong pixels and others by turns, so that a beginning of them has as many of both, and what is drawn there.</summary>
+    /// <param name="basis">What most programs that are drawn differ from by a little.</param>
+    private ((int Pixel, bool IsWrong)[], Rendering) ByTurns(FormulaProgram basis)
+    {
+        var all = new (int Pixel, bool IsWrong)[wrongPixels.Length + otherPixels.Length];
+        for (int i = 0, k = 0; k < all.Length; i++)
+        {
+            if (i < wrongPixels.Length) all[k++] = (wrongPixels[i], true);
+            if (i < otherPixels.Length) all[k++] = (otherPixels[i], false);
+        }
+        return (all, new(Scene, PlacesOf(all), 1 + all.Length / MostAlike, budget, basis));
+    }
+
+    private (int X, int Y)[] PlacesOf(ReadOnlySpan<(int Pixel, bool IsWrong)> some)
+    {
+        var places = new (int X, int Y)[some.Length];
+        for (var i = 0; i < some.Length; i++) places[i] = (some[i].Pixel % Picture.Width, some[i].Pixel / Picture.Width);
+        return places;
     }
 
     /// <summary>The same pixels in another order, all of them taken for wrong, in which each colour that the picture shows counts alike: a mistake
@@ -108,9 +125,6 @@ internal sealed class PictureSample
     /// </summary>
     public int OutlineCount { get; }
 
-    /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
-    public double DarkerShare { get; }
-
     /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
     public bool IsOnlyOutlines { get; }
 
@@ -128,45 +142,16 @@ internal sealed class PictureSample
     public bool IsRight => WrongCount == 0 || IsOnlyOutlines;
 
     /// <summary>The fewest pixels that count: as many as a visible mistake changes, or as one compared pixel represents.</summary>
-    public double LeastPixels => Math.Max(MutationCoverage.LeastPixels, (double)WrongCount / most);
+    public double LeastPixels => Math.Max(Rendering.LeastPixels, (double)WrongCount / most);
 
-    /// <summary>What a program draws in the pixels of the evidence.</summary>
-    public Drawn Draw(FormulaProgram program) => Draw(program, int.MaxValue);
+    /// <summary>Whether two programs draw the same picture, but for one pixel in two thousand.</summary>
+    public bool AreAlike(FormulaProgram one, FormulaProgram other) => rendering.AreAlike(one, other);
 
-    private Drawn Draw(FormulaProgram program, int pixels)
-    {
-        var (wrong, other) = (Math.Min(pixels, wrongPixels.Length), Math.Min(pixels, otherPixels.Length));
-        return new(program.SizeOf(Scene.Camera), wrong, other, Draw(program, wrong, other));
-    }
-
-    /// <summary>Whether a program draws the same picture as another, but for one pixel in two thousand. Most differ in the first pixels.</summary>
-    public bool AreAlike(Drawn one, FormulaProgram program) =>
-        one.Size == program.SizeOf(Scene.Camera) && AreAlike(one, Draw(program, FewPixelsAlike)) && AreAlike(one, Draw(program));
-
-    private static bool AreAlike(Drawn one, Drawn other)
-    {
-        var left = (other.Wrong + other.Other) / 2000;
-        return Differing(0, 0, Math.Min(one.Wrong, other.Wrong)) + Differing(one.Wrong, other.Wrong, Math.Min(one.Other, other.Other)) <= left;
-
-        int Differing(int ofOne, int ofOther, int count) =>
-            Enumerable.Range(0, count).Count(i => !PictureJudge.IsNear(one.ColorAt(ofOne + i), other.ColorAt(ofOther + i)));
-    }
-
-    /// <summary>What a program draws.</summary>
-    /// <param name="Wrong">In how many of the first wrong pixels.</param>
-    /// <param name="Other">In how many of the first others.</param>
-    /// <param name="Rgb">The bytes of the wrong pixels, then those of the others.</param>
-    public sealed record Drawn((int Width, int Height) Size, int Wrong, int Other, byte[] Rgb)
-    {
-        public (byte, byte, byte) ColorAt(int i) => (Rgb[3 * i], Rgb[3 * i + 1], Rgb[3 * i + 2]);
-    }
+    /// <summary>What a program draws in all pixels of the sample.</summary>
+    private byte[] Draw(FormulaProgram program) => rendering.Draw(program, ..pixels.Length);
 
     /// <summary>The bits of the pixels that are left unexplained.</summary>
     public double BitsOf(Residual residual) => Priors.BitsOf(residual.Weight, allWrong);
-
-    /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
-    public bool IsExplainedBy(FormulaProgram program) => Residual(program).Weight <= Math.Min(0.5 * WrongCount,
-        Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LastBits * PixelCount, 3 * LastBits * PixelCount)));
 
     /// <summary>
     /// Whether the picture proves that another program drew it: it shows the colour of a kind of shape, but the program draws nothing of this kind,
@@ -177,10 +162,9 @@ internal sealed class PictureSample
     {
         if (!CanDraw(program)) return false;
         if (program.HasNoisyTriangles && pieces.Value.Any(kind => isAbout(kind))) return true;
-        return Lost(program).Any(kind =>
-            isAbout(kind) || ColorsOf(Draw(program)).All(color => Colors.KindOf(color) != kind));
-
-        static IEnumerable<(byte, byte, byte)> ColorsOf(Drawn drawn) => Enumerable.Range(0, drawn.Wrong + drawn.Other).Select(drawn.ColorAt);
+        var drawn = new Lazy<byte[]>(() => Draw(program));
+        return Lost(program).Any(kind => isAbout(kind)
+            || Enumerable.Range(0, pixels.Length).All(i => Colors.KindOf(At(drawn.Value, i)) != kind));
     }
 
     /// <summary>The kinds of shape that the picture shows, but a program does not draw at any of these places.</summary>
@@ -193,9 +177,6 @@ internal sealed class PictureSample
             : new FormulaEvaluator(Scene, places, other: other).Draw(without, budget)
         where !places.Index().Any(place => PictureJudge.IsNear(At(drawn, place.Index), Picture[place.Item.X, place.Item.Y]))
         select shown.Key;
-
-    /// <summary>The slides' program for the scene.</summary>
-    public FormulaProgram Slides => FormulaProgram.For(Scene.Camera);
 
     /// <summary>Whether the picture shows few pixels of a kind of shape, but these in a piece: last bits would scatter them.</summary>
     private bool ShowsOnlyAPieceOf(string kind)
@@ -212,8 +193,9 @@ internal sealed class PictureSample
     {
         if (!CanDraw(program)) return 0;
         var drawn = Draw(program);
-        int[] places = [.. Enumerable.Range(0, drawn.Wrong).Where(i => ofColor(Picture.At(wrongPixels[i])))];
-        return places.Length == 0 ? 0 : (double)places.Count(i => PictureJudge.IsNear(drawn.ColorAt(i), Picture.At(wrongPixels[i]))) / places.Length;
+        int[] places = [.. Enumerable.Range(0, pixels.Length).Where(i => pixels[i].IsWrong && ofColor(Picture.At(pixels[i].Pixel)))];
+        return places.Length == 0 ? 0
+            : (double)places.Count(i => PictureJudge.IsNear(At(drawn, i), Picture.At(pixels[i].Pixel))) / places.Length;
     }
 
     /// <summary>An estimate of how many pixels a program leaves unexplained; all of them for none.</summary>
@@ -221,51 +203,46 @@ internal sealed class PictureSample
     public Residual Residual(FormulaProgram? program, double share = 1)
     {
         if (program is null || !CanDraw(program)) return new(PixelCount, PixelCount); // nothing is explained
-        var (wrong, other) = Compared(share);
-        return ResidualOf(wrong, other, Draw(program, wrong, other),
-            program.HasNoisyTriangles ? Draw(program with { HasNoisyTriangles = false }, wrong, other) : null);
+        var some = Compared(share);
+        return ResidualOf(rendering.Draw(program, some),
+            program.HasNoisyTriangles ? rendering.Draw(program with { HasNoisyTriangles = false }, some) : null);
     }
 
     /// <summary>The same of a program for which the scene gives another number.</summary>
     public Residual Residual(FormulaProgram program, (int Part, Symbol Name, PixelValues Value) other, double share)
     {
-        var (wrong, rest) = Compared(share);
-        return ResidualOf(wrong, rest, new FormulaEvaluator(Scene, PixelsOf(wrong, rest), other: other).Draw(program, budget), null);
+        return ResidualOf(new FormulaEvaluator(Scene, PlacesOf(pixels[Compared(share)]), other: other).Draw(program, budget), null);
     }
 
-    /// <summary>How many of the wrong pixels, and of the others, are a share of those that are compared.</summary>
-    private (int Wrong, int Other) Compared(double share)
+    /// <summary>The pixels that are a share of those that are compared.</summary>
+    private Range Compared(double share)
     {
         var count = (int)Math.Ceiling(most * share);
-        return (Math.Min(wrongPixels.Length, count), Math.Min(otherPixels.Length, count));
+        return ..(Math.Min(wrongPixels.Length, count) + Math.Min(otherPixels.Length, count));
     }
 
-    /// <param name="rgb">What is drawn in the first wrong pixels and the first others.</param>
+    /// <param name="rgb">What is drawn in the first pixels.</param>
     /// <param name="unaffected">What is drawn there if last bits spare a pixel; null if they do not matter.</param>
-    private Residual ResidualOf(int wrong, int other, byte[] rgb, byte[]? unaffected)
+    private Residual ResidualOf(byte[] rgb, byte[]? unaffected)
     {
-        return Of(wrongPixels, 0, wrong, WrongCount) + Of(otherPixels, wrong, other, PixelCount - WrongCount);
-
-        Residual Of(int[] pixels, int first, int count, int stoodFor)
+        var wrong = (Count: 0, Left: default(Residual));
+        var other = wrong;
+        for (var k = 0; k < rgb.Length / 3; k++)
         {
-            if (count == 0) return default;
+            var shown = Picture.At(pixels[k].Pixel);
+            var difference = PictureDifference.Levels(At(rgb, k), shown);
             var unexplained = 0.0;
-            var error = 0.0;
-            for (var k = 0; k < count; k++)
+            if (unaffected is not null)
             {
-                var shown = Picture.At(pixels[k]);
-                var difference = PictureDifference.Levels(At(rgb, first + k), shown);
-                if (unaffected is not null)
-                {
-                    var spared = PictureDifference.Levels(At(unaffected, first + k), shown);
-                    if (spared > PictureJudge.Tolerance && difference <= PictureJudge.Tolerance) unexplained += Chance;
-                    difference = Math.Min(difference, spared);
-                }
-                if (difference > PictureJudge.Tolerance) unexplained++;
-                error += difference / 255.0;
+                var spared = PictureDifference.Levels(At(unaffected, k), shown);
+                if (spared > PictureJudge.Tolerance && difference <= PictureJudge.Tolerance) unexplained = Chance;
+                difference = Math.Min(difference, spared);
             }
-            return new Residual(unexplained, error) * ((double)stoodFor / count);
+            if (difference > PictureJudge.Tolerance) unexplained++;
+            ref var sum = ref pixels[k].IsWrong ? ref wrong : ref other;
+            sum = (sum.Count + 1, sum.Left + new Residual(unexplained, difference / 255.0));
         }
+        return wrong.Left * (WrongCount / Math.Max(1.0, wrong.Count)) + other.Left * ((PixelCount - WrongCount) / Math.Max(1.0, other.Count));
     }
 
     private static (byte, byte, byte) At(byte[] rgb, int i) => (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
@@ -277,23 +254,8 @@ internal sealed class PictureSample
         {
             (int, int)[] all = [.. kind];
             var places = new GoldenRatioSequence(all.Length);
-            return Enumerable.Range(0, Math.Min(all.Length, FewPixelsAlike)).Select(k => all[places[k]]).ToArray();
+            return Enumerable.Range(0, Math.Min(all.Length, PlacesOfKind)).Select(k => all[places[k]]).ToArray();
         });
-
-    /// <summary>What a program draws in the first wrong pixels and in the first others.</summary>
-    private byte[] Draw(FormulaProgram program, int wrong, int other)
-    {
-        if (wrong + other == 0) return [];
-        if (program.ByteShift != 0) return FormulaEvaluator.Draw(Scene, program, PixelsOf(wrong, other), budget);
-        var idle = evaluators.GetOrAdd((wrong, other), _ => []);
-        if (!idle.TryTake(out var evaluator)) evaluator = new(Scene, PixelsOf(wrong, other), basis ?? FormulaProgram.For(Scene.Camera));
-        var rgb = evaluator.Draw(program, budget);
-        idle.Add(evaluator);
-        return rgb;
-    }
-
-    private (int X, int Y)[] PixelsOf(int wrong, int other) =>
-        [.. wrongPixels[..wrong].Concat(otherPixels[..other]).Select(pixel => (pixel % Picture.Width, pixel / Picture.Width))];
 
     private bool CanDraw(FormulaProgram program) => program.SizeOf(Scene.Camera) == (Picture.Width, Picture.Height);
 

@@ -4,14 +4,8 @@ namespace RayCaster.Teaching.Diagnosis;
 /// </summary>
 public sealed record ProgramDiagnosis
 {
-    /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
-    private const double MayLeave = 0.5;
-
     /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
     private const double OneKind = 0.9;
-
-    /// <summary>One of several mistakes that explains a smaller share of the wrong pixels of each picture may be there by chance.</summary>
-    private const double Slight = 0.05;
 
     /// <summary>How many pixels of each picture are compared with each mistake, at most.</summary>
     private const int Pixels = 3000;
@@ -36,8 +30,7 @@ public sealed record ProgramDiagnosis
     /// <summary>The places of the wrong pictures that the verdict does not explain.</summary>
     public IReadOnlyList<int> Unexplained { get; private init; } = [];
 
-    /// <summary>Whether the verdict changes a picture and leaves more than half of its wrong pixels unexplained. Then it is only a guess in the
-    /// other pictures, too.</summary>
+    /// <summary>Whether the verdict changes a picture that it does not explain. Then it is only a guess in the other pictures, too.</summary>
     public bool IsGuess { get; private init; }
 
     /// <summary>Whether the verdict explains all pictures.</summary>
@@ -71,51 +64,39 @@ public sealed record ProgramDiagnosis
     /// <param name="known">The mistakes that it may have.</param>
     public static ProgramDiagnosis Find(IReadOnlyList<(Diagnoser Scene, Picture Picture)> pictures, IReadOnlyList<Mistake> known)
     {
-        PictureSample[] samples = [.. pictures.Select(picture => SampleOf(picture.Scene, picture.Picture))];
+        PictureSample[] samples = [.. pictures.Select(picture => picture.Scene.Sample(picture.Picture, Pixels))];
         int[] wrong = [.. Enumerable.Range(0, samples.Length).Where(i => !samples[i].IsRight)];
         if (wrong.Length == 0) return new();
-        PictureSample[] wrongSamples = [.. wrong.Select(i => samples[i])];
+        var decision = new Decision(samples, wrong, new(known, [], Threads: 1));
         var none = new ProgramDiagnosis { Wrong = wrong, Unexplained = wrong };
-        if (samples.All(sample => sample.Picture.IsNearlyOneColor)) return none with { TellsNothing = true };
-        Observations[] observed = [.. wrongSamples.Select(sample => sample.Observe(1))];
-        var without = new Lazy<double>(() =>
-            observed.Index().Sum(of => of.Item.Best?.Total(wrongSamples[of.Index].WrongCount) ?? Priors.OtherProgram));
-        var ranked = new HypothesisSearch(samples, known, [], 1, null, null, null, null, without).Run();
-        var verdict = ranked[0];
-        int[] unexplained = [.. wrong.Where(i => !samples[i].IsExplainedBy(verdict.Programs[i]))];
-        if (verdict.Total >= Priors.LeastWithoutFormulas && without.Value < verdict.Total && observed.All(of => of.Best is not null))
-            return new(OnlyLight(observed).Steps)
-            {
-                Wrong = wrong,
-                Unexplained = wrong,
-                Causes = wrong.Zip(observed.Select(of => of.Best!.Sentence)).ToDictionary(),
-            };
-        if (2 * unexplained.Length >= wrong.Length)
+        if (decision.TellsNothing) return none with { TellsNothing = true };
+        var (verdict, ranked) = (decision.Best, decision.Ranked);
+        if (!decision.IsNamed)
         {
-            var (steps, note) = OnlyLight(observed);
-            return new(steps)
-            {
-                Wrong = wrong,
-                Unexplained = wrong,
-                Nearest = verdict.Reported.Count > 0 && verdict.Total < Decision.Mentioned * wrong.Length ? Find(verdict) : null,
-                Note = note ?? OnlyKind(observed),
-            };
+            var (steps, note) = OnlyLight(decision.Observed);
+            none = new(steps) { Wrong = wrong, Unexplained = wrong };
+            return decision.Observed.All(of => of.Best is not null)
+                ? none with { Causes = wrong.Zip(decision.Observed.Select(of => of.Best!.Sentence)).ToDictionary() }
+                : none with
+                {
+                    Nearest = verdict.Reported.Count > 0 && decision.IsMentioned(verdict) ? Find(verdict) : null,
+                    Note = note ?? OnlyKind(decision.Observed),
+                };
         }
-        Hypothesis?[] less = [WithoutSlight(verdict, samples, wrongSamples)];
         return none with
         {
-            Unexplained = unexplained,
+            Unexplained = decision.Unexplained,
             Verdict = Find(verdict),
-            Alternatives = [.. AsGood(verdict, ranked).Concat(less.OfType<Hypothesis>()).Select(Find)],
+            Alternatives = [.. AsGood(verdict, ranked).Select(Find)],
             HidingMistakes = verdict.MissingShapes.Count > 0 ? [.. Hiding(verdict, ranked)] : [],
             Drawn = verdict.Mistakes.Count > 0 ? [.. KindsIn(samples).Where(kind => Draws(verdict, kind, samples))] : [],
-            IsGuess = unexplained.Any(i => IsHardlyExplained(verdict.Programs[i], samples[i])),
+            IsGuess = decision.Unexplained.Any(i => Weight(verdict.Program, samples[i]) != Weight(FormulaProgram.Slides, samples[i])),
         };
     }
 
-    /// <summary>Whether something unnamed may be wrong in the formulas of a part of a program (<see cref="MissingParts.All"/>).</summary>
+    /// <summary>Whether something unnamed may be wrong in the formulas of a part of a program (<see cref="MissingPart.All"/>).</summary>
     public bool MayBeIn(string part) =>
-        OpenSteps.Any(step => part == (step is StepKind.Light ? MissingParts.Attenuation : step.ToString().ToLowerInvariant()));
+        OpenSteps.Any(step => part == (step is StepKind.Light ? MissingPart.Attenuation : step.InWords()));
 
     /// <summary>Whether something unnamed may be wrong in the formulas that a mistake changes.</summary>
     public bool MayBeIn(Mistake mistake) => OpenSteps.Any(step => step.IsOfColors() ? mistake.Steps.Any(touched => touched.IsOfColors())
@@ -123,20 +104,18 @@ public sealed record ProgramDiagnosis
 
     private IEnumerable<StepKind> OpenSteps => Slips.SelectMany(slip => slip.Place!.Steps).Concat(stepsOfLight ?? []);
 
-    internal static PictureSample SampleOf(Diagnoser scene, Picture picture) =>
-        new(scene.Scene, scene.Right, picture, Pixels, !scene.TooManyModels);
-
     private static Suspect Find(Hypothesis hypothesis) => new(
-        hypothesis.Mistakes, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, [], hypothesis.Missing, false, false, hypothesis.IsUsual);
+        hypothesis.Mistakes, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, [], hypothesis.MissingParts,
+        false, false, hypothesis.IsUsual);
 
     /// <summary>Programs of as many mistakes as the verdict that are about as short.</summary>
     private static IEnumerable<Hypothesis> AsGood(Hypothesis verdict, List<Hypothesis> ranked) =>
         ranked.TakeWhile(other => other.Total < verdict.Total + Priors.AsLikely)
-            .Where(other => other.Count == verdict.Count && other.Key != verdict.Key).DistinctBy(other => other.Key);
+            .Where(other => other.Key != verdict.Key).DistinctBy(other => other.Key);
 
     private static IEnumerable<Change> Hiding(Hypothesis verdict, List<Hypothesis> ranked) =>
         ranked.TakeWhile(other => other.Total < verdict.Total + Priors.Known)
-            .Where(other => other is { Missing.Count: 0, HasOtherSample: false, Mistakes.Count: 1 })
+            .Where(other => other is { MissingParts.Count: 0, HasOtherSample: false, Mistakes.Count: 1 })
             .Select(other => other.Mistakes[0]).DistinctBy(mistake => mistake.Id);
 
     private static IEnumerable<string> KindsIn(PictureSample[] samples) =>
@@ -146,41 +125,19 @@ public sealed record ProgramDiagnosis
     private static bool Draws(Hypothesis program, string kind, PictureSample[] samples)
     {
         if (program.Plus(ChangeSource.Missing(kind)) is not { } without) return false; // it is missing
-        return samples.Index().Any(sample => sample.Item.Scene.Models.Any(model => model.Kind == kind)
-            && Weight(without.Programs[sample.Index], sample.Item)
-                > Weight(program.Programs[sample.Index], sample.Item) + sample.Item.LeastPixels);
+        return samples.Any(sample => sample.Scene.Models.Any(model => model.Kind == kind)
+            && Weight(without.Program, sample) > Weight(program.Program, sample) + sample.LeastPixels);
     }
-
-    /// <summary>A program without one of its mistakes or missing parts, if this explains only a few pixels; otherwise null.</summary>
-    private static Hypothesis? WithoutSlight(Hypothesis program, PictureSample[] samples, PictureSample[] wrong)
-    {
-        var (missing, mistakes) = program.Count;
-        return missing + mistakes < 2 ? null : program.Changes
-            .Where(change => change.Missing is not null).Concat(program.Mistakes)
-            .Select(change => Hypothesis.Create(samples.Select(sample => sample.Scene), program.Changes.Remove(change)))
-            .FirstOrDefault(less => samples.Index().Where(sample => wrong.Contains(sample.Item)).All(sample =>
-                Weight(less!.Programs[sample.Index], sample.Item) - Weight(program.Programs[sample.Index], sample.Item)
-                    < Slight * Weight(Right(sample.Item), sample.Item)));
-    }
-
-    private static FormulaProgram Right(PictureSample sample) => FormulaProgram.For(sample.Scene.Camera);
 
     private static double Weight(FormulaProgram program, PictureSample sample) => sample.Residual(program).Weight;
-
-    private static bool IsHardlyExplained(FormulaProgram program, PictureSample sample)
-    {
-        var left = sample.Residual(program);
-        var all = sample.Residual(Right(sample));
-        return left != all && left.Weight > MayLeave * all.Weight;
-    }
 
     /// <summary>
     /// The steps where all outlines are right and only the light is not. If it is wrong on one kind of shape, this one's formula may be the reason.
     /// </summary>
-    private static (IReadOnlyCollection<StepKind>? Steps, string? Note) OnlyLight(Observations[] wrong)
+    private static (IReadOnlyCollection<StepKind>? Steps, string? Note) OnlyLight(IReadOnlyList<Observations> wrong)
     {
         var kinds = wrong.Select(of => of.OtherLight).TakeWhile(kinds => kinds.Count > 0).ToList();
-        if (kinds.Count < wrong.Length) return default;
+        if (kinds.Count < wrong.Count) return default;
         var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value)
             .ToDictionary(kind => kind.Key, kind => kind.Sum());
         var most = counts.MaxBy(kind => kind.Value);
@@ -190,10 +147,10 @@ public sealed record ProgramDiagnosis
     }
 
     /// <summary>What the teacher should know where all pictures prove that one kind of shape is wrong and all else is right.</summary>
-    private static string? OnlyKind(Observations[] wrong)
+    private static string? OnlyKind(IReadOnlyList<Observations> wrong)
     {
         var kinds = wrong.Select(of => of.ByModels?.FaultLocalization.Kinds ?? []).ToArray();
         return kinds.All(kind => kind.Count == 1) && kinds.Select(kind => kind[0]).Distinct().ToArray() is [var only]
-            ? $"only {MissingParts.Many(only)} are wrong" : null;
+            ? $"only {MissingPart.Many(only)} are wrong" : null;
     }
 }

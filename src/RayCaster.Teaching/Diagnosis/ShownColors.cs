@@ -22,7 +22,7 @@ internal static class ShownColors
         return from missing in Subsets(unseen).Reverse()
                where missing.Length < kinds.Length
                from rest in Rest(done)
-               where missing.Length > 0 || rest.Contains(Changes.MissingParts.Clipping)
+               where missing.Length > 0 || rest.Contains(MissingPart.Clipping)
                select (IReadOnlyList<string>)[.. missing, .. rest];
     }
 
@@ -30,7 +30,7 @@ internal static class ShownColors
         [.. pictures.SelectMany(picture => picture.Scene.Models).Select(model => model.Kind).Distinct()];
 
     private static IEnumerable<string[]> Rest(IReadOnlyCollection<string> done) =>
-        Subsets([.. ((string[])[Changes.MissingParts.Attenuation, Changes.MissingParts.Clipping]).Except(done)]);
+        Subsets([.. ((string[])[MissingPart.Attenuation, MissingPart.Clipping]).Except(done)]);
 
     private static IEnumerable<string[]> Subsets(string[] all) =>
         Enumerable.Range(0, 1 << all.Length).Select(bits => all.Where((_, i) => (bits >> i & 1) != 0).ToArray());

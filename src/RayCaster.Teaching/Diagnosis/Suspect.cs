@@ -5,13 +5,13 @@ namespace RayCaster.Teaching.Diagnosis;
 /// <param name="Unexplained">In about how many pixels the picture still differs by more than rounding.</param>
 /// <param name="OtherSample">Whether its rays also pass through another sample point of each pixel than the scene says: centres for corners.</param>
 /// <param name="Twins">Mistakes that draw the same picture of this scene.</param>
-/// <param name="NotYet">What is also not drawn yet, as in <see cref="DiagnosisResult.NotYet"/>.</param>
+/// <param name="MissingParts">What is also not drawn yet, as in <see cref="DiagnosisResult.MissingParts"/>.</param>
 /// <param name="SamePicture">Whether it draws the same picture of this scene as the first suspect; true of that one, too.</param>
 /// <param name="AsLikely">Whether its explanation of the picture is about as short as the first suspect's, or draws the same.</param>
 /// <param name="HasSymptoms">Whether the picture certainly shows the mistakes' symptoms: each is made in the way that its symptom describes, and
 /// they explain the picture.</param>
 public sealed record Suspect(
-    IReadOnlyList<Change> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet,
+    IReadOnlyList<Change> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> MissingParts,
     bool SamePicture, bool AsLikely, bool HasSymptoms)
 {
     /// <summary>A right program.</summary>

@@ -7,25 +7,24 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     private const int MaxFormulas = 3;
 
     /// <param name="likeliest">The first suspect.</param>
-    public Suspect Of(Hypothesis hypothesis, Hypothesis likeliest)
+    public Suspect Examine(Hypothesis hypothesis, Hypothesis likeliest)
     {
         Mistake[] twins = [];
         string[] others = [];
-        var own = hypothesis.Programs[0];
-        var drawn = sample.Draw(own);
-        var shown = Visible(hypothesis, drawn);
+        var own = hypothesis.Program;
+        var shown = Visible(hypothesis);
         if (shown is [var named] && !own.HasNoisyTriangles && prepared.Budget?.IsSpent() != true)
         {
             var rest = With(hypothesis.Changes.Where(change => hypothesis.HasOtherSample && change.IsOtherSample
-                || (change.Missing is not null && hypothesis.Mistakes.Count > 0)))!;
+                || (change.MissingPart is not null && hypothesis.Mistakes.Count > 0)))!;
             twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
-                .Where(other => other.Id != named.Id && other.Changes.Any(change => AreAlike(drawn, rest.Plus(change))))];
-            if (ReferenceEquals(hypothesis, likeliest)) others = OtherFormulas(named, own, rest, drawn);
+                .Where(other => other.Id != named.Id && other.Changes.Any(change => AreTwins(own, rest.Plus(change))))];
+            if (ReferenceEquals(hypothesis, likeliest)) others = OtherFormulas(named, own, rest);
         }
-        var isSame = own.HasNoisyTriangles == likeliest.Programs[0].HasNoisyTriangles && sample.AreAlike(drawn, likeliest.Programs[0]);
+        var isSame = own.HasNoisyTriangles == likeliest.Program.HasNoisyTriangles && sample.AreAlike(own, likeliest.Program);
         var isTypical = hypothesis.Residual.Unexplained <= Decision.Explained * sample.WrongCount && hypothesis.IsUsual;
-        shown = [.. shown.Select(mistake => Fits(mistake, hypothesis, drawn) ? mistake : MutationNaming.Unnamed(mistake))];
-        return new(shown, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.Missing, isSame,
+        shown = [.. shown.Select(mistake => Fits(mistake, hypothesis) ? mistake : MutationNaming.Unnamed(mistake))];
+        return new(shown, hypothesis.Residual.Unexplained, hypothesis.HasOtherSample, twins, hypothesis.MissingParts, isSame,
             isSame || hypothesis.Total - likeliest.Total < Priors.AsLikely, isTypical)
         {
             OtherFormulas = others,
@@ -34,7 +33,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
 
     /// <summary>The formulas of the step that a mistake changes in which a slip draws the same, but for its own, in words: the scene cannot tell
     /// them apart.</summary>
-    private string[] OtherFormulas(Change named, FormulaProgram own, Hypothesis rest, PictureSample.Drawn drawn)
+    private string[] OtherFormulas(Change named, FormulaProgram own, Hypothesis rest)
     {
         if (named.OwnSteps.Distinct().ToArray() is not [var step] || !step.IsOfShape() && !step.IsOfRays()) return [];
         var right = FormulaBook.Slides[step, own[step].Style];
@@ -43,8 +42,8 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         return
         [
             .. slips.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
-                .Where(mutation => AreAlike(drawn, rest.Plus(ChangeSource.Of(mutation)))).AsEnumerable()
-                .Select(mutation => mutation.Formula!.Computed).Distinct().Except(changed).Select(MutationNaming.InWords).Take(MaxFormulas),
+                .Where(mutation => AreAlike(own, rest.Plus(ChangeSource.From(mutation)))).AsEnumerable()
+                .Select(mutation => mutation.Formula!.Computed).Distinct().Except(changed).Select(FormulaBook.Slides.InWords).Take(MaxFormulas),
         ];
     }
 
@@ -52,11 +51,10 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     public IEnumerable<Hypothesis> HidingMistakes(Hypothesis best)
     {
         var shapes = best.MissingShapes;
-        var without = sample.Draw(best.Programs[0]);
-        var rest = With(best.Changes.Where(change => change.Missing is null || !shapes.Contains(change.Missing)))!;
+        var rest = With(best.Changes.Where(change => change.MissingPart is null || !shapes.Contains(change.MissingPart)))!;
         return from mistake in prepared.Known
                where shapes.All(mistake.Touches)
-               let hiding = mistake.Changes.Select(rest.Plus).FirstOrDefault(other => AreAlike(without, other))
+               let hiding = mistake.Changes.Select(rest.Plus).FirstOrDefault(other => AreAlike(best.Program, other))
                where hiding is not null
                orderby !hiding.Changes[^1].IsUsual, mistake.Steps.Count // the commonest, then those of few shapes
                select hiding with { Residuals = best.Residuals, Total = best.Total };
@@ -64,33 +62,39 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
 
     /// <summary>Whether the question of a mistake fits a slip that has its name. A question about a size fits only if the picture is also that of
     /// what people write who make the mistake: "half of the height" is no question about one that is twice too large.</summary>
-    private bool Fits(Change slip, Hypothesis hypothesis, PictureSample.Drawn drawn) => slip is not { Mutation: { } mutation, Mistake: { } mistake }
+    private bool Fits(Change slip, Hypothesis hypothesis) => slip is not { Mutation: { } mutation, Mistake: { } mistake }
         || IsAbout(mistake, mutation) && (!IsOfSize(mutation)
-            || mistake.Changes.Any(change => AreAlike(drawn, With(hypothesis.Changes.Select(own => own == slip ? change : own)))));
+            || mistake.Changes.Any(change => AreAlike(hypothesis.Program, With(hypothesis.Changes.Select(own => own == slip ? change : own)))));
 
     /// <summary>Whether a mistake is made in the formula that is edited. Only the slides' own style has its names.</summary>
     private static bool IsAbout(Mistake mistake, Mutation mutation)
     {
         if (mutation.Formula is not { } formula || mutation.Right != FormulaBook.Slides.StylesOf(mutation.Step.Kind)[0]) return true;
-        string[] names = [.. mistake.Changes.SelectMany(change => change.Ways[0]).OfType<StepChange.Written>()
+        string[] names = [.. mistake.Changes.SelectMany(change => change.OfSteps).OfType<StepChange.Written>()
             .Where(step => step.Kind == mutation.Step.Kind && step.Style is null).SelectMany(step => step.Formulas).Select(written => written.Name)];
-        return names.Length == 0 || MistakeBook.Labels.Any(label => label.Id == mistake.Id && label.Subjects.Contains(formula.Computed))
+        return names.Length == 0 || mutation.Step.Kind.IsOfHits()
+            || MistakeBook.Labels.Any(label => label.Id == mistake.Id && label.Subjects.Contains(formula.Computed))
             || names.Contains(formula.Name == Formula.Near || formula.Name == Formula.Far ? "hits" : formula.Name.Text);
     }
 
     private static bool IsOfSize(Mutation mutation) => mutation.Operator.IsOfSize
         || mutation is { Step.Kind: StepKind.Camera, Formula.Right.Dimension.Kind: ValueKind.Number };
 
-    private bool AreAlike(PictureSample.Drawn drawn, Hypothesis? other) => other is not null && sample.AreAlike(drawn, other.Programs[0]);
+    private bool AreAlike(FormulaProgram one, Hypothesis? other) => other is not null && sample.AreAlike(one, other.Program);
 
-    private Hypothesis? With(IEnumerable<Change> changes) => Hypothesis.Create([prepared.Scene], changes);
+    /// <summary>Whether a mistake draws the same picture, as "check" sees it.</summary>
+    private bool AreTwins(FormulaProgram one, Hypothesis? other) =>
+        AreAlike(one, other) && prepared.Rendering.AreAlike(one, other!.Program);
+
+    private Hypothesis? With(IEnumerable<Change> changes) => Hypothesis.Create(changes);
 
     /// <summary>The mistakes that show. Of zNear and zFar, which are not written yet, the picture may show only one.</summary>
-    private Change[] Visible(Hypothesis hypothesis, PictureSample.Drawn drawn)
+    private Change[] Visible(Hypothesis hypothesis)
     {
         var reported = hypothesis.Reported;
-        var hidden = reported.Count < 2 ? null : reported.Except(hypothesis.Mistakes).FirstOrDefault(part => AreAlike(drawn, With(
-            hypothesis.Changes.Where(change => change.Missing is null).Concat(reported.Except(hypothesis.Mistakes).Where(other => other != part)))));
+        var hidden = reported.Count < 2 ? null : reported.Except(hypothesis.Mistakes).FirstOrDefault(part => AreAlike(hypothesis.Program, With(
+            hypothesis.Changes.Where(change => change.MissingPart is null)
+                .Concat(reported.Except(hypothesis.Mistakes).Where(other => other != part)))));
         return [.. reported.Where(mistake => mistake != hidden)];
     }
 }

@@ -97,7 +97,8 @@ public sealed class ExplanationText
         foreach (var model in pixel.Models) Model(model);
         if (others.Total > 0)
             Line(2, $"{Digits.Count(others.Total, "other model")}: " +
-                Counted([(others[Outcome.Hidden], "hidden by a nearer one"), .. Refused(others), (others[Outcome.Misses], "missed")]));
+                string.Join(", ", OutcomeText.All.Where(text => text.Outcome != Outcome.Shows && others[text.Outcome] > 0)
+                    .Select(text => $"{Digits.Number(others[text.Outcome])} {text.Place}")));
     }
 
     private void Model(ModelExplanation model)
@@ -112,15 +113,6 @@ public sealed class ExplanationText
             Line(6, $"divided by their sum: w = {Digits.Format(w)}, u = {Digits.Format(u)}, v = {Digits.Format(v)}");
         foreach (var crossing in model.Crossings) Crossing(model, crossing);
     }
-
-    private static (long, string)[] Refused(Tally tally) =>
-    [
-        (tally[Outcome.Behind], "behind the camera"), (tally[Outcome.UnderBias], "under the bias"),
-        (tally[Outcome.BeforeNear], "nearer than zNear"), (tally[Outcome.BeyondFar], "beyond zFar"),
-    ];
-
-    private static string Counted(IEnumerable<(long Count, string Words)> parts) =>
-        string.Join(", ", parts.Where(part => part.Count > 0).Select(part => $"{Digits.Number(part.Count)} {part.Words}"));
 
     private void Slabs(IReadOnlyList<SlabExplanation> slabs)
     {

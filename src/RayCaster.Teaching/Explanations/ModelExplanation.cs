@@ -47,7 +47,7 @@ internal sealed class ModelExplanation
     public IReadOnlyList<SlabExplanation> Slabs { get; } = [];
 
     /// <summary>A triangle's barycentric numbers w, u, v, which add up to 1; null for other shapes and for a triangle seen edge-on.</summary>
-    public IReadOnlyList<double>? Weights => Shape is Model<Triangle> ? Reasons.Weights(Steps) : null;
+    public IReadOnlyList<double>? Weights => Shape is Model<Triangle> ? OutcomeReason.Weights(Steps) : null;
 
     /// <summary>Which neighbouring pixels show the model, which this pixel does not show, in words; null if none does.</summary>
     public string? Beside => Result.Index != pixel.Winner
@@ -75,17 +75,17 @@ internal sealed class ModelExplanation
         {
             var t = term.Value;
             if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed only once, or the same reason again
-            var (outcome, reason) = Outcomes.Judge(t, pixel.Ray) switch
+            var (outcome, reason) = Outcomes.Classify(t, pixel.Ray) switch
             {
                 Outcome.Shows when crossings is [{ Outcome: Outcome.Shows or Outcome.Hidden }] =>
                     (Outcome.NotNeeded, "the crossing before it counts already"),
                 Outcome.Shows => (Result.Outcome, ReasonOfHit(t)),
-                Outcome.Misses => (Outcome.Misses, Reasons.NoCrossing(Shape!, Steps, Slabs, term)),
-                var refused => (refused, Reasons.Format(refused, t, pixel)),
+                Outcome.Misses => (Outcome.Misses, OutcomeReason.NoCrossing(Shape!, Steps, Slabs, term)),
+                var refused => (refused, OutcomeReason.Format(refused, t, pixel)),
             };
             var isStep = term.Chosen.Operation is Operation.Name;
             var untested = double.IsNaN(t) && term.Operation is Operation.If && double.IsFinite(term.B.Value) ? term.B.Value : (double?)null;
-            crossings.Add(new(t, t * pixel.Ray.DepthPerT, outcome, reason, isStep ? "" : writer.Of(term), untested));
+            crossings.Add(new(t, t * pixel.Ray.DepthPerT, outcome, reason, isStep ? "" : writer.Write(term), untested));
         }
         return crossings;
     }
@@ -95,7 +95,7 @@ internal sealed class ModelExplanation
     {
         var t = Result.T;
         var reason = Result.Outcome.Counts() ? ReasonOfHit(t)
-            : Result.Outcome != Outcome.Misses ? Reasons.Format(Result.Outcome, t, pixel)
+            : Result.Outcome != Outcome.Misses ? OutcomeReason.Format(Result.Outcome, t, pixel)
             : double.IsFinite(t) ? "its Intersect gives no hit, though this t counts"
             : "its Intersect finds no crossing";
         return new(t, t * pixel.Ray.DepthPerT, Result.Outcome, reason);

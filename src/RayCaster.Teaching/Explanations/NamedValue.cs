@@ -17,7 +17,7 @@ internal sealed record NamedValue(string Name, string Formula, string Numbers, o
         var seen = new HashSet<object>(ReferenceEqualityComparer.Instance);
         foreach (var result in results) Walk(result.Term);
         return [.. found.OrderBy(step => step.Number)
-            .Select(step => new NamedValue(step.Text, step.Formula, writer.Of(step.Terms), ValueOf(step.Terms)))];
+            .Select(step => new NamedValue(step.Text, step.Formula, writer.Write(step.Terms), ValueOf(step.Terms)))];
 
         void Walk(Term term)
         {

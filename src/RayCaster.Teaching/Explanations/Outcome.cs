@@ -33,7 +33,7 @@ internal static class Outcomes
 {
     /// <summary>Why a crossing does not count; <see cref="Outcome.Shows"/> if it does, whatever else is in the scene.</summary>
     /// <param name="t">The crossing; NaN or infinite for none.</param>
-    public static Outcome Judge(double t, Ray ray) =>
+    public static Outcome Classify(double t, Ray ray) =>
         !double.IsFinite(t) ? Outcome.Misses
         : t < 0 ? Outcome.Behind
         : !ray.ClipRange.IsAhead<Scalar>(t).Holds ? Outcome.UnderBias
@@ -42,6 +42,27 @@ internal static class Outcomes
         : Outcome.BeyondFar;
 
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;
+}
+
+/// <summary>An outcome in words.</summary>
+/// <param name="Title">Of a column.</param>
+/// <param name="Place">Where a model lies that has it.</param>
+/// <param name="One">What a model does that has it for each ray; empty for those that are hit.</param>
+/// <param name="Many">What several models do.</param>
+internal sealed record OutcomeText(Outcome Outcome, string Title, string Place, string One = "", string Many = "")
+{
+    public static readonly OutcomeText[] All =
+    [
+        new(Outcome.Shows, "shows", ""),
+        new(Outcome.Hidden, "hidden", "hidden by nearer models"),
+        new(Outcome.Behind, "behind", "behind the camera", "lies behind the camera", "lie behind the camera"),
+        new(Outcome.UnderBias, "t <= bias", "nearer than bias", "is crossed only at t <= bias", "are crossed only at t <= bias"),
+        new(Outcome.BeforeNear, "z < zNear", "nearer than zNear", "lies nearer than zNear", "lie nearer than zNear"),
+        new(Outcome.BeyondFar, "z > zFar", "beyond zFar", "lies beyond zFar", "lie beyond zFar"),
+        new(Outcome.Misses, "misses", "missed", "is missed by every ray", "are missed by every ray"),
+    ];
+
+    public static OutcomeText Of(Outcome outcome) => All.First(text => text.Outcome == outcome);
 }
 
 /// <summary>How many models, triangles or rays have each outcome.</summary>

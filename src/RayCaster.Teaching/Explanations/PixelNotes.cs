@@ -53,7 +53,7 @@ internal static class PixelNotes
         var t = pixel.Hit.T;
         var fadeDistance = pixel.Scene.Camera.FadeDistance;
         if (pixel.Winner is not null && t >= fadeDistance)
-            yield return $"all light is lost: {Reasons.Compare("t", t, "≥", "2 |T − P|", fadeDistance)}, so the attenuation is 0";
+            yield return $"all light is lost: {OutcomeReason.Compare("t", t, "≥", "2 |T − P|", fadeDistance)}, so the attenuation is 0";
         if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })
             yield return $"a channel is more than 1 and is clamped: the colour is {Digits.Format(pixel.Color)}";
     }

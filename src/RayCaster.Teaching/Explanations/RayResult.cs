@@ -12,7 +12,7 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
     public static RayResult Create(Model model, int index, Ray ray, Hit nearest)
     {
         int? triangle = null;
-        var outcome = model is Mesh mesh ? JudgeMesh(mesh, ray, out var t, out triangle) : Judge(model, ray, out t);
+        var outcome = model is Mesh mesh ? ClassifyMesh(mesh, ray, out var t, out triangle) : Classify(model, ray, out t);
         var result = new RayResult(model, index, outcome, t, triangle);
         return result.Outcome == Outcome.Shows && index != nearest.Model ? result with { Outcome = Outcome.Hidden } : result;
     }
@@ -20,8 +20,8 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
     /// <summary>The result of a ray, for one model, whatever else is in the scene: <see cref="Outcome.Shows"/> for a hit. Quick enough for all
     /// rays of a picture, also where a mesh has many triangles.</summary>
     /// <param name="t">As <see cref="T"/>.</param>
-    public static Outcome Judge(Model model, Ray ray, out double t) =>
-        model is Mesh mesh ? JudgeMesh(mesh, ray, out t, out _)
+    public static Outcome Classify(Model model, Ray ray, out double t) =>
+        model is Mesh mesh ? ClassifyMesh(mesh, ray, out t, out _)
         : model.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)) is { } crossings ? JudgeShape(ray, crossings, out t)
         : JudgeByHits(model, ray, out t);
 
@@ -31,12 +31,12 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
         if (!double.IsNaN(t)) return Outcome.Shows;
 
         // The far crossing comes closer to counting, unless both are too far away.
-        t = double.IsFinite(crossings.Far) && Outcomes.Judge(crossings.Near, ray) != Outcome.BeyondFar ? crossings.Far : crossings.Near;
-        return Outcomes.Judge(t, ray);
+        t = double.IsFinite(crossings.Far) && Outcomes.Classify(crossings.Near, ray) != Outcome.BeyondFar ? crossings.Far : crossings.Near;
+        return Outcomes.Classify(t, ray);
     }
 
     /// <summary>A mesh is hit if one of its triangles is. If not, a crossing in front of the camera decides before one behind it.</summary>
-    private static Outcome JudgeMesh(Mesh mesh, Ray ray, out double t, out int? triangle)
+    private static Outcome ClassifyMesh(Mesh mesh, Ray ray, out double t, out int? triangle)
     {
         var along = new RaySpace<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
         var refusal = Outcome.Misses;
@@ -45,7 +45,7 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
         var hit = mesh.Tree.Nearest(ray.Origin, ray.Direction, i =>
         {
             double crossing = mesh[i].Intersect(along).Near;
-            var outcome = Outcomes.Judge(crossing, ray);
+            var outcome = Outcomes.Classify(crossing, ray);
             if (outcome == Outcome.Shows)
             {
                 if (crossing < nearest || (crossing == nearest && i < shown)) (nearest, shown) = (crossing, i);
@@ -69,7 +69,7 @@ internal sealed record RayResult(Model Model, int Index, Outcome Outcome, double
             return hit < double.PositiveInfinity ? Outcome.Shows : Outcome.Misses;
         }
         t = model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN;
-        if (double.IsFinite(t)) return Outcomes.Judge(t, ray) is var refusal and not Outcome.Shows ? refusal : Outcome.Misses;
+        if (double.IsFinite(t)) return Outcomes.Classify(t, ray) is var refusal and not Outcome.Shows ? refusal : Outcome.Misses;
         t = -(model.Intersect(new Ray(ray.Origin, -ray.Direction)) ?? double.NaN);
         return double.IsFinite(t) ? Outcome.Behind : Outcome.Misses;
     }

@@ -14,15 +14,15 @@ internal sealed class TermText(HashSet<double>? known = null)
     private const int LargestPart = 60;
 
     /// <summary>The formula of a number or a vector, with its numbers; for a step, the formula behind its name.</summary>
-    public string Of(params IReadOnlyList<Term> terms)
+    public string Write(params IReadOnlyList<Term> terms)
     {
-        var formula = terms is [var x, var y, var z] ? new Three(x, y, z) : new Three(terms[0]);
+        var formula = terms is [var x, var y, var z] ? new VectorTerm(x, y, z) : new VectorTerm(terms[0]);
         return Text(formula.Is(Operation.Name) ? formula.A : formula, Condition, leads: true, isRoot: true);
     }
 
     /// <param name="rank">The least rank that needs no brackets here.</param>
     /// <param name="leads">Whether it begins the formula or a bracket; elsewhere a negative number needs brackets.</param>
-    private string Text(Three term, int rank, bool leads, bool isRoot = false)
+    private string Text(VectorTerm term, int rank, bool leads, bool isRoot = false)
     {
         if (term.IsLeaf || (!isRoot && (term.IsLong || (term.IsOne && known?.Contains(term.X.Value) == true))))
             return term.IsOne ? Number(term.X.Value, leads) : Digits.Format(new Vector3(term.X.Value, term.Y.Value, term.Z.Value));
@@ -53,9 +53,9 @@ internal sealed class TermText(HashSet<double>? known = null)
         _ => "≥",
     };
 
-    private string Inner(Three term) => Text(term, Condition, leads: true);
+    private string Inner(VectorTerm term) => Text(term, Condition, leads: true);
 
-    private string Infix(Three left, string sign, Three right, int own, int rank, bool leads) =>
+    private string Infix(VectorTerm left, string sign, VectorTerm right, int own, int rank, bool leads) =>
         Bracketed(Text(left, own, leads || own < rank) + sign + Text(right, own + 1, leads: false), own, rank);
 
     private static string Bracketed(string text, int own, int rank) => own < rank ? $"({text})" : text;
@@ -66,18 +66,18 @@ internal sealed class TermText(HashSet<double>? known = null)
         return text.StartsWith('−') && !leads ? $"({text})" : text;
     }
 
-    private static (Three A, Three B)? DotProduct(Three sum)
+    private static (VectorTerm A, VectorTerm B)? DotProduct(VectorTerm sum)
     {
         if (!sum.IsOne || sum.X is not { Operation: Operation.Add, A: { Operation: Operation.Add } first, B: var z }) return null;
-        var products = new Three(first.A, first.B, z);
+        var products = new VectorTerm(first.A, first.B, z);
         if (!products.Is(Operation.Multiply)) return null;
         return products.A.IsVector && products.B.IsVector ? (products.A, products.B) : null;
     }
 
     /// <summary>The coordinates of a vector, or one number three times; of choices the chosen operands.</summary>
-    private readonly struct Three(Term x, Term y, Term z)
+    private readonly struct VectorTerm(Term x, Term y, Term z)
     {
-        public Three(Term one) : this(one, one, one) { }
+        public VectorTerm(Term one) : this(one, one, one) { }
 
         public Term X { get; } = x.Chosen;
 
@@ -85,9 +85,9 @@ internal sealed class TermText(HashSet<double>? known = null)
 
         public Term Z { get; } = z.Chosen;
 
-        public Three A => new(X.A, Y.A, Z.A);
+        public VectorTerm A => new(X.A, Y.A, Z.A);
 
-        public Three B => new(X.B, Y.B, Z.B);
+        public VectorTerm B => new(X.B, Y.B, Z.B);
 
         public bool IsOne => ReferenceEquals(X, Y) && ReferenceEquals(Y, Z);
 
@@ -113,6 +113,6 @@ internal sealed class TermText(HashSet<double>? known = null)
 
         public bool Is(Operation operation) => IsAlike && X.Operation == operation;
 
-        public bool Is(Three other) => (X, Y, Z) == (other.X, other.Y, other.Z);
+        public bool Is(VectorTerm other) => (X, Y, Z) == (other.X, other.Y, other.Z);
     }
 }

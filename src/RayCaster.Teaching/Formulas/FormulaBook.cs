@@ -9,6 +9,8 @@ internal sealed class FormulaBook
 
     private readonly Dictionary<StepKind, List<Step>> steps = [];
     private readonly Dictionary<StepKind, Dictionary<string, Expression>> givens = [];
+    private readonly Dictionary<StepKind, string> symptoms = [];
+    private readonly Dictionary<string, string> words = []; // of names that stand on no slide
 
     /// <param name="texts">The texts, each with the name that an error shows.</param>
     /// <exception cref="FormatException">What is wrong, and where.</exception>
@@ -22,8 +24,8 @@ internal sealed class FormulaBook
 
     /// <summary>What every scene gives.</summary>
     private static Dictionary<string, Expression> OfScene { get; } = Names(
-        "P: point, T: point, up: direction, fovY: angle, width: pixels, height: pixels, zNear: length, zFar: length, bias: length, ∞: length, "
-        + "π: none");
+        "P: point, T: point, up: direction, fovY: angle, width: pixels, height: pixels, byDepth: truth, zNear: length, zFar: length, bias: length, "
+        + "∞: length, π: none");
 
     /// <summary>The pixel: x from the left, y from the top. The camera is made before there is one.</summary>
     private static Dictionary<string, Expression> OfPixel { get; } = Names("x: pixels, y: pixels");
@@ -38,6 +40,12 @@ internal sealed class FormulaBook
 
     /// <summary>The names that a step is given, in the order of the text.</summary>
     public IEnumerable<Symbol> GivenTo(StepKind kind) => givens[kind].Keys.Select(Symbol.From);
+
+    /// <summary>What one sees if the formulas of a step are wrong.</summary>
+    public string SymptomOf(StepKind kind) => symptoms[kind];
+
+    /// <summary>What a name means; itself where it stands on the slide.</summary>
+    public string InWords(string name) => words.GetValueOrDefault(name, name);
 
     /// <summary>A text that lies beside this file.</summary>
     public static string TextOf(string file)
@@ -70,8 +78,8 @@ internal sealed class FormulaBook
         StepKind[] before = kind switch
         {
             StepKind.Vectors or StepKind.Camera or StepKind.File or StepKind.Bytes => [],
-            StepKind.Sample => [StepKind.File],
-            StepKind.Pixel => [StepKind.Camera, StepKind.Sample],
+            StepKind.Corner or StepKind.Center => [StepKind.File],
+            StepKind.Pixel => [StepKind.Camera, StepKind.Corner],
             _ => [StepKind.Camera, StepKind.Pixel],
         };
         var scope = new Dictionary<string, Expression>();
@@ -116,8 +124,10 @@ internal sealed class FormulaBook
         private void ReadLine(string line)
         {
             if (line[0] == '[') Begin(line);
+            else if (line.Split(' ', 3) is ["word", var name, var meaning]) book.words.TryAdd(name, meaning);
             else if (kind is not { } own) throw new FormatException("a formula before the first [section]");
             else if (line.StartsWith("slide ", StringComparison.Ordinal)) slide = line[6..].Trim('"');
+            else if (line.StartsWith("symptom ", StringComparison.Ordinal)) book.symptoms.Add(own, line[8..]);
             else if (line.StartsWith("given ", StringComparison.Ordinal))
             {
                 book.givens[own] = Names(line[6..]);

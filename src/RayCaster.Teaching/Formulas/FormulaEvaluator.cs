@@ -43,7 +43,7 @@ internal sealed class FormulaEvaluator
             {
                 Numbers = [.. parts[part].Numbers.Select(number => number.Name == name ? (name, value) : number)],
             });
-        crosser = new(scene, parts, arithmetic, count, groups.Length == 1 ? right : null); // what it keeps of many pixels would take much memory
+        crosser = new(scene, parts, arithmetic, count);
         loop = new(parts, arithmetic, count);
         if (right is null) return;
         foreach (var group in groups) group.Right = Run(right, group).Copy();
@@ -59,6 +59,7 @@ internal sealed class FormulaEvaluator
         Give("fovY", PixelValues.From(camera.FovY));
         Give("width", PixelValues.From(camera.Width));
         Give("height", PixelValues.From(camera.Height));
+        Give("byDepth", PixelValues.From(camera.Clip == ClipMode.Depth ? 1 : 0));
         Give("zNear", PixelValues.From(camera.ZNear));
         Give("zFar", PixelValues.From(Math.Min(camera.ZFar, double.MaxValue))); // so that the infinite t of a parallel ray never counts
         Give("bias", PixelValues.From(camera.Bias == 0 ? -double.Epsilon : camera.Bias)); // with a bias of 0, t = 0 counts
@@ -119,27 +120,29 @@ internal sealed class FormulaEvaluator
         (givens[Symbol.From("x").Place], givens[Symbol.From("y").Place]) = (group.X, group.Y);
         arithmetic.GiveBack(0);
         arithmetic.Functions = program[StepKind.Vectors];
-        var changed = basis is null ? 0 : arithmetic.Functions.ChangedFrom(basis.Program[StepKind.Vectors]);
+        var changed = basis is null || arithmetic.Functions == basis.Program[StepKind.Vectors] ? 0 : arithmetic.Functions.Names;
         var frame = PixelArithmetic.FrameOf(givens, ofPixel, []);
         if (program.SwapsEyeAndTarget)
             (frame[pointP.Place], frame[pointT.Place]) = (frame[pointT.Place], frame[pointP.Place]);
         if (basis is not null && basis.Program.SwapsEyeAndTarget != program.SwapsEyeAndTarget) changed |= pointP.Bit | pointT.Bit;
-        foreach (var kind in (ReadOnlySpan<StepKind>)[StepKind.Camera, StepKind.File, StepKind.Sample, StepKind.Pixel])
+        foreach (var kind in (ReadOnlySpan<StepKind>)[StepKind.Camera, StepKind.File, StepKinds.SampleOf(scene.Camera), StepKind.Pixel])
             arithmetic.Define(program[kind], frame, basis?.Program[kind], basis?.Frame, ref changed);
 
         var nearestStep = program[StepKind.Nearest];
         var isUsual = nearestStep == FormulaBook.Slides.StylesOf(StepKind.Nearest)[0];
         var sameLoop = basis is not null && nearestStep == basis.Program[StepKind.Nearest];
-        var areNew = !sameLoop || !program.LeftOut.SetEquals(basis!.Program.LeftOut) || program.HasNoisyTriangles != basis.Program.HasNoisyTriangles;
+        var areNew = !sameLoop || !program.MissingShapes.SetEquals(basis!.Program.MissingShapes)
+            || program.HasNoisyTriangles != basis.Program.HasNoisyTriangles;
         var crossed = new PartHits[parts.Length];
+        var kindOfRule = StepKinds.RuleOf(scene.Camera);
         for (var i = 0; i < parts.Length; i++)
         {
             var part = parts[i];
-            var rule = program.RuleOf(part.Kind);
-            var isSame = sameLoop && ReferenceEquals(rule, basis!.Program.RuleOf(part.Kind)) && (rule.Reads & changed) == 0
+            var rule = program.RuleOf(part.Kind, kindOfRule);
+            var isSame = sameLoop && ReferenceEquals(rule, basis!.Program.RuleOf(part.Kind, kindOfRule)) && (rule.Reads & changed) == 0
                 && (part.Kind is { } kind ? IsSame(kind) : (changed & ofRay) == 0);
             areNew |= !isSame;
-            crossed[i] = isSame ? basis!.Hits[i] : crosser.Cross(i, program, rule, frame, changed, basis?.Frame, !isUsual);
+            crossed[i] = isSame ? basis!.Hits[i] : crosser.Cross(i, program, rule, frame, !isUsual);
         }
         var (nearest, t) = areNew ? loop.Nearest(program, crossed, frame, isUsual) : (basis!.Nearest, basis.T);
         if (!areNew && IsSame(StepKind.Light) && IsSame(StepKind.Bytes) && (Formula.Written.Bit & changed) == 0

@@ -10,11 +10,11 @@ internal sealed record FormulaProgram
 
     public Step this[StepKind kind] => Steps[(int)kind];
 
-    /// <summary>The rule of some kinds of shape, where it is another than that of all.</summary>
-    public ImmutableDictionary<StepKind, Step> Rules { get; private init; } = ImmutableDictionary<StepKind, Step>.Empty;
+    /// <summary>The rules of some kinds of shape, where they are others than those of all.</summary>
+    private ImmutableArray<OwnRule> Rules { get; init; } = [];
 
     /// <summary>The kinds of shape, by their names in scene files, that are not drawn.</summary>
-    public ImmutableHashSet<string> LeftOut { get; init; } = [];
+    public ImmutableHashSet<string> MissingShapes { get; init; } = [];
 
     /// <summary>By how many bytes all bytes of the picture are farther on in the file.</summary>
     public int ByteShift { get; init; }
@@ -31,21 +31,15 @@ internal sealed record FormulaProgram
     /// <summary>Whether the file is as wide as the scene's picture is high, and the other way round.</summary>
     public bool IsTurned => this[StepKind.File].Has(Formula.Turned);
 
-    /// <summary>The slides' formulas, as a camera measures depth and samples pixels.</summary>
-    public static FormulaProgram For(Camera camera)
-    {
-        var book = FormulaBook.Slides;
-        return new FormulaProgram([.. Enum.GetValues<StepKind>().Select(kind => book.StylesOf(kind)[0])])
-            .With(book[StepKind.Rule, camera.Clip == ClipMode.Depth ? "depth" : "distance"])
-            .With(book[StepKind.Sample, camera.Sample == PixelSample.Corner ? "corner" : "center"]);
-    }
+    /// <summary>The slides' formulas.</summary>
+    public static FormulaProgram Slides { get; } = new([.. Enum.GetValues<StepKind>().Select(kind => FormulaBook.Slides.StylesOf(kind)[0])]);
 
     /// <summary>The sides of its file.</summary>
     public (int Width, int Height) SizeOf(Camera camera) => IsTurned ? (camera.Height, camera.Width) : (camera.Width, camera.Height);
 
     /// <summary>The shapes whose own formulas, or whose own rule, are not the slides'.</summary>
     public IEnumerable<ShapeKind> ChangedShapes => ShapeKind.Basic.Where(shape =>
-        !FormulaBook.Slides.StylesOf(shape.Step).Contains(this[shape.Step]) || Rules.ContainsKey(shape.Step));
+        !FormulaBook.Slides.StylesOf(shape.Step).Contains(this[shape.Step]) || Rules.Any(rule => rule.Shape == shape.Step));
 
     /// <summary>Whether the triangle's own formulas are not the slides'.</summary>
     public bool MutatesTriangles => !FormulaBook.Slides.StylesOf(StepKind.Triangle).Contains(this[StepKind.Triangle]);
@@ -70,7 +64,14 @@ internal sealed record FormulaProgram
         return picture;
     }
 
-    public Step RuleOf(StepKind? kind) => kind is { } own && Rules.TryGetValue(own, out var rule) ? rule : this[StepKind.Rule];
+    /// <summary>The rule of a kind of shape; of a shape of one's own for null.</summary>
+    /// <param name="kind">Which of both rules.</param>
+    public Step RuleOf(StepKind? shape, StepKind kind)
+    {
+        foreach (var own in Rules)
+            if (own.Shape == shape && own.Rule.Kind == kind) return own.Rule;
+        return this[kind];
+    }
 
     public FormulaProgram With(Step step) => this with { Steps = Steps.SetItem((int)step.Kind, step) };
 
@@ -84,9 +85,12 @@ internal sealed record FormulaProgram
         var rules = Rules;
         foreach (var shape in shapes)
         {
-            if (RuleOf(shape).Merged(step) is not { } rule) return null;
-            rules = rules.SetItem(shape, rule);
+            if (RuleOf(shape, step.Kind).Merged(step) is not { } rule) return null;
+            rules = [.. rules.Where(own => own.Shape != shape || own.Rule.Kind != step.Kind), new(shape, rule)];
         }
         return this with { Rules = rules };
     }
+
+    /// <summary>One of both rules of a kind of shape.</summary>
+    private sealed record OwnRule(StepKind Shape, Step Rule);
 }

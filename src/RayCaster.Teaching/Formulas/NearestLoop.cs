@@ -9,7 +9,7 @@ internal sealed class NearestLoop(ImmutableArray<ShapePart> parts, PixelArithmet
     /// <summary>Which part each pixel shows, −1 for none, and at which t.</summary>
     public (int[] Part, double[] T) Nearest(FormulaProgram program, PartHits[] crossed, PixelValues[] camera, bool isUsual)
     {
-        int[] drawn = [.. Enumerable.Range(0, parts.Length).Where(k => !program.LeftOut.Contains(parts[k].Model.Kind)
+        int[] drawn = [.. Enumerable.Range(0, parts.Length).Where(k => !program.MissingShapes.Contains(parts[k].Model.Kind)
             && !(program.HasNoisyTriangles && parts[k].Kind == StepKind.Triangle))];
         var nearest = new int[count];
         Array.Fill(nearest, -1);

@@ -35,23 +35,17 @@ internal sealed class PixelArithmetic(int pixels)
         return value;
     }
 
-    /// <summary>Computes a step's formulas, or takes their values from another frame where nothing that they read has changed.</summary>
+    /// <summary>Computes a step's formulas, or takes their values from another frame if neither they nor what they read have changed.</summary>
+    /// <param name="before">The step with which the other frame was computed; null for none.</param>
+    /// <param name="changed">The names that have other values than in the other frame.</param>
     public void Define(Step step, PixelValues[] frame, Step? before, PixelValues[]? old, ref UInt128 changed)
     {
-        for (var i = 0; i < step.Formulas.Length; i++)
+        var isSame = ReferenceEquals(step, before) && (step.Reads & changed) == 0;
+        if (!isSame) Define(step, frame);
+        foreach (var formula in step.Formulas)
         {
-            var (name, expression, _) = step.Formulas[i];
-            var known = before is not null && i < before.Formulas.Length && before.Formulas[i].Name == name ? before.Formulas[i] : null;
-            if (known is not null && ReferenceEquals(known.Right, expression) && (expression.Reads & changed) == 0)
-            {
-                frame[name.Place] = old![name.Place];
-                changed &= ~name.Bit;
-                continue;
-            }
-            var value = Evaluate(expression, frame);
-            if (known is not null && value.IsSameAs(old![name.Place])) changed &= ~name.Bit;
-            else changed |= name.Bit;
-            frame[name.Place] = value;
+            if (isSame) frame[formula.Name.Place] = old![formula.Name.Place];
+            changed = isSame ? changed & ~formula.Name.Bit : changed | formula.Name.Bit;
         }
     }
 

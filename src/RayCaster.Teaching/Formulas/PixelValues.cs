@@ -21,16 +21,10 @@ internal readonly record struct PixelValues(double[] X, double[]? Y = null, doub
     /// <summary>The same in arrays of its own.</summary>
     public PixelValues Copy() => new([.. X], Y is null ? null : [.. Y], Z is null ? null : [.. Z]);
 
-    /// <summary>Whether both are equal to the bit, NaN included.</summary>
-    public bool IsSameAs(PixelValues other) => AreSame(X, other.X) && AreSame(Y, other.Y) && AreSame(Z, other.Z);
-
     private static double[] Same(double value)
     {
         var array = new double[Vector<double>.Count];
         Array.Fill(array, value);
         return array;
     }
-
-    private static bool AreSame(double[]? a, double[]? b) => ReferenceEquals(a, b)
-        || (a is not null && b is not null && MemoryMarshal.AsBytes<double>(a).SequenceEqual(MemoryMarshal.AsBytes<double>(b)));
 }

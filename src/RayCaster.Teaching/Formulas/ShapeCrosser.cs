@@ -3,8 +3,7 @@ namespace RayCaster.Teaching.Formulas;
 /// <summary>Crosses the parts of a scene with the rays of some pixels, by the formulas of their shapes and by the rule that says which crossing
 /// counts.</summary>
 /// <param name="count">How many values each array has.</param>
-/// <param name="right">The program that others differ from; null if nothing of it is kept.</param>
-internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts, PixelArithmetic arithmetic, int count, FormulaProgram? right)
+internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts, PixelArithmetic arithmetic, int count)
 {
     /// <summary>What a ray through a mesh's tree, or to a shape of one's own, takes, and each triangle that it meets there, as so many computed
     /// numbers do.</summary>
@@ -12,26 +11,19 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
 
     private static readonly Symbol pointP = Symbol.From("P"), direction = Symbol.From("d"), parameter = Symbol.From("t"), axisW = Symbol.From("W");
 
-    private readonly Dictionary<(int Part, Step Step), PixelValues[]> rightFrames = [];
     private readonly PixelValues[] ofShape = new PixelValues[Symbol.Max], ofRule = new PixelValues[Symbol.Max]; // used again and again
 
     /// <summary>The hits of a part.</summary>
     /// <param name="camera">What camera and pixel have computed.</param>
-    /// <param name="changed">The names in it that have other values than in the right program.</param>
-    /// <param name="rightCamera">The same of the right program; null if there is none.</param>
     /// <param name="withAll">Whether a t that is no number may be a hit, and the second crossing is needed, too.</param>
-    public PartHits Cross(
-        int part, FormulaProgram program, Step rule, PixelValues[] camera, UInt128 changed, PixelValues[]? rightCamera, bool withAll)
+    public PartHits Cross(int part, FormulaProgram program, Step rule, PixelValues[] camera, bool withAll)
     {
         var (model, kind, numbers) = parts[part];
         if (kind is null) return HitsOf(model, rule, camera);
         var used = arithmetic.Used;
         var step = program[kind.Value];
-        var before = right is null || rightCamera is null ? null : StyleOf(step, right);
-        var old = before is null ? null : RightFrame(part, before, rightCamera!);
         var frame = PixelArithmetic.FrameOf(camera, ofShape, numbers);
-        foreach (var (symbol, _) in numbers) changed &= ~symbol.Bit;
-        arithmetic.Define(step, frame, before, old, ref changed);
+        arithmetic.Define(step, frame);
         var crossed = Counted(step, rule, frame, camera, withAll);
         arithmetic.GiveBack(used, crossed.T, crossed.IsHit, crossed.Far, crossed.Ends?.X);
         return crossed;
@@ -83,29 +75,10 @@ internal sealed class ShapeCrosser(Scene scene, ImmutableArray<ShapePart> parts,
         PixelValues? Of(Symbol name) => rule.Has(name) ? frame[name.Place] : null;
     }
 
-    /// <summary>The unedited step in the same style.</summary>
-    private static Step StyleOf(Step step, FormulaProgram program) =>
-        program[step.Kind].Style == step.Style ? program[step.Kind] : FormulaBook.Slides[step.Kind, step.Style];
-
-    /// <summary>A shape's frame in a style, as the program that others differ from has it.</summary>
-    private PixelValues[] RightFrame(int part, Step step, PixelValues[] camera)
-    {
-        if (rightFrames.TryGetValue((part, step), out var frame)) return frame;
-        var (functions, used, work) = (arithmetic.Functions, arithmetic.Used, arithmetic.Work);
-        arithmetic.Functions = right![StepKind.Vectors];
-        frame = PixelArithmetic.FrameOf(camera, new PixelValues[Symbol.Max], parts[part].Numbers);
-        arithmetic.Define(step, frame);
-        foreach (var formula in step.Formulas) frame[formula.Name.Place] = frame[formula.Name.Place].Copy();
-        arithmetic.Functions = functions;
-        arithmetic.GiveBack(used);
-        arithmetic.Work = work; // which thread needs the frame first must not matter
-        return rightFrames[(part, step)] = frame;
-    }
-
     /// <summary>The hits of a model whose own formulas are the definition's: a large mesh, a shape of one's own.</summary>
     private PartHits HitsOf(Model model, Step rule, PixelValues[] camera)
     {
-        var isUsual = FormulaBook.Slides.StylesOf(StepKind.Rule).Contains(rule) && rule.Style != "aim";
+        var isUsual = FormulaBook.Slides.StylesOf(rule.Kind)[0] == rule;
         var hits = arithmetic.New(count);
         arithmetic.Work += WorkOfRay * count;
         for (var i = 0; i < count; i++)

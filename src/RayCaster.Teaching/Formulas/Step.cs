@@ -20,6 +20,9 @@ internal sealed class Step(
     /// <summary>All that its formulas read.</summary>
     public UInt128 Reads { get; } = formulas.Aggregate(UInt128.Zero, (all, formula) => all | formula.Right.Reads);
 
+    /// <summary>All that they compute.</summary>
+    public UInt128 Names { get; } = formulas.Aggregate(UInt128.Zero, (all, formula) => all | formula.Name.Bit);
+
     /// <summary>As its text calls it.</summary>
     public string Name => $"{kind.ToString().ToLowerInvariant()} {style}".TrimEnd();
 
@@ -90,17 +93,4 @@ internal sealed class Step(
     }
 
     public Step With(int place, Expression right) => With(formulas.SetItem(place, formulas[place] with { Right = right }));
-
-    /// <summary>The functions whose values differ from those of the same step before, also through another function.</summary>
-    public UInt128 ChangedFrom(Step before)
-    {
-        UInt128 changed = 0;
-        if (ReferenceEquals(before, this)) return changed;
-        for (var i = 0; i < formulas.Length; i++)
-        {
-            var formula = formulas[i];
-            if (!ReferenceEquals(formula.Right, before.Formulas[i].Right) || (formula.Right.Reads & changed) != 0) changed |= formula.Name.Bit;
-        }
-        return changed;
-    }
 }

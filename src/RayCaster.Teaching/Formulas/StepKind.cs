@@ -1,19 +1,21 @@
 namespace RayCaster.Teaching.Formulas;
 
-/// <summary>What a step's formulas are for, in pipeline order.</summary>
+/// <summary>What a step's formulas are for, in pipeline order. A scene needs one of both samples, and one of both rules of a crossing.</summary>
 internal enum StepKind
 {
     Vectors,
     Camera,
     File,
-    Sample,
+    Corner,
+    Center,
     Pixel,
     Plane,
     Circle,
     Sphere,
     Aabb,
     Triangle,
-    Rule,
+    Depth,
+    Distance,
     Nearest,
     Light,
     Bytes,
@@ -23,16 +25,29 @@ internal static class StepKinds
 {
     /// <summary>Whether a step is on the way from a pixel to its ray.</summary>
     public static bool IsOfRays(this StepKind step) =>
-        step is StepKind.Vectors or StepKind.Camera or StepKind.Sample or StepKind.Pixel;
+        step is StepKind.Vectors or StepKind.Camera or StepKind.Pixel || step.IsOfSample();
 
     /// <summary>Whether a step is the formula of a kind of shape.</summary>
     public static bool IsOfShape(this StepKind step) => step is >= StepKind.Plane and <= StepKind.Triangle;
 
     /// <summary>Whether a step decides which crossing counts, and which of two hits shows.</summary>
-    public static bool IsOfHits(this StepKind step) => step is StepKind.Rule or StepKind.Nearest;
+    public static bool IsOfHits(this StepKind step) => step is StepKind.Depth or StepKind.Distance or StepKind.Nearest;
+
+    /// <summary>Whether a step says which point of its pixel a ray passes.</summary>
+    public static bool IsOfSample(this StepKind step) => step is StepKind.Corner or StepKind.Center;
 
     /// <summary>Whether a step is on the way from a hit to three bytes.</summary>
     public static bool IsOfColors(this StepKind step) => step is StepKind.Light or StepKind.Bytes;
+
+    /// <summary>The step by which a scene's pixels are sampled.</summary>
+    public static StepKind SampleOf(Camera camera) => camera.Sample == PixelSample.Corner ? StepKind.Corner : StepKind.Center;
+
+    /// <summary>The step by which a scene's crossings count.</summary>
+    public static StepKind RuleOf(Camera camera) => camera.Clip == ClipMode.Depth ? StepKind.Depth : StepKind.Distance;
+
+    /// <summary>What texts call it: both samples, and both rules, have one name.</summary>
+    public static string InWords(this StepKind step) =>
+        step.IsOfSample() ? "sample" : step is StepKind.Depth or StepKind.Distance ? "rule" : step.ToString().ToLowerInvariant();
 }
 
 /// <summary>A kind of shape on the slides.</summary>

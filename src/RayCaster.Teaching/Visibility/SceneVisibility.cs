@@ -54,7 +54,7 @@ public sealed class SceneVisibility
             for (var column = firstColumn; column < camera.Width; column += step)
             {
                 cancellation.ThrowIfCancellationRequested();
-                ledger.Judge(column, row);
+                ledger.Count(column, row);
             }
         }
         return ledger;
@@ -66,14 +66,14 @@ public sealed class SceneVisibility
     /// <summary>The table, and in words what is unusual.</summary>
     public string Report() => VisibilityTable.Format(this) + string.Concat(VisibilityVerdict.Find(this).Select(sentence => sentence + "\n"));
 
-    private void Judge(int column, int row)
+    private void Count(int column, int row)
     {
         var ray = Scene.Camera.RayThrough(column, row);
         var nearest = double.PositiveInfinity;
         var shown = -1;
         for (var i = 0; i < Models.Count; i++)
         {
-            var outcome = RayResult.Judge(Scene.Models[i], ray, out var t);
+            var outcome = RayResult.Classify(Scene.Models[i], ray, out var t);
             if (outcome == Outcome.Shows && t < nearest)
             {
                 if (shown >= 0) Models[shown][Outcome.Hidden]++;

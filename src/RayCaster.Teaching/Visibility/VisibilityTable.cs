@@ -6,18 +6,6 @@ internal static class VisibilityTable
     /// <summary>If there are more models, only those with the most hits have a line.</summary>
     private const int MaxLines = 30;
 
-    /// <summary>The titles of the columns, and for outcomes without a hit what a model, and what several models do.</summary>
-    public static readonly (Outcome Outcome, string Title, string One, string Many)[] Columns =
-    [
-        (Outcome.Shows, "shows", "", ""),
-        (Outcome.Hidden, "hidden", "", ""),
-        (Outcome.Behind, "behind", "lies behind the camera", "lie behind the camera"),
-        (Outcome.UnderBias, "t <= bias", "is crossed only at t <= bias", "are crossed only at t <= bias"),
-        (Outcome.BeforeNear, "z < zNear", "lies nearer than zNear", "lie nearer than zNear"),
-        (Outcome.BeyondFar, "z > zFar", "lies beyond zFar", "lie beyond zFar"),
-        (Outcome.Misses, "misses", "is missed by every ray", "are missed by every ray"),
-    ];
-
     public static string Format(SceneVisibility ledger)
     {
         var camera = ledger.Scene.Camera;
@@ -29,7 +17,7 @@ internal static class VisibilityTable
 
         var byHits = Enumerable.Range(0, ledger.Models.Count).OrderByDescending(i => ledger.Models[i].Hits);
         var shown = byHits.Take(MaxLines).Order().Select(i => ledger.Models[i]).ToArray();
-        var columns = Array.FindAll(Columns,
+        var columns = Array.FindAll(OutcomeText.All,
             column => column.Outcome == Outcome.Shows || ledger.Models.Any(entry => entry[column.Outcome] > 0));
         var labels = Math.Max("model".Length, shown.Max(entry => entry.Label.Length));
         var width = Math.Max(9, Number(ledger.Rays).Length);

@@ -20,8 +20,8 @@ internal static class VisibilityVerdict
         var groups = ledger.Models.GroupBy(entry => entry.Reason).OrderBy(group => group.Key)
             .Select(group => (Reason: group.Key, Entries: group.ToList())).ToList();
         var parts = groups.Select(group => group.Entries is [var only]
-            ? $"{only.Label} {Phrase(group.Reason, true)}"
-            : $"{Digits.Count(group.Entries.Count, "model")} {Phrase(group.Reason, false)}");
+            ? $"{only.Label} {OutcomeText.Of(group.Reason).One}"
+            : $"{Digits.Count(group.Entries.Count, "model")} {OutcomeText.Of(group.Reason).Many}");
         return groups.Select(group => Remedy(ledger, group.Reason, group.Entries)).OfType<string>()
             .Prepend($"0 of {Digits.Count(ledger.Rays, "ray")} hit anything: {string.Join(", ", parts)}.");
     }
@@ -104,14 +104,8 @@ internal static class VisibilityVerdict
             if (entry[Outcome.Shows] > 0 || missing++ >= MaxNamed) continue;
             yield return entry.Hits > 0
                 ? $"{entry.Label} does not show: it is hit by {Digits.Count(entry.Hits, "ray")}, but something nearer hides it there."
-                : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}.";
+                : $"{entry.Label} does not show: it {OutcomeText.Of(entry.Reason).One}.";
         }
         if (missing > MaxNamed) yield return $"Nor do {Digits.Number(missing - MaxNamed)} more.";
-    }
-
-    private static string Phrase(Outcome reason, bool isOne)
-    {
-        var (_, _, one, many) = Array.Find(VisibilityTable.Columns, column => column.Outcome == reason);
-        return isOne ? one : many;
     }
 }

@@ -13,7 +13,7 @@ public class MissingPartsTests
         var first = SceneFolder.Small("first", 8);
         var diagnosis = DiagnosisResult.Find(first, EditedLab.Render(first, PlantedMistake.Named("att-none")), new());
         Assert.Equal((DiagnosisKind.Mistake, "att-none"), (diagnosis.Kind, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
-        Assert.Equal([MissingParts.Attenuation], diagnosis.NotYet);
+        Assert.Equal([MissingPart.Attenuation], diagnosis.MissingParts);
         var text = DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings("\n");
         Assert.Contains("Not drawn yet: attenuation. The rest is right.\nIf that is written already, most likely:\n", text);
         Assert.DoesNotContain("--done", text);
@@ -33,9 +33,9 @@ public class MissingPartsTests
     public void WhatIsDoneIsNotTakenForMissing()
     {
         var picture = ProgramInWords.Draw(scene, "without sphere");
-        Assert.Equal(["sphere"], new Diagnoser(scene).Judge(picture).NotYet);
-        var diagnosis = new Diagnoser(scene).Judge(picture, ["sphere", "plane"]);
-        Assert.DoesNotContain("sphere", diagnosis.NotYet);
+        Assert.Equal(["sphere"], new Diagnoser(scene).Diagnose(picture).MissingParts);
+        var diagnosis = new Diagnoser(scene).Diagnose(picture, ["sphere", "plane"]);
+        Assert.DoesNotContain("sphere", diagnosis.MissingParts);
     }
 
     [Fact]
@@ -45,7 +45,7 @@ public class MissingPartsTests
         foreach (var id in new[] { "ok", "rows" })
         {
             var picture = ProgramInWords.Draw(scene, id);
-            var (one, other) = (prepared.Judge(picture), DiagnosisTests.OfPlanted(id));
+            var (one, other) = (prepared.Diagnose(picture), DiagnosisTests.OfPlanted(id));
             Assert.Equal(DiagnosisReport.Json(other, default, default, [], null), DiagnosisReport.Json(one, default, default, [], null));
         }
     }

@@ -25,7 +25,7 @@ public class MutationLabelsTests
         foreach (var edit in edits
             .Where(edit => edit.Label == id && edit.Operator == MutationBook.Slips["OtherLaw"] && edit.Place is not null).Take(count))
         {
-            var mistake = MutationNaming.Named([ChangeSource.Of(edit)]);
+            var mistake = MutationNaming.Named([ChangeSource.From(edit)]);
             Assert.Equal(id, mistake.Id);
             var suspect = DiagnosisResult.Find(scene, MistakeCatalog.Draw(scene, [mistake]), new()).Suspects[0];
             Assert.Contains(id, DiagnosisTests.Named(suspect));

@@ -11,13 +11,13 @@ public class SideBySideTests
 
     [Fact]
     public void TheMoreLevelsTheLighter() =>
-        Assert.All(Enumerable.Range(1, 255), levels => Assert.True(Lightness(HeatMap.Of(levels)) >= Lightness(HeatMap.Of(levels - 1))));
+        Assert.All(Enumerable.Range(1, 255), levels => Assert.True(Lightness(HeatMap.ColorOf(levels)) >= Lightness(HeatMap.ColorOf(levels - 1))));
 
     [Fact]
     public void NoDifferenceIsBlackAndOneLevelIsSeen()
     {
-        Assert.Equal((0, 0, 0), HeatMap.Of(0));
-        Assert.True(Lightness(HeatMap.Of(1)) > 0.01);
+        Assert.Equal((0, 0, 0), HeatMap.ColorOf(0));
+        Assert.True(Lightness(HeatMap.ColorOf(1)) > 0.01);
     }
 
     [Fact]
@@ -30,7 +30,7 @@ public class SideBySideTests
         Assert.Equal((255, 255, 255), picture[7, 3]);
         Assert.Equal((128, 128, 128), picture[8, 3]);
         Assert.Equal(reference[7, 3], picture[10 + 7, 3]);
-        Assert.Equal(HeatMap.Of(255 - Math.Min(reference[7, 3].R, Math.Min(reference[7, 3].G, reference[7, 3].B))), picture[20 + 7, 3]);
+        Assert.Equal(HeatMap.ColorOf(255 - Math.Min(reference[7, 3].R, Math.Min(reference[7, 3].G, reference[7, 3].B))), picture[20 + 7, 3]);
         Assert.Equal((0, 0, 0), picture[20, 0]);
     }
 

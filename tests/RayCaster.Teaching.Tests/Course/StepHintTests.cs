@@ -75,7 +75,7 @@ public class StepHintTests
     [InlineData("far-plane", Explicit = true)]
     public void DividedDepthIsAVariantWhoseSymptomIsNotClaimed(string file)
     {
-        var (hint, _) = Hint(file, 6, ProgramInWords.Written("rule/depth z = t / (-d·W)"));
+        var (hint, _) = Hint(file, 6, ProgramInWords.Written("depth z = t / (-d·W)"));
         Assert.StartsWith($"  Ask yourself: {MistakeCatalog.Named("zboth-t")!.Hint.Question}", hint);
     }
 
@@ -83,7 +83,7 @@ public class StepHintTests
     [Fact(Explicit = true)]
     public void OfMistakesThatDrawTheSameTheUsualVariantIsNamed()
     {
-        var (hint, _) = Hint("near-plane", 6, ProgramInWords.Written("rule/depth z = t / (-d·W)"));
+        var (hint, _) = Hint("near-plane", 6, ProgramInWords.Written("depth z = t / (-d·W)"));
         Assert.StartsWith("  " + MistakeCatalog.Named("no-znear")!.Hint.Symptom, hint);
     }
 
@@ -131,7 +131,7 @@ public class StepHintTests
     {
         var scene = LabSteps.SceneAt(SceneFolder.Small(file, 5), step);
         var picture = MistakeCatalog.Draw(scene, step < 5 ? [.. planted, MistakeCatalog.Named("att-none")!.Usual] : planted);
-        var diagnosis = StepHint.Judge(scene, picture, step);
+        var diagnosis = StepHint.Diagnose(scene, picture, step);
         return (StepHint.Format(scene, diagnosis, step, HintLevel.Question), diagnosis.Kind);
     }
 }

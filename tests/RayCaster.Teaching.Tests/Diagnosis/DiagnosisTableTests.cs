@@ -14,10 +14,10 @@ public class DiagnosisTableTests
     public void APictureIsDiagnosed(string scene, string program, string finding, string mistakes, string notYet, string says)
     {
         var judge = prepared.GetOrAdd(scene, _ => new(SceneFolder.Small(Path.GetDirectoryName(scene)!, int.Parse(Path.GetFileName(scene)))));
-        var diagnosis = judge.Judge(ProgramInWords.Draw(judge.Scene, program));
+        var diagnosis = judge.Diagnose(ProgramInWords.Draw(judge.Scene, program));
         Assert.Equal(finding, $"{diagnosis.Kind}");
         Assert.Equal(mistakes, Named(diagnosis, mistakes));
-        Assert.Equal(notYet, string.Join(' ', diagnosis.NotYet.Order()));
+        Assert.Equal(notYet, string.Join(' ', diagnosis.MissingParts.Order()));
         Assert.Contains(says, DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings(" "));
     }
 

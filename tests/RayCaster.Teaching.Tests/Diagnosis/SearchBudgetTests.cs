@@ -35,7 +35,7 @@ public class SearchBudgetTests
         Assert.Equal(one.Done, many.Done);
 
         static string Json(int threads, SearchBudget budget) =>
-            DiagnosisReport.Json(new Diagnoser(room, threads, budget: budget).Judge(wrong), (60, 60), (60, 60), [], null);
+            DiagnosisReport.Json(new Diagnoser(room, threads, budget: budget).Diagnose(wrong), (60, 60), (60, 60), [], null);
     }
 
     [Fact]
@@ -87,8 +87,7 @@ public class SearchBudgetTests
         var scene = SceneFolder.Small("first", 20);
         var picture = ProgramInWords.Draw(scene, "formulas rows & formulas bgr & formulas att-no2 & formulas far-root");
         var hypotheses = new HypothesisSearch(
-            [new PictureSample(scene, Renderer.Render(scene), picture, 6000)], MistakeCatalog.All, [], null, null, null, null, null,
-                new(Priors.OtherProgram)).Run();
+            [new PictureSample(scene, Renderer.Render(scene), picture, 6000)], new(MistakeCatalog.All, []), null, new(Priors.OtherProgram)).Run();
         Assert.All(hypotheses, of => Assert.InRange(of.Mistakes.Count, 0, 2));
     }
 

@@ -52,19 +52,19 @@ public class DerivationTests
         var steps = NamedValue.LeadingTo(crossings.Near, crossings.Far);
         Assert.Equal(["L", "t_ca", "D", "t_hc"], steps.Select(step => step.Name));
         Assert.Equal("√(16 − (0, 0, 0) · (0, 0, 0))", steps[3].Numbers);
-        Assert.Equal("20 − 4", new TermText().Of(crossings.Near.Term));
+        Assert.Equal("20 − 4", new TermText().Write(crossings.Near.Term));
     }
 
     [Fact]
     public void BracketsStandWhereTheOrderOfTheOperationsNeedsThem()
     {
         Derivation a = 2, b = 3, c = -4;
-        Assert.Equal("2 − (3 − 2)", new TermText().Of((a - (b - a)).Term));
-        Assert.Equal("2 − 3 − 2", new TermText().Of((a - b - a).Term));
-        Assert.Equal("(2 + 3) · (−4)", new TermText().Of(((a + b) * c).Term));
-        Assert.Equal("−4 · 2 + (−4) · 3", new TermText().Of((c * a + c * b).Term));
-        Assert.Equal("2 / (3 / (−4))", new TermText().Of((a / (b / c)).Term));
-        Assert.Equal("−(2 + 3)", new TermText().Of((-(a + b)).Term));
+        Assert.Equal("2 − (3 − 2)", new TermText().Write((a - (b - a)).Term));
+        Assert.Equal("2 − 3 − 2", new TermText().Write((a - b - a).Term));
+        Assert.Equal("(2 + 3) · (−4)", new TermText().Write(((a + b) * c).Term));
+        Assert.Equal("−4 · 2 + (−4) · 3", new TermText().Write((c * a + c * b).Term));
+        Assert.Equal("2 / (3 / (−4))", new TermText().Write((a / (b / c)).Term));
+        Assert.Equal("−(2 + 3)", new TermText().Write((-(a + b)).Term));
     }
 
     [Fact]
@@ -72,14 +72,14 @@ public class DerivationTests
     {
         var t = new Ring(new(0, 0, 0), new(1, 0, 0), 1, 2).Intersect(new Ray<Derivation>(new Vector3(20, 3, 0), new Vector3(-1, 0, 0))).Near;
         Assert.Equal(double.NaN, t.Value);
-        Assert.EndsWith("= 9 ≤ 4 is false", Why.IsNoNumber(t.Term));
+        Assert.EndsWith("= 9 ≤ 4 is false", NaNReason.IsNoNumber(t.Term));
     }
 
     [Fact]
     public void ARootOfANegativeNumberIsToldAsTheCause()
     {
         Derivation square = 4;
-        Assert.Equal("√(4 − 9) is no number", Why.IsNoNumber((1 + Derivation.Sqrt(square - 9)).Term));
+        Assert.Equal("√(4 − 9) is no number", NaNReason.IsNoNumber((1 + Derivation.Sqrt(square - 9)).Term));
     }
 
     private static void AssertSame(Scalar[] expected, Derivation[] actual) =>

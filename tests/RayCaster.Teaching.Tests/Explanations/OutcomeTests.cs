@@ -27,5 +27,5 @@ public class OutcomeTests
     }
 
     private static Outcome Of(double t, ClipRange clip, double depthPerT) =>
-        Outcomes.Judge(t, new Ray(Vector3.Zero, new(1, 0, 0)) { ClipRange = clip, DepthPerT = depthPerT });
+        Outcomes.Classify(t, new Ray(Vector3.Zero, new(1, 0, 0)) { ClipRange = clip, DepthPerT = depthPerT });
 }

@@ -15,15 +15,13 @@ public class FormulaBookTests
     {
         var scene = SceneFolder.Small(name, 8);
         var definition = Renderer.Render(scene);
-        var slides = FormulaProgram.For(scene.Camera);
+        var slides = FormulaProgram.Slides;
         var evaluator = new FormulaEvaluator(
             scene, [.. Enumerable.Range(0, definition.Count).Select(i => (i % definition.Width, i / definition.Width))], slides);
         foreach (var kind in Enum.GetValues<StepKind>())
         {
             foreach (var section in FormulaBook.Slides.StylesOf(kind))
             {
-                if (kind is StepKind.Sample && section != slides[kind]) continue; // the scene says which
-                if (kind is StepKind.Rule && section.Style == "distance" != (slides[kind].Style == "distance")) continue;
                 var evidence = new PictureSample(scene, definition, Picture(definition, evaluator.Draw(slides.With(section))), int.MaxValue);
                 Assert.True(evidence.IsRight, $"{name}: the formulas of [{section.Name}] in src/RayCaster.Teaching/Formulas " +
                     $"and those of src/RayCaster draw {evidence.WrongCount} pixels differently");

@@ -12,10 +12,10 @@ public class FormulaProgramTests
     [InlineData(1, Explicit = true)]
     public void AnEditReadsOnlyWhatAProgramComputes(int step)
     {
-        var slides = FormulaProgram.For(generic.Camera);
+        var slides = FormulaProgram.Slides;
         var evaluator = new FormulaEvaluator(generic, [(1, 2), (30, 20), (70, 40)], slides);
         foreach (var edit in Enum.GetValues<StepKind>().SelectMany(FormulaBook.Slides.StylesOf).SelectMany(MutationFactory.MutationsOf)
-            .Where((_, i) => i % step == 0)) Assert.Null(Record.Exception(() => evaluator.Draw(ChangeSource.Of(edit).In(slides)!)));
+            .Where((_, i) => i % step == 0)) Assert.Null(Record.Exception(() => evaluator.Draw(ChangeSource.From(edit).In(slides)!)));
     }
 
     [Theory]
@@ -31,7 +31,7 @@ public class FormulaProgramTests
     {
         foreach (var variant in MistakeCatalog.Named(id)!.Changes)
         {
-            var slides = FormulaProgram.For(generic.Camera);
+            var slides = FormulaProgram.Slides;
             var program = variant.In(slides)!;
             (int X, int Y)[] pixels = [.. Enumerable.Range(0, 61).Select(i => (i * 7 % generic.Camera.Width, i * 5 % generic.Camera.Height))];
             var whole = program.Draw(generic);
@@ -56,7 +56,7 @@ public class FormulaProgramTests
     [InlineData("t_hc = √(R - D2)", "t_hc = √(2·R - D2)", null)] // the same part
     public void TwoEditsOfAFormulaAreOneProgramIfTheyAreInDifferentParts(string one, string other, string? formula)
     {
-        var program = Hypothesis.Create([generic], ProgramInWords.Written($"sphere {one}"), ProgramInWords.Written($"sphere {other}"))?.Programs[0];
+        var program = Hypothesis.Create(ProgramInWords.Written($"sphere {one}"), ProgramInWords.Written($"sphere {other}"))?.Program;
         Assert.Equal(formula, program?[StepKind.Sphere].Formulas[3].ToString());
     }
 

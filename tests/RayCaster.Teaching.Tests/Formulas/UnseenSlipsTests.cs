@@ -51,7 +51,7 @@ public class UnseenSlipsTests
         {
             var scene = SceneFolder.Small(scenes[(turn + k) % scenes.Length]);
             var picture = ProgramInWords.Draw(scene, program);
-            if (k == scenes.Length || ChangedPixels.Count(picture, EditedLab.Render(scene), levels: 2) >= MutationCoverage.LeastPixels)
+            if (k == scenes.Length || ChangedPixels.Count(picture, EditedLab.Render(scene), levels: 2) >= Rendering.LeastPixels)
                 return (scene, picture);
         }
     }

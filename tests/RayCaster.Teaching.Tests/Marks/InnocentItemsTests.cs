@@ -28,7 +28,7 @@ public class InnocentItemsTests
     }
 
     private static bool ShowsIn(MarkedScene scene, string program) =>
-        ChangedPixels.Count(ProgramInWords.Draw(scene.Scene, program), scene.Right, levels: 2) >= MutationCoverage.LeastPixels;
+        ChangedPixels.Count(ProgramInWords.Draw(scene.Scene, program), scene.Right, levels: 2) >= Rendering.LeastPixels;
 
     /// <summary>The item of a section of formulas, in docs/rubric.json.</summary>
     private static string ItemOf(string section) => section switch

@@ -43,7 +43,7 @@ public class MarkerTests
 
     private static MarkedScene Small(MarkedScene scene) => smaller.GetOrAdd(scene.Name, _ => scene with
     {
-        Judge = new(scene.Scene.WithSize(scene.Scene.Camera.Width / 2, scene.Scene.Camera.Height / 2)),
+        Diagnoser = new(scene.Scene.WithSize(scene.Scene.Camera.Width / 2, scene.Scene.Camera.Height / 2)),
     });
 
     internal static StudentMarks Mark(Rubric rubric, Func<Scene, Picture?> draw) => new Marker(rubric).Mark("somebody",
@@ -96,7 +96,7 @@ public class MarkerTests
     public void AMistakeThatLosesAShapeIsNamedBesideTheMissingShape()
     {
         var marks = Mark(two, scene => EditedLab.Render(scene, PlantedMistake.Named("slab-noswap")));
-        Assert.Equal(["aabb"], marks.NotDrawn);
+        Assert.Equal(["aabb"], marks.MissingParts);
         Assert.Contains("slab-noswap", marks.HidingMistakes);
         Assert.StartsWith("If they are written: ", MarkWords.Question("aabb", marks.HidingMistakes));
     }
@@ -114,7 +114,7 @@ public class MarkerTests
     {
         var walls = Small(whole.Scenes[0]);
         var ball = Model.Of(new Sphere(walls.Scene.Camera.Target, 1));
-        var room = walls with { Judge = new(walls.Scene with { Models = [.. walls.Scene.Models, ball] }) };
+        var room = walls with { Diagnoser = new(walls.Scene with { Models = [.. walls.Scene.Models, ball] }) };
         var marks = Mark(With(whole.Items, [room]), scene => EditedLab.Render(scene, PlantedMistake.Named("w-sign")));
         Assert.Equal("4", Lost(marks).Replace(" 8", ""));
         Assert.Equal(2, marks.Items[7].Undecided);

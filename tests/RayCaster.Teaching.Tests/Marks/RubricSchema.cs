@@ -24,7 +24,7 @@ internal static class RubricSchema
         IEnumerable<string>? words = key.Name switch
         {
             "mistakes" => MistakeCatalog.All.Select(mistake => mistake.Id),
-            "undone" => MissingParts.All,
+            "undone" => MissingPart.All,
             _ => null,
         };
         return words is null ? new() { ["type"] = "string" } : new() { ["enum"] = ArrayOf(words.Select(word => (JsonNode)word)) };

@@ -38,12 +38,12 @@ internal static class ProgramInWords
             else if (part != "ok") mistakes.Add(part == lengthInAll.Id ? lengthInAll : PlantedMistake.Named(part));
         }
         if (style is [var step, var way])
-            return FormulaProgram.For(scene.Camera).With(FormulaBook.Slides[Enum.Parse<StepKind>(step, ignoreCase: true), way]).Draw(scene);
+            return FormulaProgram.Slides.With(FormulaBook.Slides[Enum.Parse<StepKind>(step, ignoreCase: true), way]).Draw(scene);
         return formulas.Count > 0 ? MistakeCatalog.Draw(scene, formulas) : EditedLab.Render(scene, manner, [.. mistakes]);
     }
 
     /// <summary>A mistake that the catalogue does not have, as Mistakes.txt has its own.</summary>
-    public static Change Written(string formulas) => new([.. ChangeReader.Read(formulas)], Priors.Known) { Cause = formulas };
+    public static Change Written(string formulas) => new([.. ChangeReader.Read(formulas).Single()], Priors.Known) { Cause = formulas };
 
     private static Camera Changed(Camera camera, string name, string value)
     {

@@ -51,13 +51,13 @@ public static class PictureAssert
         foreach (var ofTheLastRun in (string[])[received, expected])
             if (File.Exists(ofTheLastRun)) File.Delete(ofTheLastRun);
         // By the pictures alone: a scene that the student has changed would explain the difference. Most are right, and cost no more.
-        if (references.Exists(reference => new PictureJudge(reference).Judge(mine) is Likeness.Identical or Likeness.WithinRounding)) return;
-        if (step > 0 && !new PictureJudge(references[0]).Judge(LabSteps.Draw(scene, step)).IsSame()) // the library draws what the file now says
+        if (references.Exists(reference => new PictureJudge(reference).Compare(mine) is Likeness.Identical or Likeness.WithinRounding)) return;
+        if (step > 0 && !new PictureJudge(references[0]).Compare(LabSteps.Draw(scene, step)).IsSame()) // the library draws what the file now says
         {
             var file = Path.GetRelativePath(LabFolder.Root, sceneFile).Replace('\\', '/');
             Assert.Fail($"{file} is not as it was handed out. Copy it to scenes/my to play with it, and restore this one: git restore {file}");
         }
-        if (references.Exists(reference => new PictureJudge(reference, own).Judge(mine).IsSame())) return; // but for outlines
+        if (references.Exists(reference => new PictureJudge(reference, own).Compare(mine).IsSame())) return; // but for outlines
 
         var nearest = references.MinBy(reference => new PictureDifference(mine, reference).CountBeyond(0));
         Directory.CreateDirectory(Path.GetDirectoryName(received));

@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching.Explanations;
 
 /// <summary>Why a formula gives NaN: the test that failed, or the operation without a result, with its numbers.</summary>
-internal static class Why
+internal static class NaNReason
 {
     /// <summary>The reasons, from the derivation of a crossing that is NaN.</summary>
     public static string IsNoNumber(Term term) => string.Join("; ", Find(term).Distinct());
@@ -11,7 +11,7 @@ internal static class Why
         Operation.If when term.A.Value == 0 => FindFailure(term.A),
         Operation.Constant => ["the formula gives NaN"],
         _ => term.Parts.FirstOrDefault(part => double.IsNaN(part.Value)) is { } part ? Find(part)
-            : [$"{new TermText().Of(term)} is no number"],
+            : [$"{new TermText().Write(term)} is no number"],
     };
 
     private static IEnumerable<string> FindFailure(Term mask, string? formula = null) => mask.Operation switch
@@ -27,7 +27,7 @@ internal static class Why
     {
         var (left, right) = Digits.Apart(comparison.A.Value, comparison.B.Value);
         var sign = TermText.Comparison(comparison.Operation);
-        var working = new TermText().Of(comparison.A);
+        var working = new TermText().Write(comparison.A);
         var source = formula is not null ? $"{formula}: "
             : comparison.A.Chosen.Label is { } name ? $"{name} = "
             : working != left ? $"{working} = "

@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching.Changes;
 
 /// <summary>What an unfinished program may not do yet: kinds of shape by their names in scene files, attenuation, clipping.</summary>
-public static class MissingParts
+public static class MissingPart
 {
     /// <summary>Models do not get darker with the distance.</summary>
     public const string Attenuation = "attenuation";

@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching.Explanations;
 
 /// <summary>The reasons for outcomes, in words for students.</summary>
-internal static class Reasons
+internal static class OutcomeReason
 {
     /// <summary>Why a crossing does not count.</summary>
     public static string Format(Outcome refusal, double t, PixelExplanation pixel)
@@ -32,7 +32,7 @@ internal static class Reasons
                 $"{Compare("t_min", tMin, ">", "t_max", tMax)}: {BesideSlabs(slabs, tMin, tMax)}",
             Model<Triangle> => Weights(steps) is [var w, var u, var v] ? Outside(w, u, v) : "d·n = 0: the triangle is seen edge-on",
             _ => null,
-        } ?? Why.IsNoNumber(near);
+        } ?? NaNReason.IsNoNumber(near);
 
     /// <summary>The barycentric numbers w, u, v of a triangle, which add up to 1; null for a triangle seen edge-on.</summary>
     public static IReadOnlyList<double>? Weights(IReadOnlyList<NamedValue> steps)
