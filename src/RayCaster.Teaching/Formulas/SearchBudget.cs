@@ -13,7 +13,7 @@ namespace RayCaster.Teaching.Formulas;
 public sealed class SearchBudget(long work = SearchBudget.Usual, TimeSpan? lastResort = null, CancellationToken cancellation = default)
 {
     /// <summary>The work that is done if the user sets no limit: some six seconds of a core.</summary>
-    public const long Usual = 4_000_000_000;
+    public const long Usual = 6_000_000_000;
 
     /// <summary>The processor time after which a search ends if it has not done its work by then.</summary>
     public static readonly TimeSpan LastResort = TimeSpan.FromSeconds(60);

@@ -16,7 +16,7 @@ public class UnseenSlipsTests
         var diagnosis = DiagnosisResult.Find(scene, picture, new());
         Change[] named = diagnosis.Kind == DiagnosisKind.Mistake ? [.. diagnosis.Suspects[0].Mistakes] : [];
         Assert.Equal((whether, named.Length), (named.Length > 0 ? "named" : "-", Math.Min(1, named.Length)));
-        var step = Enum.Parse<StepKind>(section, ignoreCase: true);
+        var step = Enum.GetValues<StepKind>().First(kind => kind.InWords() == section);
         Assert.All(named, mistake => Assert.True(mistake.Steps.Any(own => own == step || (own.IsOfRays() && step.IsOfRays())
             || (own.IsOfHits() && step.IsOfHits()) || (own.IsOfColors() && step.IsOfColors())) && (mistake.Place is not { } place
             || formulas.Split(' ').Contains(place.Name)), $"{mistake.Id}: {mistake.Place} {mistake.Cause}"));
