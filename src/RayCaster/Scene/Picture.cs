@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>A picture in memory: 8 bits each of red, green and blue, line 0 at the top.</summary>
@@ -44,6 +46,7 @@ public sealed class Picture
             var i = IndexOf(x, y);
             return (Rgb[i], Rgb[i + 1], Rgb[i + 2]);
         }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         set
         {
             var i = IndexOf(x, y);

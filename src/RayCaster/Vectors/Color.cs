@@ -26,5 +26,6 @@ public readonly record struct Color(double R, double G, double B)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Level<N>(N channel) where N : struct, IReal<N> => N.Min(N.Max(channel, 0), 1) * 255 + 0.5;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static byte ToByte(double channel) => (byte)Level<Scalar>(channel);
 }

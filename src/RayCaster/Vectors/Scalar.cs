@@ -27,6 +27,7 @@ public readonly record struct Scalar(double Value) : IReal<Scalar>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Scalar operator -(Scalar a, Scalar b) => new(a.Value - b.Value);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Scalar operator -(Scalar a) => new(-a.Value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -39,6 +39,7 @@ public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
     public static Vector3<N> operator /(Vector3<N> a, N b) => N.Divide(a, b);
 
     /// <summary>Dot product.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N operator *(Vector3<N> a, Vector3<N> b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 
     /// <summary>Cross product.</summary>
