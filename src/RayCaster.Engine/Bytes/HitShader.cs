@@ -19,6 +19,7 @@ internal sealed class HitShader
 
     /// <param name="first">The position of the lowest row's first pixel.</param>
     /// <param name="step">The distance from a pixel to the one above it.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, byte[] rgb, int first, int step)
     {
         for (var i = 0; i < rays.Length; i += rays.Pitch, first += step) Shade(rays, i, rgb.AsSpan(first, 3 * rays.Width));

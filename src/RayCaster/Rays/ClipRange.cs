@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>Decides which crossings count: those beyond the bias, from the near to the far clip plane, both included.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>The ray parameters at which a ray crosses a primitive, nearest first; NaN where there is none.</summary>

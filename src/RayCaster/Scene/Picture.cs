@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>A picture in memory: 8 bits each of red, green and blue, line 0 at the top.</summary>

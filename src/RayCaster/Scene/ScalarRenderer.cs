@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>The definition of a picture, one ray after another: slow, and right. The engine's pictures are spot-checked against it.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>A colour as intensities, not bytes: 1 is full intensity; more is allowed, and clamped only in the picture.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary><see cref="Vector3"/> over any kind of number, with the operators that formulas of primitives need.</summary>
