@@ -73,6 +73,7 @@ internal sealed class DefinitionCheck
     }
 
     /// <param name="rgb">Whole lines, three bytes a pixel.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Sample(ReadOnlySpan<byte> rgb)
     {
         var (width, lines) = (camera.Width, rgb.Length / 3 / camera.Width);
@@ -128,6 +129,7 @@ internal sealed class DefinitionCheck
     }
 
     /// <summary>The pyramid of the rays from one pixel to another below it and to its right; null if rounding may leave one out.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private Pyramid? PyramidOf(int first, int last)
     {
         if (!screen.IsFine) return null;

@@ -13,6 +13,7 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
     /// <param name="topRow">The row, from the bottom, that is the first of the lines.</param>
     public void SetTarget(byte[] rgb, int topRow) => (this.rgb, this.topRow) = (rgb, topRow);
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Consume(RayStream rays) => shader.Shade(rays, rgb, OffsetOf(rays.Column, rays.Row), -3 * width);
 
     public void FillBackground(in PixelRect part)

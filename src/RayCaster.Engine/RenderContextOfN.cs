@@ -8,7 +8,8 @@ internal sealed class RenderContext<N> : RenderContext where N : struct, IPacket
         var (camera, models) = (scene.Camera, scene.Models);
         if (plan.UsesBatch)
             PrimitiveBatch = new(camera, ShapeLists.Of(models, plan.KeepsLists, plan.Threads), models.Count, plan.Threads);
-        ModelIndices = [.. PrimitiveBatch?.Others ?? Enumerable.Range(0, models.Count)];
+        ModelIndices = PrimitiveBatch is null ? new int[models.Count] : [.. PrimitiveBatch.Others];
+        for (var i = 0; PrimitiveBatch is null && i < models.Count; i++) ModelIndices[i] = i;
         Views = Array.ConvertAll(ModelIndices, i => ViewOf(models[i], cancellation));
         ShowIn = Array.ConvertAll(Views, view => view.ShowsIn);
     }

@@ -111,6 +111,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
         if (!(context.Plan.UsesShapeKernels && consumer.PaintMesh(tile, views[only], modelIndices[only]))) CastRows(tile, list);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Cut(in PixelRect tile, List<Candidate> list)
     {
         if (list.Count == 0 || IsCoveredByOne(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
@@ -163,6 +164,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
     /// ones.</summary>
     /// <returns>How many parts are done, from the first on.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private int MergeUniform(RegionPacket parts, List<Candidate>[] lists, int first)
     {
         if (hasSeveralMeshes) return 0;
@@ -184,6 +186,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     }
 
     /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static void DropHidden(List<Candidate> list, double farthestT)
     {
         var kept = 0;
@@ -194,6 +197,7 @@ internal sealed class TileCaster<N> where N : struct, IPacket<N>
     }
 
     /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part whose models are all single shapes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void CastRows(in PixelRect part, List<Candidate> list)
     {
         var isSmall = part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isShape);

@@ -19,6 +19,7 @@ internal sealed class HitShader
 
     /// <param name="first">The position of the lowest row's first pixel.</param>
     /// <param name="step">The distance from a pixel to the one above it.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, byte[] rgb, int first, int step)
     {
         for (var i = 0; i < rays.Length; i += rays.Pitch, first += step) Shade(rays, i, rgb.AsSpan(first, 3 * rays.Width));
@@ -32,7 +33,8 @@ internal sealed class HitShader
         {
             var models = rays.ModelsAt<Packet>(first);
             var attenuation = Packet.Select(models < 0, 1, Scene.Attenuation(rays.NearestAt<Packet>(first))); // 1 leaves the background as it is
-            var (a, b, c, d) = (ColorOf(models.Lanes[0]), ColorOf(models.Lanes[1]), ColorOf(models.Lanes[2]), ColorOf(models.Lanes[3]));
+            var places = 3 * models.ToInts() + Vector128.Create(3); // of the models' colours; the background's is 0
+            var (a, b, c, d) = (places[0], places[1], places[2], places[3]);
             var pixels = Vector128<int>.Zero;
             for (var channel = 2; channel >= 0; channel--)
             {
@@ -53,10 +55,6 @@ internal sealed class HitShader
         for (; rgb.Length > missed.Length; rgb = rgb[missed.Length..]) missed.CopyTo(rgb);
         missed.AsSpan(0, rgb.Length).CopyTo(rgb);
     }
-
-    /// <summary>The position of a model's colour; the background's for −1.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int ColorOf(double model) => 3 * (int)model + 3;
 
     private static double[] ColorsOf(Scene scene, int threads)
     {

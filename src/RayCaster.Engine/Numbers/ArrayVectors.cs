@@ -22,10 +22,6 @@ internal static class ArrayVectors
         vector.StoreUnsafe(ref At(numbers, index, Vector256<T>.Count));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void StoreTo<T>(this Vector64<T> vector, T[] numbers, int index) where T : struct =>
-        vector.StoreUnsafe(ref At(numbers, index, Vector64<T>.Count));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void StoreTo<T>(this Vector128<T> vector, T[] numbers, int index) where T : struct =>
         vector.StoreUnsafe(ref At(numbers, index, Vector128<T>.Count));
 

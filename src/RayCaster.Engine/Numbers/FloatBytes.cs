@@ -25,16 +25,16 @@ internal static class FloatBytes
     {
         var bytes = InARow(pixels);
         bytes.GetLower().StoreTo(rgb, offset);
-        bytes.GetUpper().GetLower().StoreTo(rgb, offset + Vector256<byte>.Count / 2);
+        bytes.GetUpper().StoreTo(rgb, offset + Vector256<byte>.Count / 4);
     }
 
-    /// <summary>Three bytes of each of 8 pixels, without the fourth; those after the 24 are meaningless.</summary>
+    /// <summary>Three bytes of each of 8 pixels, without the fourth: the first 16 of the 24, then the last 16.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<byte> InARow(Vector256<int> pixels)
     {
         var within = Vector256.Create((byte)
             0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255,
             0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
-        return Avx2.PermuteVar8x32(Avx2.Shuffle(pixels.AsByte(), within).AsInt32(), Vector256.Create(0, 1, 2, 4, 5, 6, 3, 7)).AsByte();
+        return Avx2.PermuteVar8x32(Avx2.Shuffle(pixels.AsByte(), within).AsInt32(), Vector256.Create(0, 1, 2, 4, 2, 4, 5, 6)).AsByte();
     }
 }

@@ -110,7 +110,7 @@ internal struct Packet : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Narrow(Packet lower, Packet upper) => Vector256.Narrow(lower.Lanes, upper.Lanes);
 
-    /// <summary>The whole parts of numbers from 0 to 2³¹.</summary>
+    /// <summary>The whole parts of numbers within ±2³¹.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector128<int> ToInts() => Avx.IsSupported
         ? Avx.ConvertToVector128Int32WithTruncation(Lanes)

@@ -15,6 +15,7 @@ internal readonly record struct PixelRect(int Column, int Row, int Width, int He
     public long Area => (long)Width * Height;
 
     /// <summary>Whether the rectangles share a pixel. It takes no branch, since of many rectangles the answer is unpredictable.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Overlaps(in PixelRect other) =>
         Column < other.EndColumn & other.Column < EndColumn & Row < other.EndRow & other.Row < EndRow;
 }

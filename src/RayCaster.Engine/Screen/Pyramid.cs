@@ -2,6 +2,7 @@ namespace RayCaster.Engine;
 
 /// <summary>The four planes through the eye that hold the rays of some pixels between them, and a pixel around each: more than any rounding, if the
 /// camera's pixels can be told apart (<see cref="ScreenSpace.IsFine"/>).</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Pyramid(Camera camera, PixelRect pixels)
 {
     // Normals, which point outwards. A point p is at u = p·U / −p·W, so it is to the right of u where p · (U + u W) > 0.

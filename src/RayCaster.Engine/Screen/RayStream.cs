@@ -29,7 +29,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     public int Row { get; private set; }
 
     /// <summary>How many numbers there are from the first pixel to the last.</summary>
-    public int Length => (Rows - 1) * Pitch + Width;
+    public int Length { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => (Rows - 1) * Pitch + Width; }
 
     public int Width { get; private set; }
 
@@ -51,6 +51,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>Prepares the columns that the next rows have in common.</summary>
     /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
     /// <param name="pitch">The distance from row to row; the number of columns if left out.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Begin<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
     {
         (Column, Width, Pitch, Rows) = (column, length, pitch ?? length, 1);
@@ -59,10 +60,11 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     /// <summary>Computes the directions of a row's rays, or of several rows', and forgets all hits.</summary>
     /// <param name="rows">How many rows; more than one only if the pitch is a multiple of the packet's width.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Aim<N>(int row, int rows = 1) where N : struct, IPacket<N>
     {
         (Row, Rows) = (row, rows);
-        Array.Clear(single);
+        if (single.Length > 0) Array.Clear(single);
         for (var i = 0; i < rows; i++) AimRow<N>(row + i, i * Pitch);
     }
 
@@ -122,7 +124,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public void MergeStored<N>(int modelIndex) where N : struct, IPacket<N>
     {
-        for (var i = 0; i < Length; i += N.Count)
+        for (int i = 0, end = Length; i < end; i += N.Count)
             MergeNearest(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), Lanes.Broadcast<N>(modelIndex));
     }
 

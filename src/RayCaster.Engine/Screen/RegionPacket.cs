@@ -32,6 +32,7 @@ internal sealed class RegionPacket(Camera camera)
     /// <summary>Cuts a rectangle into parts, from left to right and then upwards.</summary>
     /// <param name="whole">The rectangle; parts that lie beyond its sides are narrower, lower or empty.</param>
     /// <param name="across">How many lie side by side.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Cut(in PixelRect whole, int side, int across)
     {
         Across = across;

@@ -97,6 +97,7 @@ internal sealed class ScreenBounds
     }
 
     /// <summary>The pixels where something within bounds may show; everywhere if that is not known.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public PixelRect TileOf(Bounds bounds)
     {
         if (camera.IsSkewed) return PixelRect.Everywhere; // the projection would be wrong

@@ -12,7 +12,7 @@ internal sealed class PrimitiveView<P, N>(P primitive, Bounds? bounds, Camera ca
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     protected override void Intersect(RayStream rays)
     {
-        var shape = primitive; // a local, so that its constants stay in registers
-        for (var i = 0; i < rays.Length; i += N.Count) rays.StoreCrossings(i, shape.Intersect(rays.RaysAt<N>(i)));
+        var shape = primitive; // a local, so that its constants stay in registers; and after a formula the JIT inlines no property any more
+        for (int i = 0, end = rays.Length; i < end; i += N.Count) rays.StoreCrossings(i, shape.Intersect(rays.RaysAt<N>(i)));
     }
 }

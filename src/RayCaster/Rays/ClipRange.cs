@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>Decides which crossings count: those beyond the bias, from the near to the far clip plane, both included.</summary>
@@ -27,12 +25,15 @@ public readonly struct ClipRange
     }
 
     /// <summary>Beyond the bias (slide "Bias").</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N IsAhead<N>(N t) where N : struct, IReal<N> => t >= least;
 
     /// <summary>Not nearer than the near clip plane (slide "zNear &amp; zFar").</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N IsBeyondNear<N>(N z) where N : struct, IReal<N> => z >= zNear;
 
     /// <summary>Not beyond the far clip plane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N IsWithinFar<N>(N z) where N : struct, IReal<N> => z <= zFar;
 
     /// <summary>The first of two crossings that counts, or NaN. Where the near side of a solid is clipped away, its far side shows.</summary>

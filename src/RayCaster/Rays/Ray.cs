@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>A ray X(t) = P + t d (slide "Ray").</summary>

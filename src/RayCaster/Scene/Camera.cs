@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>What zNear and zFar measure.</summary>
@@ -164,6 +162,7 @@ public sealed record Camera
     }
 
     /// <summary>The depth z per unit of t along d: −d·W; 1 if zNear and zFar limit the distance.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N DepthPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
         Clip == ClipMode.Depth ? -(direction * W) : 1;
 

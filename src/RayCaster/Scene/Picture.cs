@@ -44,6 +44,7 @@ public sealed class Picture
             var i = IndexOf(x, y);
             return (Rgb[i], Rgb[i + 1], Rgb[i + 2]);
         }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         set
         {
             var i = IndexOf(x, y);

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>The definition of a picture, one ray after another: slow, and right. The engine's pictures are spot-checked against it.</summary>
@@ -19,7 +17,7 @@ public static class ScalarRenderer
     /// <param name="top">The picture's line, counted from the top, at the part's upper edge.</param>
     /// <param name="threads">The most threads; −1 for one per core.</param>
     public static void Render(Scene scene, Picture part, int left = 0, int top = 0, int threads = -1) =>
-        Parallel.For(0, part.Height, new() { MaxDegreeOfParallelism = threads }, y =>
+        Parallel.For(0, part.Height, new() { MaxDegreeOfParallelism = threads }, [MethodImpl(MethodImplOptions.AggressiveOptimization)] (y) =>
         {
             for (var x = 0; x < part.Width; x++) part[x, y] = Pixel(scene, left + x, top + y);
         });

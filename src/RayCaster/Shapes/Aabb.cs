@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>A box with its sides along the axes (slide "AABB (Axis Aligned Bounding Box)"); it may be flat.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>Triangles that share their corners, as one model.</summary>

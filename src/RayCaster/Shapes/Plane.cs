@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>An infinite plane, visible from both sides (slide "Plane").</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>A triangle, visible from both sides, in any order of its corners (slide "Triangle").</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>A colour as intensities, not bytes: 1 is full intensity; more is allowed, and clamped only in the picture.</summary>
@@ -26,5 +24,6 @@ public readonly record struct Color(double R, double G, double B)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Level<N>(N channel) where N : struct, IReal<N> => N.Min(N.Max(channel, 0), 1) * 255 + 0.5;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static byte ToByte(double channel) => (byte)Level<Scalar>(channel);
 }

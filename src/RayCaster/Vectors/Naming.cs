@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>Gives the steps of a formula the names of the slides. Explanations show them; they do not change what is computed.</summary>

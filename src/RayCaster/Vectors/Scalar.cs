@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
 namespace RayCaster;
@@ -27,6 +26,7 @@ public readonly record struct Scalar(double Value) : IReal<Scalar>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Scalar operator -(Scalar a, Scalar b) => new(a.Value - b.Value);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Scalar operator -(Scalar a) => new(-a.Value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

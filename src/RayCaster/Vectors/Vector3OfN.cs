@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary><see cref="Vector3"/> over any kind of number, with the operators that formulas of primitives need.</summary>
@@ -39,6 +37,7 @@ public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
     public static Vector3<N> operator /(Vector3<N> a, N b) => N.Divide(a, b);
 
     /// <summary>Dot product.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N operator *(Vector3<N> a, Vector3<N> b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 
     /// <summary>Cross product.</summary>
