@@ -79,7 +79,7 @@ internal sealed class HypothesisSearch(
 
     private void Search()
     {
-        string[] kinds = ShownColors.KindsOf(pictures);
+        string[] kinds = [.. pictures.SelectMany(picture => picture.Scene.Models).Select(model => model.Kind).Distinct()];
         string[] parts = [.. kinds.Length > 1 ? kinds : [], MissingPart.Attenuation, MissingPart.Clipping];
         Change[] missing = [.. ChangeSource.Missing(parts.Except(options.Done))];
         Change[] named = [.. ChangeSource.From(options.Known, options.Likely)];
@@ -99,9 +99,10 @@ internal sealed class HypothesisSearch(
         var shortest = found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(MaxBesideCheap).ToArray();
         foreach (var one in shortest) Extend(one, cheap);
         if (Bound < Priors.Unknown) return;
-        var byColors = ShownColors.MissingParts(pictures, options.Done).Take(MaxUnfinished)
-            .Select(way => ways.Find(other => other.Changes.Select(change => change.MissingPart).ToHashSet().SetEquals(way)));
-        Hypothesis[] unfinished = [.. ways.Take(MaxUnfinished).Concat(byColors.OfType<Hypothesis>()).Distinct()];
+        // a colour shows what is drawn, at any place
+        var byColors = ways.Where(way => !way.MissingShapes.Any(kind => pictures.Any(picture => picture.Shows(kind))))
+            .OrderByDescending(way => way.MissingShapes.Count).Take(MaxUnfinished);
+        Hypothesis[] unfinished = [.. ways.Take(MaxUnfinished).Concat(byColors).Distinct()];
         foreach (var way in unfinished) Extend(way, named);
         if (Bound < PairBits) return;
 
