@@ -53,7 +53,7 @@ internal sealed class PictureSample
         (this.pixels, rendering) = ByTurns(FormulaProgram.Slides);
     }
 
-    /// <summary>The same pixels as evidence for a second mistake: those that a first one does not explain count as wrong.</summary>
+    /// <summary>The same pixels as a sample for a second mistake: those that a first one does not explain count as wrong.</summary>
     public PictureSample(PictureSample whole, FormulaProgram first)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
@@ -118,7 +118,7 @@ internal sealed class PictureSample
 
     /// <summary>
     /// In how many more pixels the picture shows what the scene shows a thousandth of a pixel away. There the last bits of doubles or floats decide.
-    /// That is not wrong, and must not be evidence: a mistake that changes a camera's number by its last bit would explain it.
+    /// That is not wrong, and must not count: a mistake that changes a camera's number by its last bit would explain it.
     /// </summary>
     public int OutlineCount { get; }
 
