@@ -44,10 +44,10 @@ internal sealed class CheckCommand() : Command("check", "<scene>...", "Finds err
         if (!scenes.TrueForAll(MutationCoverage.CanJudge))
             throw new ProblemException($"a scene has more than {MutationCoverage.MaxModels:N0} models: too many to try mistakes on");
         var mistakes = MistakeCatalog.All.Where(mistake => line.Get(shapes) is not { } some || mistake.Touches(some));
-        var fitness = MutationCoverage.Measure(scenes, line.Get(Option.Threads), [.. mistakes], line.Budget());
-        var absent = required.Where(id => fitness.Tested.All(mistake => mistake.Id != id)
-            || fitness.Hidden.Concat(fitness.NotTried).Any(mistake => mistake.Id == id)).ToArray();
-        if (!quiet) StandardStreams.WriteOutput(CoverageReport.Text(fitness));
+        var coverage = MutationCoverage.Measure(scenes, line.Get(Option.Threads), [.. mistakes], line.Budget());
+        var absent = required.Where(id => coverage.Tested.All(mistake => mistake.Id != id)
+            || coverage.Hidden.Concat(coverage.NotTried).Any(mistake => mistake.Id == id)).ToArray();
+        if (!quiet) StandardStreams.WriteOutput(CoverageReport.Text(coverage));
         if (absent.Length == 0) return ExitCode.Done;
         StandardStreams.WriteError($"required, but not shown: {string.Join(", ", absent)}");
         return ExitCode.No;

@@ -41,7 +41,8 @@ internal static class MistakeBook
                     case "is":
                         foreach (var way in ChangeReader.Read(rest))
                         {
-                            changes.Add(new([.. way], Priors.Known) { Cause = cause.Replace("some shapes", ShapesOf(way), StringComparison.Ordinal) });
+                            var own = cause.Replace("some shapes", ShapesOf(way), StringComparison.Ordinal);
+                            changes.Add(new([.. way], Priors.Known) { Cause = own });
                             labels.Add(new(id, null, way, [], []));
                         }
                         break;

@@ -44,59 +44,59 @@ public static class CoverageReport
     internal static IEnumerable<string> Reasons => reasons.Select(reason => reason.Name);
 
     /// <summary>Lines of text.</summary>
-    public static string Text(MutationCoverage fitness)
+    public static string Text(MutationCoverage coverage)
     {
         var text = new StringBuilder();
-        var one = fitness.Scenes.Count == 1;
-        text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {fitness.Scenes.Count} scenes together show")} " +
-            (fitness.IsCut && fitness.NotTried.Count > 0
-                ? $"{Shown(fitness)} of the {fitness.Tested.Count - fitness.NotTried.Count} known mistakes that were tried; " +
-                    $"{fitness.NotTried.Count} were not (--all tries them)."
-                : $"{Shown(fitness)} of the {fitness.Tested.Count} known mistakes."));
-        if (fitness.IsReduced) text.AppendLine("A large picture was judged by a smaller one of the same shape.");
-        var hidden = fitness.Hidden.Except(fitness.WithinRounding).ToArray();
+        var one = coverage.Scenes.Count == 1;
+        text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {coverage.Scenes.Count} scenes together show")} " +
+            (coverage.IsCut && coverage.NotTried.Count > 0
+                ? $"{Shown(coverage)} of the {coverage.Tested.Count - coverage.NotTried.Count} known mistakes that were tried; " +
+                    $"{coverage.NotTried.Count} were not (--all tries them)."
+                : $"{Shown(coverage)} of the {coverage.Tested.Count} known mistakes."));
+        if (coverage.IsReduced) text.AppendLine("A large picture was judged by a smaller one of the same shape.");
+        var hidden = coverage.Hidden.Except(coverage.WithinRounding).ToArray();
         if (hidden.Length > 0)
         {
             text.AppendLine($"{(hidden.Length == 1 ? "One makes" : $"{hidden.Length} make")} no difference that can be seen:");
-            foreach (var group in hidden.GroupBy(mistake => ReasonFor(mistake, fitness)))
+            foreach (var group in hidden.GroupBy(mistake => ReasonFor(mistake, coverage)))
             {
                 text.AppendLine($"  {group.Key}");
                 foreach (var mistake in group) text.AppendLine($"    {mistake.Id,-14} {mistake.Cause}");
             }
         }
-        if (fitness.SurvivorsInUsualForm.Count > 0)
+        if (coverage.SurvivorsInUsualForm.Count > 0)
         {
             text.AppendLine("These show in one form and are hidden in another:");
-            foreach (var mistake in fitness.SurvivorsInUsualForm) text.AppendLine($"    {mistake.Id,-14} hidden as: {mistake.Cause}");
+            foreach (var mistake in coverage.SurvivorsInUsualForm) text.AppendLine($"    {mistake.Id,-14} hidden as: {mistake.Cause}");
         }
-        if (fitness.WithinRounding.Count > 0)
-            text.AppendLine($"Only a comparison of the bytes shows {string.Join(", ", fitness.WithinRounding.Select(mistake => mistake.Id))}: " +
+        if (coverage.WithinRounding.Count > 0)
+            text.AppendLine($"Only a comparison of the bytes shows {string.Join(", ", coverage.WithinRounding.Select(mistake => mistake.Id))}: " +
                 "they change a channel by a level.");
-        if (fitness.Twins.Count > 0)
+        if (coverage.Twins.Count > 0)
         {
             text.AppendLine("These are seen, but cannot be told apart:");
-            foreach (var group in fitness.Twins) text.AppendLine($"  {string.Join(" = ", group.Select(mistake => mistake.Id))}");
-            if (fitness.Scenes.All(scene => scene.Background == Color.Black))
+            foreach (var group in coverage.Twins) text.AppendLine($"  {string.Join(" = ", group.Select(mistake => mistake.Id))}");
+            if (coverage.Scenes.All(scene => scene.Background == Color.Black))
                 text.AppendLine("  The background is black: another colour tells a black model from none.");
         }
-        else if (fitness.IsCut) text.AppendLine("Not all were compared with each other (--all does): some may not be told apart.");
-        if (fitness.NotTried.Count > 0)
+        else if (coverage.IsCut) text.AppendLine("Not all were compared with each other (--all does): some may not be told apart.");
+        if (coverage.NotTried.Count > 0)
             text.AppendLine(
-                $"Not tried, since {(fitness.IsCut ? "the usual amount of work is done (--all tries them)"
+                $"Not tried, since {(coverage.IsCut ? "the usual amount of work is done (--all tries them)"
                     : $"a mesh of more than {ShapePart.MaxTriangles} triangles is always drawn rightly")}: " +
-                $"{string.Join(", ", fitness.NotTried.Select(mistake => mistake.Id))}.");
+                $"{string.Join(", ", coverage.NotTried.Select(mistake => mistake.Id))}.");
         return text.ToString();
     }
 
-    private static int Shown(MutationCoverage fitness) => fitness.Tested.Count - fitness.Hidden.Count - fitness.NotTried.Count;
+    private static int Shown(MutationCoverage coverage) => coverage.Tested.Count - coverage.Hidden.Count - coverage.NotTried.Count;
 
-    private static string ReasonFor(Mistake mistake, MutationCoverage fitness)
+    private static string ReasonFor(Mistake mistake, MutationCoverage coverage)
     {
-        if (fitness.Scenes.All(scene => scene.Models.Count == 0)) return "the world is empty: add models";
-        if (fitness.ShowsNothing) return "the picture is of one colour: nothing is to be seen in it";
-        if (!fitness.Scenes.Any(mistake.Touches)) return $"there is no {Needs(mistake)}";
+        if (coverage.Scenes.All(scene => scene.Models.Count == 0)) return "the world is empty: add models";
+        if (coverage.ShowsNothing) return "the picture is of one colour: nothing is to be seen in it";
+        if (!coverage.Scenes.Any(mistake.Touches)) return $"there is no {Needs(mistake)}";
         var hiding = reasons.FirstOrDefault(reason => mistake.HiddenBy.Contains(reason.Name)
-            && fitness.Scenes.All(scene => reason.Holds?.Invoke(scene) != false));
+            && coverage.Scenes.All(scene => reason.Holds?.Invoke(scene) != false));
         return hiding?.Why ?? "nothing in the picture depends on it";
     }
 

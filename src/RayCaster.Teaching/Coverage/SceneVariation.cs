@@ -67,8 +67,8 @@ public sealed class SceneVariation
     private static Mistake[] Shown(Scene scene, SearchBudget? budget)
     {
         if (!MutationCoverage.CanJudge(scene)) return [];
-        var fitness = MutationCoverage.Measure([scene], budget: budget);
-        return [.. fitness.Tested.Except([.. fitness.Hidden, .. fitness.SurvivorsInUsualForm, .. fitness.NotTried])];
+        var coverage = MutationCoverage.Measure([scene], budget: budget);
+        return [.. coverage.Tested.Except([.. coverage.Hidden, .. coverage.SurvivorsInUsualForm, .. coverage.NotTried])];
     }
 
     private static bool Shows(Scene scene, Mistake[] mistakes) =>

@@ -24,7 +24,7 @@ internal sealed record Hypothesis(FormulaProgram Program, ImmutableArray<Change>
     public double Bits { get; } = Changes.Sum(change => change.Bits);
 
     /// <summary>The same for hypotheses that draw the same.</summary>
-    public string Left => string.Join(' ', Residuals);
+    public string ResidualKey => string.Join(' ', Residuals);
 
     /// <summary>What it leaves unexplained of all pictures.</summary>
     public Residual Residual => Residuals.Aggregate((sum, residual) => sum + residual);

@@ -57,9 +57,9 @@ internal sealed class HypothesisSearch(
         catch (TimeoutException)
         {
         }
-        var alike = found.Where(of => of.Changes is [{ Mutation: not null }]).ToLookup(of => of.Left);
+        var alike = found.Where(of => of.Changes is [{ Mutation: not null }]).ToLookup(of => of.ResidualKey);
         // in the order in which it is told, too
-        return [.. found.Where(of => !of.IsContradicted).OrderBy(of => of.Total).Select(of => Named(of, alike[of.Left]))
+        return [.. found.Where(of => !of.IsContradicted).OrderBy(of => of.Total).Select(of => Named(of, alike[of.ResidualKey]))
             .Where(of => of.Changes.All(change => change.Place is null || options.Possible?.Invoke(change) != false))];
     }
 
@@ -79,7 +79,7 @@ internal sealed class HypothesisSearch(
 
     private void Search()
     {
-        string[] kinds = ShownColors.KindsOf(pictures);
+        string[] kinds = [.. pictures.SelectMany(picture => picture.Scene.Models).Select(model => model.Kind).Distinct()];
         string[] parts = [.. kinds.Length > 1 ? kinds : [], MissingPart.Attenuation, MissingPart.Clipping];
         Change[] missing = [.. ChangeSource.Missing(parts.Except(options.Done))];
         Change[] named = [.. ChangeSource.From(options.Known, options.Likely)];
@@ -96,12 +96,13 @@ internal sealed class HypothesisSearch(
         if (found.Exists(of => !of.IsContradicted && of.Total < Priors.LeastWithoutFormulas) || Bound < Priors.Known + Priors.MissingPart) return;
 
         // with something that costs little, or in an unfinished program
-        var shortest = found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total).DistinctBy(of => of.Left).Take(MaxBesideCheap).ToArray();
-        foreach (var one in shortest) Extend(one, cheap);
+        var changed = found.Where(of => of.Changes.Length > 0).OrderBy(of => of.Total);
+        foreach (var one in changed.DistinctBy(of => of.ResidualKey).Take(MaxBesideCheap).ToArray()) Extend(one, cheap);
         if (Bound < Priors.Unknown) return;
-        var byColors = ShownColors.MissingParts(pictures, options.Done).Take(MaxUnfinished)
-            .Select(way => ways.Find(other => other.Changes.Select(change => change.MissingPart).ToHashSet().SetEquals(way)));
-        Hypothesis[] unfinished = [.. ways.Take(MaxUnfinished).Concat(byColors.OfType<Hypothesis>()).Distinct()];
+        // a colour shows what is drawn, at any place
+        var byColors = ways.Where(way => !way.MissingShapes.Any(kind => pictures.Any(picture => picture.Shows(kind))))
+            .OrderByDescending(way => way.MissingShapes.Count).Take(MaxUnfinished);
+        Hypothesis[] unfinished = [.. ways.Take(MaxUnfinished).Concat(byColors).Distinct()];
         foreach (var way in unfinished) Extend(way, named);
         if (Bound < PairBits) return;
 
@@ -109,7 +110,7 @@ internal sealed class HypothesisSearch(
         Change[] seconds =
         [
             .. pictures.Any(picture => !picture.HasRightSize) ? named
-                : singles.OrderBy(single => single.Bits).DistinctBy(single => (single.Changes[0].Id, single.Left))
+                : singles.OrderBy(single => single.Bits).DistinctBy(single => (single.Changes[0].Id, single.ResidualKey))
                     .Select(single => single.Changes[0]),
             .. cheap,
         ];
@@ -118,7 +119,7 @@ internal sealed class HypothesisSearch(
         foreach (var one in singles.Where(IsOfBytes).DistinctBy(of => of.Changes[0].Id)) Extend(one, seconds);
         if (Bound < PairBits) return;
         var colors = pictures.Select(picture => picture.ByColors()).ToArray();
-        var rest = new Queue<Hypothesis>(Measured([.. singles], FirstLook, colors).DistinctBy(of => of.Left).Take(MaxByColors));
+        var rest = new Queue<Hypothesis>(Measured([.. singles], FirstLook, colors).DistinctBy(of => of.ResidualKey).Take(MaxByColors));
         List<Hypothesis> extended = [];
         ExtendBest(MaxExtended / 3);
         if (Bound < NearPairBits) return;
@@ -135,7 +136,8 @@ internal sealed class HypothesisSearch(
             for (var turn = 0; extended.Count < most; turn++)
             {
                 var first = turn % 2 == 1 && rest.Count > 0 ? rest.Dequeue()
-                    : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0 && !extended.Exists(other => other.Left == of.Left))
+                    : found.Where(of => of.Changes.Length is > 0 and < 4 && of.Gain > 0
+                            && !extended.Exists(other => other.ResidualKey == of.ResidualKey))
                         .MinBy(of => of.Total);
                 if (first is null && !rest.TryDequeue(out first)) return;
                 if (Bound < NearPairBits && extended.Count >= MinExtended) return;

@@ -53,7 +53,7 @@ internal sealed class PictureSample
         (this.pixels, rendering) = ByTurns(FormulaProgram.Slides);
     }
 
-    /// <summary>The same pixels as evidence for a second mistake: those that a first one does not explain count as wrong.</summary>
+    /// <summary>The same pixels as a sample for a second mistake: those that a first one does not explain count as wrong.</summary>
     public PictureSample(PictureSample whole, FormulaProgram first)
     {
         (Scene, Picture, Right, most, budget) = (whole.Scene, whole.Picture, whole.Right, whole.most, whole.budget);
@@ -99,11 +99,8 @@ internal sealed class PictureSample
     /// that draws most models right is near, even if a second one changes most of the picture.</summary>
     public PictureSample ByColors()
     {
-        int[][] alike = [.. wrongPixels.Concat(otherPixels).GroupBy(pixel => ColorOf(Picture.At(pixel))).Select(same => same.ToArray())];
+        int[][] alike = [.. wrongPixels.Concat(otherPixels).GroupBy(pixel => Colors.ModelOf(Picture.At(pixel))).Select(same => same.ToArray())];
         return new(this, [.. Enumerable.Range(0, 2 * most).SelectMany(k => alike.Where(color => k < color.Length).Select(color => color[k]))]);
-
-        int ColorOf((byte, byte, byte) shown) => shown == Scene.Background.ToBytes() ? -1
-            : Scene.Models.TakeWhile(model => !Shade.IsOf(shown, model.Color)).Count();
     }
 
     public Scene Scene { get; }
@@ -121,7 +118,7 @@ internal sealed class PictureSample
 
     /// <summary>
     /// In how many more pixels the picture shows what the scene shows a thousandth of a pixel away. There the last bits of doubles or floats decide.
-    /// That is not wrong, and must not be evidence: a mistake that changes a camera's number by its last bit would explain it.
+    /// That is not wrong, and must not count: a mistake that changes a camera's number by its last bit would explain it.
     /// </summary>
     public int OutlineCount { get; }
 
@@ -177,6 +174,9 @@ internal sealed class PictureSample
             : new FormulaEvaluator(Scene, places, other: other).Draw(without, budget)
         where !places.Index().Any(place => PictureJudge.IsNear(At(drawn, place.Index), Picture[place.Item.X, place.Item.Y]))
         select shown.Key;
+
+    /// <summary>Whether the picture shows a kind of shape by its colour.</summary>
+    public bool Shows(string kind) => shownKinds.Value.ContainsKey(kind);
 
     /// <summary>Whether the picture shows few pixels of a kind of shape, but these in a piece: last bits would scatter them.</summary>
     private bool ShowsOnlyAPieceOf(string kind)

@@ -125,7 +125,7 @@ internal sealed class FormulaBook
         {
             if (line[0] == '[') Begin(line);
             else if (line.Split(' ', 3) is ["word", var name, var meaning]) book.words.TryAdd(name, meaning);
-            else if (kind is not { } own) throw new FormatException("a formula before the first [section]");
+            else if (kind is not { } own) throw new FormatException("a formula before the first [step]");
             else if (line.StartsWith("slide ", StringComparison.Ordinal)) slide = line[6..].Trim('"');
             else if (line.StartsWith("symptom ", StringComparison.Ordinal)) book.symptoms.Add(own, line[8..]);
             else if (line.StartsWith("given ", StringComparison.Ordinal))
@@ -144,7 +144,7 @@ internal sealed class FormulaBook
             var end = line.IndexOf(']', StringComparison.Ordinal);
             if (end < 0 || !Enum.TryParse<StepKind>(line[1..end], ignoreCase: true, out var found))
                 throw new FormatException(
-                    $"'{line}' where a section is expected: {string.Join(", ", Enum.GetNames<StepKind>()).ToLowerInvariant()}");
+                    $"'{line}' where a step is expected: {string.Join(", ", Enum.GetNames<StepKind>()).ToLowerInvariant()}");
             (kind, style) = (found, line[(end + 1)..].Trim());
             start = book.ScopeOf(found);
             scope = new(start);

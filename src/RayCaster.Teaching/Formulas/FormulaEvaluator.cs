@@ -196,7 +196,7 @@ internal sealed class FormulaEvaluator
         /// <summary>The same in arrays of its own.</summary>
         public State Copy() => this with
         {
-            Frame = [.. Frame.Select(batch => batch.X is null ? batch : batch.Copy())],
+            Frame = [.. Frame.Select(values => values.X is null ? values : values.Copy())],
             Hits = [.. Hits.Select(hits => hits.Copy())],
             T = [.. T],
         };

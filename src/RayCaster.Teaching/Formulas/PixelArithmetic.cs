@@ -3,8 +3,8 @@ using System.Numerics;
 namespace RayCaster.Teaching.Formulas;
 
 /// <summary>Evaluates expressions in many pixels at once. Truth is 1 or 0.</summary>
-/// <param name="pixels">How many pixels a batch has that is not the same in all of them: a multiple of <see cref="Vector{T}.Count"/>;
-/// 0 if there is no such batch.</param>
+/// <param name="pixels">How many pixels have values that are not the same in all of them: a multiple of <see cref="Vector{T}.Count"/>;
+/// 0 if there are none.</param>
 /// <remarks>Not for several threads: arrays that were given back are used again.</remarks>
 internal sealed class PixelArithmetic(int pixels)
 {

@@ -45,7 +45,7 @@ public sealed class SceneVisibility
     public static SceneVisibility Take(Scene scene, CancellationToken cancellation = default)
     {
         var camera = scene.Camera;
-        var ledger = new SceneVisibility(scene);
+        var visibility = new SceneVisibility(scene);
         var step = StepOf(camera, 1 + scene.Models.Sum(model => model is Mesh ? FormulasOfTree : 1L));
         // Starts in the middle of the first step; in a picture of one line that is the line.
         var (firstColumn, firstRow) = (Math.Min(step, camera.Width) / 2, Math.Min(step, camera.Height) / 2);
@@ -54,10 +54,10 @@ public sealed class SceneVisibility
             for (var column = firstColumn; column < camera.Width; column += step)
             {
                 cancellation.ThrowIfCancellationRequested();
-                ledger.Count(column, row);
+                visibility.Count(column, row);
             }
         }
-        return ledger;
+        return visibility;
     }
 
     /// <summary>Whether judging a scene is quick enough to be done without a request. All triangles of meshes are counted.</summary>

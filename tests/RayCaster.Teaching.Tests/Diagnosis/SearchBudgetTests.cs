@@ -57,11 +57,11 @@ public class SearchBudgetTests
     [Fact]
     public void WhatWasNotTriedIsNamed()
     {
-        var fitness = MutationCoverage.Measure([room], budget: new(0));
-        Assert.True(fitness.IsCut);
-        Assert.NotEmpty(fitness.NotTried);
-        Assert.Contains("shows 0 of the 0 known mistakes that were tried; 95 were not (--all tries them).", CoverageReport.Text(fitness));
-        Assert.Contains("Not tried, since the usual amount of work is done (--all tries them): ", CoverageReport.Text(fitness));
+        var coverage = MutationCoverage.Measure([room], budget: new(0));
+        Assert.True(coverage.IsCut);
+        Assert.NotEmpty(coverage.NotTried);
+        Assert.Contains("shows 0 of the 0 known mistakes that were tried; 95 were not (--all tries them).", CoverageReport.Text(coverage));
+        Assert.Contains("Not tried, since the usual amount of work is done (--all tries them): ", CoverageReport.Text(coverage));
     }
 
     [Fact]
