@@ -10,9 +10,6 @@ public readonly record struct NumberRange(int First, int Last)
     /// <summary>The numbers from 0 to count − 1.</summary>
     public static NumberRange Whole(int count) => new(0, count - 1);
 
-    /// <summary>The same as a <see cref="Range"/>, whose end is excluded.</summary>
-    public Range ToRange() => First..(Last + 1);
-
     /// <summary>Reads what <see cref="ToString"/> writes; null for any other text.</summary>
     public static NumberRange? Parse(string text) =>
         text.Split("..") is [var a, var b] && Number(a) is { } first && Number(b) is { } last && first <= last ? new(first, last) : null;
