@@ -10,7 +10,6 @@ internal static class Interruption
     private const PosixSignal TooMuchTime = (PosixSignal)24, FileTooLarge = (PosixSignal)25;
 
     /// <summary>Runs a command's work. A signal ends the process wherever the work is.</summary>
-    /// <param name="work">Returns the exit code.</param>
     /// <param name="report">Tells why the work failed, and returns the exit code.</param>
     public static int Run(Command command, Func<int> work, Func<Exception, int> report)
     {

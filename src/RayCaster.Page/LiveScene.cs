@@ -35,10 +35,8 @@ internal sealed class LiveScene
     /// <summary>The file as the user named it.</summary>
     public string Path { get; private set; }
 
-    /// <summary>The same from the root of the file system.</summary>
     public string FullPath { get; private set; }
 
-    /// <summary>What the file says now.</summary>
     public SceneState State { get; private set; }
 
     /// <summary>Cancelled as soon as the file changes.</summary>
@@ -77,7 +75,6 @@ internal sealed class LiveScene
 
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
     /// <returns>Null if it is done; otherwise the reason: the file has changed since, or is broken.</returns>
-    /// <exception cref="ProblemException">It cannot be written.</exception>
     public string? WriteCamera(Camera camera, int version)
     {
         var state = State;

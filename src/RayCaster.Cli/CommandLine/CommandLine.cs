@@ -1,7 +1,6 @@
 namespace RayCaster.Cli;
 
 /// <summary>The words behind a command's name: its operands and its options.</summary>
-/// <param name="command">The command's name, for messages.</param>
 internal sealed class CommandLine(string command)
 {
     private readonly Dictionary<Option, object> values = [];
@@ -9,13 +8,11 @@ internal sealed class CommandLine(string command)
 
     public IReadOnlyList<string> Operands => operands;
 
-    /// <summary>All words, as they were given.</summary>
     public string[] Words { get; private init; } = [];
 
     /// <summary>The warnings so far, for an answer in JSON; null if there are none.</summary>
     public string? Warning { get; private set; }
 
-    /// <param name="options">The command's options.</param>
     public static CommandLine Parse(string command, IReadOnlyList<Option> options, ReadOnlySpan<string> words)
     {
         foreach (var word in words) RefuseInvisible(word);
@@ -50,7 +47,6 @@ internal sealed class CommandLine(string command)
     /// <summary>How much a search for mistakes may do; null for any amount.</summary>
     public SearchBudget? Budget() => Get(Option.Everything) ? null : new();
 
-    /// <summary>Prints a line about what was done, unless only errors are wanted.</summary>
     public void Tell(string text)
     {
         if (!Get(Option.Quiet)) StandardStreams.WriteError(text);

@@ -30,7 +30,7 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         var referenceFile = files[1];
         var file = line.Get(output);
         OutputFile.Protect(files);
-        var format = file is null ? PictureFormat.Png : PictureFormats.ByExtension(file);
+        var format = file is null ? PictureFormat.Png : PictureFile.FormatOf(file);
         Action<string> warn = StandardStreams.WriteError;
         var mine = PictureFile.Read(mineFile, warn);
         var reference = PictureFile.Read(referenceFile, warn);

@@ -58,7 +58,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         }
         var budget = line.Budget();
         var prepared = new Diagnoser(scene, line.Get(Option.Threads), budget: budget, size: size);
-        var diagnosis = prepared.Judge(picture, line.Get(parts) ?? WrittenParts.Find());
+        var diagnosis = prepared.Judge(picture, line.Get(parts) ?? CarriedTool.WrittenParts());
         var hidden = diagnosis.Kind == DiagnosisKind.Matches ? prepared.Hidden : [];
         var mayChange = diagnosis.IsOpen || diagnosis.Kind == DiagnosisKind.Matches; // after a match it may be the mistakes that cannot show
         if (mayChange && budget?.UsedUp is { } limit) line.Warn($"Not everything was tried within {limit}; --all tries everything.");

@@ -5,7 +5,6 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
     private static readonly Option<string> output = Option.Text("-o, --output", "<file>",
         "Where to write the picture: .png or .ppm. [default: <scene>.<ids>.png]");
 
-    /// <summary>The ids of all known mistakes.</summary>
     public static string[] Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
 
     public override string Description =>

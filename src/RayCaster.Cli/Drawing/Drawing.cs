@@ -53,7 +53,6 @@ internal sealed class Drawing(Scene scene, CommandLine line, bool plain = false,
         }
     }
 
-    /// <summary>What was drawn, in a line.</summary>
     /// <param name="part">Of a part, which lines.</param>
     public string Summary(string output, int lines, TimeSpan elapsed, string part = "")
     {

@@ -16,7 +16,6 @@ internal sealed class ProgressLine(TextWriter output, string what, TimeProvider 
     private int linesDone, drawn;
     private bool isGone;
 
-    /// <summary>A progress line on standard error's terminal; null if it is not wanted, or nobody sees it.</summary>
     public static ProgressLine? For(CommandLine line, string what = "lines")
     {
         var isSeen = !Console.IsErrorRedirected && Environment.GetEnvironmentVariable("TERM") != "dumb"
@@ -24,10 +23,8 @@ internal sealed class ProgressLine(TextWriter output, string what, TimeProvider 
         return line.Get(Option.Quiet) || !isSeen ? null : seen = new(Console.Error, what, TimeProvider.System);
     }
 
-    /// <summary>Ends the line that is seen, if any.</summary>
     public static void Wipe() => seen?.Dispose();
 
-    /// <summary>Counts finished lines of a picture.</summary>
     public void LinesDone(int lines, int height) => Show(Interlocked.Add(ref linesDone, lines), height);
 
     /// <summary>Shows how many are done of all, and the time that is left.</summary>

@@ -74,7 +74,6 @@ internal sealed class PngWriter : PictureWriter
         compressed.SetLength(0);
     }
 
-    /// <summary>a − b modulo 256, byte by byte.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often written before the runtime would optimise by itself
     private static void Subtract(ReadOnlySpan<byte> a, ReadOnlySpan<byte> b, Span<byte> difference)
     {
