@@ -9,6 +9,8 @@ internal static class Interruption
     /// and macOS.</summary>
     private const PosixSignal TooMuchTime = (PosixSignal)24, FileTooLarge = (PosixSignal)25;
 
+    private static PosixSignalRegistration? tooLarge; // until the end: the signal may come at any time
+
     /// <summary>Runs a command's work. A signal ends the process wherever the work is.</summary>
     /// <param name="report">Tells why the work failed, and returns the exit code.</param>
     public static int Run(Command command, Func<int> work, Func<Exception, int> report)
@@ -19,7 +21,7 @@ internal static class Interruption
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, End);
         using var tooMuchTime = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(TooMuchTime, End);
         // By default it ends the process. Ignored, the write fails with a message.
-        using var tooLarge = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
+        if (!OperatingSystem.IsWindows()) tooLarge ??= PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
 
         int exitCode;
         try

@@ -25,7 +25,6 @@ internal sealed class LiveScene
     public LiveScene(string path, TimeProvider clock, CancellationToken end)
     {
         Path = path;
-        FullPath = System.IO.Path.GetFullPath(path);
         this.clock = clock;
         watch = new(clock, end);
         watch.Watch([FullPath]);
@@ -35,7 +34,7 @@ internal sealed class LiveScene
     /// <summary>The file as the user named it.</summary>
     public string Path { get; private set; }
 
-    public string FullPath { get; private set; }
+    public string FullPath => System.IO.Path.GetFullPath(Path);
 
     public SceneState State { get; private set; }
 
@@ -68,7 +67,7 @@ internal sealed class LiveScene
     /// <summary>Reads a file at once, the same or another one: whoever calls this has written it.</summary>
     public void ReadAgain(string path)
     {
-        (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));
+        Path = path;
         State = Next(Read());
         Tell();
     }

@@ -13,7 +13,7 @@ internal sealed class CommandLine(string command)
     /// <summary>The warnings so far, for an answer in JSON; null if there are none.</summary>
     public string? Warning { get; private set; }
 
-    public static CommandLine Parse(string command, IReadOnlyList<Option> options, ReadOnlySpan<string> words)
+    public static CommandLine Parse(string command, Option[] options, ReadOnlySpan<string> words)
     {
         foreach (var word in words) RefuseInvisible(word);
         var line = new CommandLine(command) { Words = words.ToArray() };
@@ -66,9 +66,10 @@ internal sealed class CommandLine(string command)
     public static void RefuseInvisible(string word)
     {
         if (word.Contains('\uFFFD')) throw new ProblemException($"the name '{PrintableText.From(word)}' is not UTF-8: rename the file");
-        if (word.FirstOrDefault(c => !PrintableText.IsPrintable(c), 'a') is var wrong and not 'a')
-            throw new ProblemException($"'{PrintableText.From(word)}' holds the invisible character U+{(int)wrong:X4}: rename the file, " +
-                "or type the name again if it was copied");
+        foreach (var c in word)
+            if (!PrintableText.IsPrintable(c))
+                throw new ProblemException($"'{PrintableText.From(word)}' holds the invisible character U+{(int)c:X4}: rename the file, " +
+                    "or type the name again if it was copied");
     }
 
     /// <summary>Refuses a list with blanks in it: the words after the first one look like operands.</summary>
@@ -84,7 +85,7 @@ internal sealed class CommandLine(string command)
     }
 
     /// <summary>Adds an option, <c>--name value</c> or <c>--name=value</c>.</summary>
-    private void Add(string word, IReadOnlyList<Option> options, ref ReadOnlySpan<string> rest)
+    private void Add(string word, Option[] options, ref ReadOnlySpan<string> rest)
     {
         var (name, value) = word.StartsWith("--") && word.Split('=', 2) is [var left, var right] ? (left, right) : (word, null);
         if (options.FirstOrDefault(known => known.Names.Contains(name)) is not { } option)

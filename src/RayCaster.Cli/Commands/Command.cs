@@ -17,7 +17,7 @@ internal abstract class Command(string name, string operands, string summary)
     public virtual IReadOnlyList<(string Name, string Text)> Arguments => [Scene];
 
     /// <summary>Its options but --help.</summary>
-    public abstract IReadOnlyList<Option> Options { get; }
+    public abstract Option[] Options { get; }
 
     /// <summary>Command lines to try, without the program's name.</summary>
     public virtual string[] Examples => [];

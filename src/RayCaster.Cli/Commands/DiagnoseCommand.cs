@@ -18,7 +18,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
     public override IReadOnlyList<(string, string)> Arguments =>
         [("<scene>", "The scene file."), ("<mine>", "The picture that your program drew of it: PNG, PGM or PPM.")];
 
-    public override IReadOnlyList<Option> Options => [hint, parts, Option.Everything, asJson, Option.Threads];
+    public override Option[] Options => [hint, parts, Option.Everything, asJson, Option.Threads];
 
     public override string[] Examples => ["diagnose scenes/room.json mine.png", "diagnose scenes/room.json mine.png --hint answer"];
 

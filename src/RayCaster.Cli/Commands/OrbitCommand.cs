@@ -15,7 +15,7 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
     public override string Description =>
         "Draws the frames of a camera that goes once around its target: room-0000.png, room-0001.png ...";
 
-    public override IReadOnlyList<Option> Options =>
+    public override Option[] Options =>
         [frames, only, output, Option.Size, PartCommand.Resume, Option.Threads, Option.Quiet];
 
     public override string[] Examples => ["orbit scenes/room.json --frames 48 -o frames"];

@@ -18,7 +18,7 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
         ("<lines>", "The first and the last as in 0..249, counted from 0 at the top, or 3/8 for the third of eight equal parts."),
     ];
 
-    public override IReadOnlyList<Option> Options => [output, Option.Size, Resume, Option.Threads, Option.Quiet];
+    public override Option[] Options => [output, Option.Size, Resume, Option.Threads, Option.Quiet];
 
     public override string[] Examples =>
         ["part scenes/room.json 1/2 --size 20000x20000", "part scenes/room.json 2/2 --size 20000x20000", "stitch room.part-*.png -o room.png"];

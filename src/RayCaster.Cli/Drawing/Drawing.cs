@@ -26,7 +26,7 @@ internal sealed class Drawing(Scene scene, CommandLine line, bool plain = false,
     /// <returns>Whether the lines look like a mistake, since they show nothing or one colour.</returns>
     public bool Write(string output, PictureFormat format, PartFacts? part = null)
     {
-        var lines = part?.Lines ?? NumberRange.Whole(scene.Camera.Height);
+        var (first, count) = part is null ? (0, scene.Camera.Height) : (part.Lines.First, part.Lines.Count);
         if (DrawInto(isByDefinition, out var isBlank) is not { } difference) return isBlank;
         StandardStreams.WriteError($"raycaster: the engine's picture is not the definition's at {difference}. The definition draws the picture.");
         if (output == StandardStreams.Name) throw new ProblemException("standard output has a wrong picture: write to a file, or add --plain");
@@ -37,10 +37,10 @@ internal sealed class Drawing(Scene scene, CommandLine line, bool plain = false,
         {
             var blank = new BlankPicture(scene.Background);
             using var progress = ProgressLine.For(line);
-            using var picture = new PictureOutput(output, format, scene.Camera.Width, lines.Count, part);
+            using var picture = new PictureOutput(output, format, scene.Camera.Width, count, part);
             string? difference = null;
-            if (byDefinition) DrawByDefinition(lines, Take, progress);
-            else difference = DrawByEngine(lines, Take, progress);
+            if (byDefinition) DrawByDefinition(first, count, Take, progress);
+            else difference = DrawByEngine(first, count, Take, progress);
             if (difference is null) picture.Finish();
             isBlank = blank.IsBlank;
             return difference;
@@ -66,19 +66,19 @@ internal sealed class Drawing(Scene scene, CommandLine line, bool plain = false,
     /// <summary>A method of its own, because the runtime loads the engine when it compiles one that uses it.</summary>
     /// <returns>Where a pixel differs from the definition, so that the lines are wrong; null if they are right.</returns>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private string? DrawByEngine(NumberRange lines, Action<ReadOnlySpan<byte>> take, ProgressLine? progress) =>
+    private string? DrawByEngine(int first, int count, Action<ReadOnlySpan<byte>> take, ProgressLine? progress) =>
         new Renderer(scene, threads) { ManyFrames = manyFrames }
-            .Draw(lines.First..(lines.Last + 1), take, progress is null ? null : done => progress.LinesDone(done, lines.Count));
+            .Draw(first..(first + count), take, progress is null ? null : done => progress.LinesDone(done, count));
 
-    private void DrawByDefinition(NumberRange lines, Action<ReadOnlySpan<byte>> take, ProgressLine? progress)
+    private void DrawByDefinition(int first, int count, Action<ReadOnlySpan<byte>> take, ProgressLine? progress)
     {
-        var atOnce = Math.Clamp(PixelsAtOnce / scene.Camera.Width, 1, progress is null ? lines.Count : Math.Max(1, lines.Count / 50));
-        for (var next = lines.First; next <= lines.Last; next += atOnce)
+        var atOnce = Math.Clamp(PixelsAtOnce / scene.Camera.Width, 1, progress is null ? count : Math.Max(1, count / 50));
+        for (var next = first; next < first + count; next += atOnce)
         {
-            var drawn = new Picture(scene.Camera.Width, Math.Min(atOnce, lines.Last + 1 - next));
-            ScalarRenderer.Render(scene, drawn, 0, next, threads ?? -1);
-            progress?.LinesDone(drawn.Height, lines.Count);
-            take(drawn.Rgb);
+            var lines = new Picture(scene.Camera.Width, Math.Min(atOnce, first + count - next));
+            ScalarRenderer.Render(scene, lines, 0, next, threads ?? -1);
+            progress?.LinesDone(lines.Height, count);
+            take(lines.Rgb);
         }
     }
 }

@@ -22,7 +22,7 @@ internal static class SceneInput
     public static SceneReading TryRead(string path, CommandLine line, bool judges)
     {
         var reading = path == StandardStreams.Name ? ReadStandardInput() : SceneReader.Read(path);
-        OutputFile.Protect([path, .. reading.MeshFiles]);
+        OutputFile.Protect((string[])[path, .. reading.MeshFiles]); // no list that is compiled for it
         if (judges && path != StandardStreams.Name && reading.Scene is { } scene) WarnIfChanged(path, scene, line);
         return reading;
     }
