@@ -1,7 +1,7 @@
 namespace RayCaster.Testing;
 
 /// <summary>Reads mesh files that are in memory.</summary>
-internal static class MeshBytes
+public static class MeshBytes
 {
     /// <param name="path">The file's name, for its extension and for messages.</param>
     /// <param name="pieceSize">How many bytes are read at once; by default as many as of a file.</param>
