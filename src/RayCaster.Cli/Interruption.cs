@@ -9,12 +9,9 @@ internal static class Interruption
     /// and macOS.</summary>
     private const PosixSignal TooMuchTime = (PosixSignal)24, FileTooLarge = (PosixSignal)25;
 
-    private static readonly TimeSpan MessageGracePeriod = TimeSpan.FromSeconds(0.5);
-
     private static PosixSignalRegistration? tooLarge; // until the end: the signal may come at any time
 
     /// <summary>Runs a command's work. A signal ends the process wherever the work is.</summary>
-    /// <param name="work">Returns the exit code.</param>
     /// <param name="report">Tells why the work failed, and returns the exit code.</param>
     public static int Run(Command command, Func<int> work, Func<Exception, int> report)
     {
@@ -59,7 +56,14 @@ internal static class Interruption
     private static void Tell(Command command)
     {
         var resumes = AtomicFile.Count > 0 && command.Options.Contains(PartCommand.Resume);
-        var end = command is LiveCommand ? "the page's server has stopped" : $"{Written()}{(resumes ? "; --resume continues" : "")}";
+        var written = (AtomicFile.Count, AtomicFile.Last) switch
+        {
+            (0, _) when StandardStreams.HasOutput => "standard output is incomplete",
+            (0, _) => "nothing was written",
+            (1, var file) => $"{file} was written before",
+            var (count, last) => $"{count} files were written before, the last is {last}",
+        };
+        var end = command is LiveCommand ? "the page's server has stopped" : $"{written}{(resumes ? "; --resume continues" : "")}";
         var telling = new Thread(() =>
         {
             ProgressLine.Wipe();
@@ -67,14 +71,6 @@ internal static class Interruption
         })
         { IsBackground = true };
         telling.Start();
-        telling.Join(MessageGracePeriod);
+        telling.Join(TimeSpan.FromSeconds(0.5));
     }
-
-    private static string Written() => (AtomicFile.Count, AtomicFile.Last) switch
-    {
-        (0, _) when StandardStreams.HasOutput => "standard output is incomplete",
-        (0, _) => "nothing was written",
-        (1, var file) => $"{file} was written before",
-        var (count, last) => $"{count} files were written before, the last is {last}",
-    };
 }

@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>Numbers for people: doubles with six significant digits and a true minus sign, counts, shares.</summary>
-public static class Digits
+internal static class Digits
 {
     private static readonly NumberFormatInfo format = new()
     {
@@ -34,7 +34,6 @@ public static class Digits
     public static string Count(long number, string what) =>
         $"{Number(number)} {(number == 1 ? what : what == "vertex" ? "vertices" : what + "s")}";
 
-    /// <summary>"1,000".</summary>
     public static string Number(long number) => number.ToString("N0", CultureInfo.InvariantCulture);
 
     /// <summary>A share in percent; "100 %" only for all, and "0 %" only for none.</summary>

@@ -7,9 +7,6 @@ internal static class FileSignature
 {
     public const int Bytes = 23;
 
-    /// <summary>The short text that Git LFS leaves in place of a large file until that is fetched.</summary>
-    private const string GitPointer = "version https://git-lfs";
-
     private const string Coff = "a compiled object file (COFF), as Visual Studio makes them";
 
     private static readonly (byte[] Start, string Name)[] kinds =
@@ -20,10 +17,8 @@ internal static class FileSignature
         ([.. "P1"u8], "a bitmap (PBM), which has no colours"), ([.. "P4"u8], "a bitmap (PBM), which has no colours"),
         ([0x1F, 0x8B], "compressed (gzip); unpack it first"), ([.. "PK"u8, 3, 4], "a zip archive; unpack it first"),
         ([.. "7z"u8, 0xBC, 0xAF], "a 7z archive; unpack it first"), ([.. "Rar!"u8], "a RAR archive; unpack it first"),
-        ([.. "%PDF"u8], "a PDF"), ([0xD0, 0xCF, 0x11, 0xE0], "a document of Office"), ([.. "MZ"u8], "a program of Windows"),
-        ([0x64, 0x86], Coff), ([0x64, 0xAA], Coff), ([0x4C, 0x01], Coff), ([0, 0, 0xFF, 0xFF], Coff), ([.. "glTF"u8], "a glTF model"),
-        ([.. "Kaydara FBX"u8], "an FBX model"), ([.. "BLENDER"u8], "a file of Blender"), ([.. "ply\n"u8], "a PLY mesh"),
-        ([.. "ply\r"u8], "a PLY mesh"), ([.. "solid "u8], "an STL mesh"),
+        ([.. "%PDF"u8], "a PDF"), ([0x64, 0x86], Coff), ([0x4C, 0x01], Coff), ([.. "ply\n"u8], "a PLY mesh"), ([.. "ply\r"u8], "a PLY mesh"),
+        ([.. "solid "u8], "an STL mesh"),
     ];
 
     /// <summary>What a file is, for the end of "it is …"; null if that is not known.</summary>
@@ -36,12 +31,11 @@ internal static class FileSignature
         Span<char> letters = stackalloc char[Bytes];
         Utf8.ToUtf16(start[..Math.Min(start.Length, Bytes)], letters, out _, out var count);
         var text = letters[..count].TrimStart("\uFEFF \t\r\n");
-        if (text.StartsWith(GitPointer)) return "only a Git LFS pointer to the file (fetch the file itself: git lfs pull)";
+        if (text.StartsWith("version https://git-lfs")) return "only a Git LFS pointer to the file (fetch the file itself: git lfs pull)";
         return text.StartsWith("<!doctype html", StringComparison.OrdinalIgnoreCase) || text.StartsWith("<html", StringComparison.OrdinalIgnoreCase)
             ? "a web page (HTML), saved in place of the file" : null;
     }
 
-    /// <summary>Whether a text is in UTF-16, with a byte order mark or without.</summary>
     public static bool IsUtf16(ReadOnlySpan<byte> start) =>
         start is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] or [0, not 0, 0, not 0, ..] or [not 0, 0, not 0, 0, ..];
 

@@ -7,14 +7,12 @@ internal static partial class JsonForeign
 {
     public const string Merge = "an unfinished merge of git";
 
-    /// <summary>Whether a line is one of those that git writes where two versions differ.</summary>
     public static bool IsMergeMarker(ReadOnlySpan<byte> line) =>
         line.StartsWith("<<<<<<<"u8) || line.StartsWith("|||||||"u8) || line.StartsWith("======="u8) || line.StartsWith(">>>>>>>"u8);
 
     /// <summary>Whether a word at the end of a file may be the beginning of a number.</summary>
     public static bool IsBegunNumber(string word) => BegunNumber().Match(word).Length == word.Length;
 
-    /// <summary>The word in other terms; null where nothing is known of it.</summary>
     public static string? Explain(string word)
     {
         if (NotFinite().IsMatch(word)) return $"{word} is not allowed; a number must be finite";

@@ -29,7 +29,6 @@ internal static class Lookalike
         return Meaning(c) is var (ascii, name) ? $"{c} is U+{c.Value:X4}, {name}: write {ascii}" : null;
     }
 
-    /// <summary>Finds the first such character and its index.</summary>
     public static (int Index, string Message)? FindIn(string text)
     {
         var index = 0;

@@ -10,7 +10,6 @@ internal sealed class MissingFileHint
 
     private int hints;
 
-    /// <summary>Refuses what no file can be called.</summary>
     public static void ThrowIfImpossible(string path)
     {
         if (path.Length > 0 && !path.Contains('\0')) return;
@@ -45,14 +44,12 @@ internal sealed class MissingFileHint
         }
     }
 
-    /// <summary>A folder whose name is similar to that of the first folder of a path that is missing.</summary>
     private static string FolderHint(string folder)
     {
         while (Path.GetDirectoryName(folder) is { } parent && !Directory.Exists(parent)) folder = parent;
         return Spelling.DidYouMean(Path.GetFileName(folder), NamesIn(Path.GetDirectoryName(folder)!, isFolder: true));
     }
 
-    /// <summary>The names of files or folders in a folder, sorted; without names that are not printable.</summary>
     private static string[] NamesIn(string folder, bool isFolder) =>
     [
         .. (isFolder ? Directory.EnumerateDirectories(folder) : Directory.EnumerateFiles(folder)).Take(MaxFiles)

@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>Makes foreign text, such as a file's content or name, safe for a message.</summary>
-public static class PrintableText
+internal static class PrintableText
 {
     /// <summary>The text with U+FFFD in place of each character that is not printable; tabs stay.</summary>
     /// <param name="ofLines">Whether line ends stay, too.</param>

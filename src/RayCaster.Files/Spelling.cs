@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>Finds the right word for a misspelt one.</summary>
-public static class Spelling
+internal static class Spelling
 {
     /// <summary>The words of other programs, and of British English, for words of the scene file.</summary>
     private static readonly ILookup<string, string> synonyms = new (string Ours, string Others)[]

@@ -61,11 +61,9 @@ internal sealed class LiveServer : IAsyncDisposable
 
     public string Address => guard.Address;
 
-    /// <param name="scene">The scene file.</param>
     /// <param name="mine">The file of a picture by the user's own program to compare with; null for none.</param>
     /// <param name="port">The page's port; null for any that is free.</param>
     /// <param name="clock">By which the files are followed; null for the system's.</param>
-    /// <param name="silence">How many seconds a browser may be silent.</param>
     /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>
     public static async Task<LiveServer> StartAsync(
         string scene, string? mine = null, int? port = null, TimeProvider? clock = null, int silence = 20)
@@ -148,7 +146,6 @@ internal sealed class LiveServer : IAsyncDisposable
         }
     }
 
-    /// <summary>Receives a picture of the user's own program, of the scene's size or a million pixels at most.</summary>
     private async Task TakeMineAsync(HttpContext context)
     {
         var scene = Scene.State.Scene;

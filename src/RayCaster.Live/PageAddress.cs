@@ -34,7 +34,6 @@ internal sealed record PageAddress(int Port, string Token)
         }
     }
 
-    /// <summary>Keeps the address under "dotnet watch".</summary>
     public void Keep()
     {
         if (iteration == 0) return;

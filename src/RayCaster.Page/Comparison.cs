@@ -12,17 +12,14 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
     private DiagnosisResult? diagnosis;
     private bool isCut;
 
-    /// <summary>The comparison, which the first use makes.</summary>
     private PictureComparison? Result => Mine is null ? null : field ??= PictureComparison.With(Scene, Mine);
 
-    /// <summary>The words for the page, without the diagnosis.</summary>
     public ComparisonMessage Message() => new(Name, Problem,
         Result is null ? null : ForPage(ComparisonText.Format(Result, Name!, SceneName)),
         Result is null ? null : ComparisonText.Format(Result.Likeness),
         HasLayers: Result?.Difference is not null,
         Middle: Result?.Difference?.WrongMiddle is var (x, y) ? [x, y] : null);
 
-    /// <summary>The user's picture, and the difference.</summary>
     public IEnumerable<(Layer, CanvasImage)> Frames()
     {
         if (Result?.Difference is not { } difference) yield break;
@@ -33,7 +30,6 @@ internal sealed partial record Comparison(string? Name, string? Problem, Picture
     /// <summary>The difference by object; null if the pictures' sizes differ.</summary>
     public CanvasImage? ByObject() => Result?.Difference is null ? null : CanvasImage.Of(HeatMap.ByModel(Result));
 
-    /// <summary>Names the mistake that may have made the picture.</summary>
     public async Task<string> DiagnoseAsync(HintLevel level, TimeSpan time, CancellationToken cancellation)
     {
         if (Mine is null) return "";

@@ -25,7 +25,6 @@ internal sealed class LiveScene
     public LiveScene(string path, TimeProvider clock, CancellationToken end)
     {
         Path = path;
-        FullPath = System.IO.Path.GetFullPath(path);
         this.clock = clock;
         watch = new(clock, end);
         watch.Watch([FullPath]);
@@ -35,10 +34,8 @@ internal sealed class LiveScene
     /// <summary>The file as the user named it.</summary>
     public string Path { get; private set; }
 
-    /// <summary>The same from the root of the file system.</summary>
-    public string FullPath { get; private set; }
+    public string FullPath => System.IO.Path.GetFullPath(Path);
 
-    /// <summary>What the file says now.</summary>
     public SceneState State { get; private set; }
 
     /// <summary>Cancelled as soon as the file changes.</summary>
@@ -70,14 +67,13 @@ internal sealed class LiveScene
     /// <summary>Reads a file at once, the same or another one: whoever calls this has written it.</summary>
     public void ReadAgain(string path)
     {
-        (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));
+        Path = path;
         State = Next(Read());
         Tell();
     }
 
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
     /// <returns>Null if it is done; otherwise the reason: the file has changed since, or is broken.</returns>
-    /// <exception cref="ProblemException">It cannot be written.</exception>
     public string? WriteCamera(Camera camera, int version)
     {
         var state = State;

@@ -51,7 +51,6 @@ internal static class Messages
             map.Range is null && kind != MapKind.Model ? [] : map.Legend.Take(MaxModels).Select(Hex));
     }
 
-    /// <summary>A colour for a style sheet: "#rrggbb".</summary>
     public static string Hex((byte R, byte G, byte B) color) => $"#{color.R:x2}{color.G:x2}{color.B:x2}";
 
     private static ProblemEntry Entry(Problem problem, string path) => new(problem.IsError, problem.Message, problem.Excerpt,

@@ -44,7 +44,6 @@ internal sealed partial class PageSession(
         Wake();
     }
 
-    /// <summary>Compares with the user's picture as it is now.</summary>
     public void CompareAgain()
     {
         lock (sync) pending |= MessageKind.Comparison | MessageKind.Explanation;
@@ -84,7 +83,6 @@ internal sealed partial class PageSession(
         }),
     ];
 
-    /// <summary>Answers the requests until the page cannot be reached.</summary>
     public async Task AnswerAsync()
     {
         Wake();

@@ -37,7 +37,6 @@ internal enum MessageKind
 }
 
 /// <summary>The state of the scene file: the picture's size, the models, the errors.</summary>
-/// <param name="Path">The file as the user named it.</param>
 /// <param name="Good">Whether the file describes the scene now.</param>
 /// <param name="More">How many further problems there are.</param>
 /// <param name="Models">Null if there was no good scene yet.</param>

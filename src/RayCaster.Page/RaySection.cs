@@ -8,10 +8,8 @@ internal static class RaySection
 {
     private const int Around = 720, Ahead = 400;
 
-    /// <summary>The most lines that are drawn of a mesh.</summary>
     private const int MaxLines = 4000;
 
-    /// <summary>The drawing for an explanation.</summary>
     public static RayDrawing Create(PixelExplanation pixel)
     {
         var camera = pixel.Scene.Camera;

@@ -11,7 +11,6 @@ internal class RenderQueue
     public virtual Task<CanvasImage> DrawAsync(Scene scene, View view, CancellationToken cancellation) =>
         DoAsync(() => Draw(view.Of(scene), cancellation), cancellation);
 
-    /// <summary>Does work that takes all cores, after the work before it.</summary>
     public async Task<T> DoAsync<T>(Func<T> work, CancellationToken cancellation)
     {
         await turn.WaitAsync(cancellation);

@@ -32,14 +32,12 @@ internal sealed class UserPicture(string? path, TimeProvider clock, Cancellation
     }
 
     /// <summary>Takes a picture that was dropped, of the scene's size or a million pixels at most.</summary>
-    /// <param name="file">The name of its file.</param>
     /// <exception cref="ProblemException">The file is no picture, or too large.</exception>
     public void Take(string file, Stream bytes, Scene? scene) =>
         Put(NameOf(file), PictureFile.Read(bytes, 3 * View.PixelsOf(scene)));
 
     public void Forget() => Put(null, null);
 
-    /// <summary>The picture, if it has a camera's size; otherwise null.</summary>
     public Picture? PictureFor(Camera camera)
     {
         var picture = now.Picture;
@@ -60,7 +58,6 @@ internal sealed class UserPicture(string? path, TimeProvider clock, Cancellation
         }
     }
 
-    /// <summary>The name of a dropped file, without folders.</summary>
     private static string NameOf(string text)
     {
         var name = PrintableText.From(Path.GetFileName(text.Replace('\\', '/')));

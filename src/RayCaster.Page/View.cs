@@ -11,7 +11,6 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1)
     /// <summary>The longest side of a canvas that every browser shows.</summary>
     private const int MaxSide = 8000;
 
-    /// <summary>The scene as the page shows it.</summary>
     public Scene Of(Scene scene)
     {
         var (width, height) = SizeOf(scene.Camera);
@@ -22,7 +21,6 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1)
     /// <summary>How many pixels the user's own picture may have: as many as the scene's, or a million, so that another size is compared.</summary>
     public static long PixelsOf(Scene? scene) => Math.Clamp((long)(scene?.Camera.Width ?? 0) * (scene?.Camera.Height ?? 0), 1_000_000, MaxPixels);
 
-    /// <summary>The size at which a page shows a scene's picture.</summary>
     public static (int Width, int Height) SizeOf(Camera camera)
     {
         var pixels = (double)camera.Width * camera.Height;

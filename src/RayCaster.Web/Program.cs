@@ -11,7 +11,6 @@ internal sealed partial class Program : IConnection
 
     private static void Main() { } // the worker calls the methods below
 
-    /// <summary>Begins to answer the page.</summary>
     /// <param name="answers">What this worker answers, as names of <see cref="MessageKind"/>.</param>
     /// <param name="name">The scene's name, and its text.</param>
     [JSExport]
@@ -26,7 +25,6 @@ internal sealed partial class Program : IConnection
         return session.AnswerAsync();
     }
 
-    /// <summary>Takes a scene that the user has changed or opened.</summary>
     [JSExport]
     internal static void Change(string name, string text)
     {
@@ -38,7 +36,6 @@ internal sealed partial class Program : IConnection
     [JSExport]
     internal static void Ask(string requests) => session!.Take(Encoding.UTF8.GetBytes(requests));
 
-    /// <summary>Takes a picture of the user's own program.</summary>
     [JSExport]
     internal static void Compare(string file, byte[] bytes)
     {

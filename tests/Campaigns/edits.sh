@@ -66,7 +66,7 @@ edit "colour times number"       $course/Vectors/Color.cs             's/attenua
 edit "truncated, not rounded"    $course/Vectors/Color.cs             's/ \* 255 + 0.5/ * 255/'
 edit "the picture's indexer"     $course/Scene/Picture.cs \
     's/(Rgb\[i\], Rgb\[i + 1\], Rgb\[i + 2\]) = value/(Rgb[i + 2], Rgb[i + 1], Rgb[i]) = value/'
-edit "h without the 2"           $course/Scene/Camera.cs            's/PlaneHeight = 2 \* Math.Tan/PlaneHeight = Math.Tan/'
+edit "h without the 2"           $course/Scene/Camera.cs            's/planeHeight = 2 \* Math.Tan/planeHeight = Math.Tan/'
 edit "the ray of a pixel"        $course/Scene/Camera.cs            's/Direction<Scalar>(column, row);/Direction<Scalar>(column, row + 1);/'
 edit "the clip range"            $course/Rays/ClipRange.cs         's/z >= zNear;/z <= zNear;/'
 edit "dot product"               $course/Vectors/Vector3OfN.cs   's/a.X \* b.X + a.Y \* b.Y/a.X * b.X - a.Y * b.Y/'

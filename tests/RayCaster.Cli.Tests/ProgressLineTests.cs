@@ -10,7 +10,7 @@ public class ProgressLineTests
     [Fact]
     public void AShortRunDrawsNothing()
     {
-        using (var line = new ProgressLine(terminal, "lines", 80, clock))
+        using (var line = new ProgressLine(terminal, "lines", clock))
         {
             clock.Now += TimeSpan.FromSeconds(0.49);
             for (var i = 0; i < 100; i++) line.LinesDone(1, 100);
@@ -21,7 +21,7 @@ public class ProgressLineTests
     [Fact]
     public void ALongRunTellsHowFarItIsAndWipesItsLine()
     {
-        using (var line = new ProgressLine(terminal, "lines", 80, clock))
+        using (var line = new ProgressLine(terminal, "lines", clock))
         {
             line.LinesDone(1, 4);
             clock.Now += TimeSpan.FromSeconds(2);

@@ -1,7 +1,6 @@
 namespace RayCaster.Cli;
 
 /// <summary>The words behind a command's name: its operands and its options.</summary>
-/// <param name="command">The command's name, for messages.</param>
 internal sealed class CommandLine(string command)
 {
     private readonly Dictionary<Option, object> values = [];
@@ -9,14 +8,12 @@ internal sealed class CommandLine(string command)
 
     public IReadOnlyList<string> Operands => operands;
 
-    /// <summary>All words, as they were given.</summary>
     public string[] Words { get; private init; } = [];
 
     /// <summary>The warnings so far, for an answer in JSON; null if there are none.</summary>
     public string? Warning { get; private set; }
 
-    /// <param name="options">The command's options.</param>
-    public static CommandLine Parse(string command, IReadOnlyList<Option> options, ReadOnlySpan<string> words)
+    public static CommandLine Parse(string command, Option[] options, ReadOnlySpan<string> words)
     {
         foreach (var word in words) RefuseInvisible(word);
         var line = new CommandLine(command) { Words = words.ToArray() };
@@ -50,7 +47,6 @@ internal sealed class CommandLine(string command)
     /// <summary>How much a search for mistakes may do; null for any amount.</summary>
     public SearchBudget? Budget() => Get(Option.Everything) ? null : new();
 
-    /// <summary>Prints a line about what was done, unless only errors are wanted.</summary>
     public void Tell(string text)
     {
         if (!Get(Option.Quiet)) StandardStreams.WriteError(text);
@@ -70,9 +66,10 @@ internal sealed class CommandLine(string command)
     public static void RefuseInvisible(string word)
     {
         if (word.Contains('\uFFFD')) throw new ProblemException($"the name '{PrintableText.From(word)}' is not UTF-8: rename the file");
-        if (word.FirstOrDefault(c => !PrintableText.IsPrintable(c), 'a') is var wrong and not 'a')
-            throw new ProblemException($"'{PrintableText.From(word)}' holds the invisible character U+{(int)wrong:X4}: rename the file, " +
-                "or type the name again if it was copied");
+        foreach (var c in word)
+            if (!PrintableText.IsPrintable(c))
+                throw new ProblemException($"'{PrintableText.From(word)}' holds the invisible character U+{(int)c:X4}: rename the file, " +
+                    "or type the name again if it was copied");
     }
 
     /// <summary>Refuses a list with blanks in it: the words after the first one look like operands.</summary>
@@ -88,7 +85,7 @@ internal sealed class CommandLine(string command)
     }
 
     /// <summary>Adds an option, <c>--name value</c> or <c>--name=value</c>.</summary>
-    private void Add(string word, IReadOnlyList<Option> options, ref ReadOnlySpan<string> rest)
+    private void Add(string word, Option[] options, ref ReadOnlySpan<string> rest)
     {
         var (name, value) = word.StartsWith("--") && word.Split('=', 2) is [var left, var right] ? (left, right) : (word, null);
         if (options.FirstOrDefault(known => known.Names.Contains(name)) is not { } option)

@@ -3,9 +3,7 @@ namespace RayCaster.Cli;
 /// <summary>What keeps a command from being done, in words.</summary>
 internal static class Failure
 {
-    /// <summary>Prints a message for a failure.</summary>
     /// <param name="hint">Printed after a wrong command line.</param>
-    /// <returns>The exit code.</returns>
     public static int Report(Exception e, string hint)
     {
         if (e is ReportedException) return ExitCode.Failed;
@@ -45,7 +43,6 @@ internal static class Failure
         }
     }
 
-    /// <summary>Whether memory ran out, on any thread.</summary>
     private static bool IsOutOfMemory(Exception? e) =>
         e is OutOfMemoryException || (e is AggregateException or TypeInitializationException && IsOutOfMemory(e.InnerException));
 }

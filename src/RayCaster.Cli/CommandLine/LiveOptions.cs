@@ -14,5 +14,5 @@ internal static class LiveOptions
     /// <summary>Also of the page's program alone, for its tests.</summary>
     public static readonly Option<int?> Silence = Option.Count("--silence", "How many seconds a browser may be silent. [default: 20]", 3600);
 
-    public static readonly IReadOnlyList<Option> All = [Mine, Port, NoBrowser];
+    public static readonly Option[] All = [Mine, Port, NoBrowser];
 }

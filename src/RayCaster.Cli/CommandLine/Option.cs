@@ -35,10 +35,8 @@ internal abstract class Option(string names, string? value, string help)
 
     public string HelpText => help;
 
-    /// <summary>What the value must be, for the message if it is not.</summary>
     public abstract string Takes { get; }
 
-    /// <summary>The value that a text means; null if it means none.</summary>
     public abstract object? Read(string text);
 
     public static Option<bool> Switch(string names, string help) => new(names, null, help, "", _ => true);
@@ -48,7 +46,6 @@ internal abstract class Option(string names, string? value, string help)
     public static Option<int?> Count(string names, string help, int most) =>
         new(names, "<n>", help, $"a whole number from 1 to {most:N0}", text => ReadCount(text) is { } count && count <= most ? count : null);
 
-    /// <summary>An option whose value is a list of words such as "plane,sphere".</summary>
     public static Option<string[]> List(string names, string value, string help, IReadOnlyList<string> known) =>
         new(names, value, help, $"words such as {string.Join(',', known.Take(8))}", text => ReadList(text, ',', known)) { Known = known };
 
@@ -80,7 +77,6 @@ internal abstract class Option(string names, string? value, string help)
     }
 }
 
-/// <inheritdoc/>
 /// <param name="takes">What the value must be, as in "option '--size' takes …".</param>
 /// <param name="read">Gives the value that a text means; null if it means none.</param>
 internal sealed class Option<T>(string names, string? value, string help, string takes, Func<string, T?> read) : Option(names, value, help)

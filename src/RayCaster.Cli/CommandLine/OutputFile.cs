@@ -22,8 +22,6 @@ internal sealed class OutputFile : IDisposable
         stream = file.Stream;
     }
 
-    /// <summary>Writes some bytes.</summary>
-    /// <exception cref="ProblemException">They cannot be written.</exception>
     public void Write(ReadOnlySpan<byte> bytes, Action<Stream, ReadOnlySpan<byte>> write)
     {
         try
@@ -37,13 +35,10 @@ internal sealed class OutputFile : IDisposable
         }
     }
 
-    /// <summary>Puts a file in its place.</summary>
     public void Finish() => file?.Finish();
 
-    /// <summary>Deletes a file that is not finished.</summary>
     public void Dispose() => ((IDisposable?)file ?? stream).Dispose();
 
-    /// <summary>Its name in messages.</summary>
     public static string NameOf(string output) => output == StandardStreams.Name ? "standard output" : output;
 
     /// <summary>Notes files that are read, from the command line or for the scene.</summary>

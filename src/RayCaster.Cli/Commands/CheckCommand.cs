@@ -16,7 +16,7 @@ internal sealed class CheckCommand() : Command("check", "<scene>...", "Finds err
     public override IReadOnlyList<(string, string)> Arguments =>
         [("<scene>...", "Scene files, or patterns like \"scenes/weeks/*.json\"; \"-\" reads a scene from standard input.")];
 
-    public override IReadOnlyList<Option> Options => [shapes, require, Option.Everything, Option.Quiet, Option.Threads];
+    public override Option[] Options => [shapes, require, Option.Everything, Option.Quiet, Option.Threads];
 
     public override string[] Examples => ["check scenes/room.json", "check scenes/mistakes/*.json"];
 

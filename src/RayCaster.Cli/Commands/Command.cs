@@ -1,7 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <param name="name">The word that names it on the command line.</param>
-/// <param name="operands">Its operands, as the usage shows them.</param>
 /// <param name="summary">What it does, for the list of commands.</param>
 internal abstract class Command(string name, string operands, string summary)
 {
@@ -14,19 +12,16 @@ internal abstract class Command(string name, string operands, string summary)
 
     public string Summary => summary;
 
-    /// <summary>What it does, for its help page.</summary>
     public abstract string Description { get; }
 
-    /// <summary>Its operands, each with an explanation.</summary>
     public virtual IReadOnlyList<(string Name, string Text)> Arguments => [Scene];
 
     /// <summary>Its options but --help.</summary>
-    public abstract IReadOnlyList<Option> Options { get; }
+    public abstract Option[] Options { get; }
 
     /// <summary>Command lines to try, without the program's name.</summary>
     public virtual string[] Examples => [];
 
-    /// <summary>What each exit code means.</summary>
     public virtual string ExitCodes => "0 done, 2 failed.";
 
     /// <summary>Runs the command; returns the exit code.</summary>

@@ -40,7 +40,6 @@ internal sealed class CommandList
     public string HelpOf(Command command) =>
         command is DrawCommand or HelpCommand ? HelpPage.Format(draw, Groups) : HelpPage.Format(command);
 
-    /// <summary>The help page of the command with a name.</summary>
     public string HelpOf(string name) => Array.Find(All, command => command.Name == name) is { } command ? HelpOf(command)
         : throw ProblemException.Usage($"there is no command '{name}'{Spelling.DidYouMean(name, All.Select(known => known.Name), quote: '\'')}");
 }

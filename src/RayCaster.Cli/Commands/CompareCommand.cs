@@ -17,7 +17,7 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
     public override IReadOnlyList<(string, string)> Arguments =>
         [("<mine>", "The picture in question: PNG, PGM or PPM."), ("<reference>", "The picture that it should be.")];
 
-    public override IReadOnlyList<Option> Options => [sceneFile, output, Option.Threads];
+    public override Option[] Options => [sceneFile, output, Option.Threads];
 
     public override string[] Examples => ["compare mine.png right.png", "compare mine.ppm right.png --scene scenes/room.json -o difference.png"];
 
@@ -30,7 +30,7 @@ internal sealed class CompareCommand() : Command("compare", "<mine> <reference>"
         var referenceFile = files[1];
         var file = line.Get(output);
         OutputFile.Protect(files);
-        var format = file is null ? PictureFormat.Png : PictureFormats.ByExtension(file);
+        var format = file is null ? PictureFormat.Png : PictureFile.FormatOf(file);
         Action<string> warn = StandardStreams.WriteError;
         var mine = PictureFile.Read(mineFile, warn);
         var reference = PictureFile.Read(referenceFile, warn);

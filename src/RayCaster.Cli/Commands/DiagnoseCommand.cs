@@ -18,7 +18,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
     public override IReadOnlyList<(string, string)> Arguments =>
         [("<scene>", "The scene file."), ("<mine>", "The picture that your program drew of it: PNG, PGM or PPM.")];
 
-    public override IReadOnlyList<Option> Options => [hint, parts, Option.Everything, asJson, Option.Threads];
+    public override Option[] Options => [hint, parts, Option.Everything, asJson, Option.Threads];
 
     public override string[] Examples => ["diagnose scenes/room.json mine.png", "diagnose scenes/room.json mine.png --hint answer"];
 
@@ -58,7 +58,7 @@ internal sealed class DiagnoseCommand() : Command("diagnose", "<scene> <mine>", 
         }
         var budget = line.Budget();
         var prepared = new Diagnoser(scene, line.Get(Option.Threads), budget: budget, size: size);
-        var diagnosis = prepared.Diagnose(picture, line.Get(parts) ?? WrittenParts.Find());
+        var diagnosis = prepared.Diagnose(picture, line.Get(parts) ?? CarriedTool.WrittenParts());
         var hidden = diagnosis.Kind == DiagnosisKind.Matches ? prepared.Hidden : [];
         var mayChange = diagnosis.IsOpen || diagnosis.Kind == DiagnosisKind.Matches; // after a match it may be the mistakes that cannot show
         if (mayChange && budget?.UsedUp is { } limit) line.Warn($"Not everything was tried within {limit}; --all tries everything.");

@@ -10,7 +10,7 @@ internal sealed class DrawCommand() : Command("draw", "<scene>", "Draws a scene.
 
     public override string Description => "Draws a scene: casts one ray for each pixel and writes the picture.";
 
-    public override IReadOnlyList<Option> Options =>
+    public override Option[] Options =>
         [output, Option.Format, Option.Size, Option.Threads, plain, Option.Quiet, Option.Version];
 
     public override string[] Examples => ["scenes/room.json", "scenes/room.json -o room.ppm --size 1920x1080"];

@@ -17,7 +17,7 @@ internal sealed class ExplainCommand() : Command("explain", "<scene> <column> <l
             "The formulas count rows from the bottom: r = height - 1 - line."),
     ];
 
-    public override IReadOnlyList<Option> Options => [mine, Option.Size, Option.Quiet];
+    public override Option[] Options => [mine, Option.Size, Option.Quiet];
 
     public override string[] Examples => ["explain scenes/room.json 325 359", "explain scenes/room.json 325 359 --mine mine.png"];
 

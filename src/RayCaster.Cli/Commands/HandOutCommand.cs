@@ -13,7 +13,7 @@ internal sealed class HandOutCommand() : Command("handout", "<folder>", "Writes 
 
     public override IReadOnlyList<(string, string)> Arguments => [("<folder>", "A new folder.")];
 
-    public override IReadOnlyList<Option> Options => [open, solution, Option.Quiet];
+    public override Option[] Options => [open, solution, Option.Quiet];
 
     public override string[] Examples => ["handout ../lab1", "handout ../lab1-boxes --open 7"];
 

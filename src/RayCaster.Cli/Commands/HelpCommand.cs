@@ -6,7 +6,7 @@ internal sealed class HelpCommand(CommandList commands) : Command("help", "[comm
 
     public override IReadOnlyList<(string, string)> Arguments => [];
 
-    public override IReadOnlyList<Option> Options => [];
+    public override Option[] Options => [];
 
     public override int Run(CommandLine line)
     {

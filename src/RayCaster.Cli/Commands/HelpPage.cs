@@ -41,7 +41,6 @@ internal static class HelpPage
     private static string Paragraph(string title, string text) =>
         $"{title}:" + string.Concat(Wrapped(text, Width - 2).Select(line => "\n  " + line));
 
-    /// <summary>A title and rows of two columns.</summary>
     private static string Table(string title, IEnumerable<(string Name, string Text)> rows)
     {
         var indent = rows.Max(row => row.Name.Length) + 4;

@@ -9,7 +9,7 @@ internal sealed class LiveCommand() : Command("live", "<scene>", "Opens a page t
 
     public override IReadOnlyList<(string, string)> Arguments => [("<scene>", "The scene file (JSON).")];
 
-    public override IReadOnlyList<Option> Options => LiveOptions.All;
+    public override Option[] Options => LiveOptions.All;
 
     public override string[] Examples => ["live scenes/room.json"];
 

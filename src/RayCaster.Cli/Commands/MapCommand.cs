@@ -10,7 +10,7 @@ internal sealed class MapCommand() : Command("map", "<scene> <kind>", "Draws t, 
     public override IReadOnlyList<(string, string)> Arguments =>
         [Scene, ("<kind>", "t of the nearest hit, its depth along the view, or the index of its model: t, depth or model.")];
 
-    public override IReadOnlyList<Option> Options => [output, Option.Format, Option.Size, Option.Threads, Option.Quiet];
+    public override Option[] Options => [output, Option.Format, Option.Size, Option.Threads, Option.Quiet];
 
     public override string[] Examples => ["map scenes/room.json depth"];
 

@@ -22,7 +22,7 @@ internal sealed class MarkCommand() : Command("mark", "<rubric> [<pictures>]", "
         ("<pictures>", "A folder that contains a folder of pictures for each student."),
     ];
 
-    public override IReadOnlyList<Option> Options => [output, threads, Option.Quiet];
+    public override Option[] Options => [output, threads, Option.Quiet];
 
     public override string[] Examples => ["mark docs/rubric.json", "mark docs/rubric.json pictures -o marks"];
 

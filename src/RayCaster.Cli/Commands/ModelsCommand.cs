@@ -6,7 +6,7 @@ internal sealed class ModelsCommand() : Command("models", "<scene>", "Says which
         "Says, model by model, in how many pixels of a scene's picture it shows, and why it does not in the others: it is hidden by a " +
         "nearer one, behind the camera, nearer than zNear or beyond zFar. Also printed if a picture shows nothing, or one colour.";
 
-    public override IReadOnlyList<Option> Options => [Option.Size, Option.Quiet];
+    public override Option[] Options => [Option.Size, Option.Quiet];
 
     public override string[] Examples => ["models scenes/room.json"];
 

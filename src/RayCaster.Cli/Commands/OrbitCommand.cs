@@ -5,16 +5,17 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
     private static readonly Option<int?> frames = Option.Count("--frames",
         "How many frames. Frame 0 is the scene's own picture, and the camera turns counterclockwise, seen from above (from where \"up\" points to).",
         1_000_000);
-    private static readonly Option<Portion> only = new("--only", "<frames>",
+    private static readonly Option<string> only = new("--only", "<frames>",
         "Draws only these frames, for example 0..11 (both included) or 3/8 (the third of eight parts), for many machines.",
-        "the first and the last frame as in 0..11, counted from 0, or 3/8 for the third of eight parts", Portion.Parse);
+        "the first and the last frame as in 0..11, counted from 0, or 3/8 for the third of eight parts",
+        text => PartCommand.RangeOf(text) is null ? null : text);
     private static readonly Option<string> output = Option.Text("-o, --output", "<folder>",
         "An existing folder for the frames. [default: the current one]");
 
     public override string Description =>
         "Draws the frames of a camera that goes once around its target: room-0000.png, room-0001.png ...";
 
-    public override IReadOnlyList<Option> Options =>
+    public override Option[] Options =>
         [frames, only, output, Option.Size, PartCommand.Resume, Option.Threads, Option.Quiet];
 
     public override string[] Examples => ["orbit scenes/room.json --frames 48 -o frames"];
@@ -25,7 +26,7 @@ internal sealed class OrbitCommand() : Command("orbit", "<scene>", "Draws the fr
         var count = line.Get(frames) ?? throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
         var wanted = NumberRange.Whole(count);
         if (line.Get(only) is { } portion)
-            wanted = portion.Of(count) ?? throw new ProblemException($"there are no frames {portion} of {count}, 0..{count - 1}");
+            wanted = PartCommand.RangeOf(portion, count) ?? throw new ProblemException($"there are no frames {portion} of {count}, 0..{count - 1}");
         var scene = SceneInput.Read(path, line);
 
         var folder = line.Get(output) ?? "";

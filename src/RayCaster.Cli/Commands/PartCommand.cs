@@ -18,7 +18,7 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
         ("<lines>", "The first and the last as in 0..249, counted from 0 at the top, or 3/8 for the third of eight equal parts."),
     ];
 
-    public override IReadOnlyList<Option> Options => [output, Option.Size, Resume, Option.Threads, Option.Quiet];
+    public override Option[] Options => [output, Option.Size, Resume, Option.Threads, Option.Quiet];
 
     public override string[] Examples =>
         ["part scenes/room.json 1/2 --size 20000x20000", "part scenes/room.json 2/2 --size 20000x20000", "stitch room.part-*.png -o room.png"];
@@ -26,14 +26,16 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
     public override int Run(CommandLine line)
     {
         var operands = line.Exactly("<scene>", "<lines>");
-        var portion = Portion.Parse(operands[1]) ?? throw ProblemException.Usage($"'{operands[1]}' names no lines: " +
-            "write the first and the last as in 0..249, counted from 0 at the top, or 3/8 for the third of eight parts");
+        if (RangeOf(operands[1]) is null)
+            throw ProblemException.Usage($"'{operands[1]}' names no lines: " +
+                "write the first and the last as in 0..249, counted from 0 at the top, or 3/8 for the third of eight parts");
         if (line.Get(output) is { } given && PictureOutput.FormatOf(given, null) != PictureFormat.Png)
             throw ProblemException.Usage("a part is a PNG file, which records what it shows; choose another name");
         var scene = SceneInput.Read(operands[0], line);
 
         var height = scene.Camera.Height;
-        var lines = portion.Of(height) ?? throw new ProblemException($"there is no part {portion} of a picture of {height} lines, 0..{height - 1}");
+        var lines = RangeOf(operands[1], height)
+            ?? throw new ProblemException($"there is no part {operands[1]} of a picture of {height} lines, 0..{height - 1}");
         var file = line.Get(output) ?? $"{SceneInput.NameOf(operands[0])}.part-" +
             $"{Padded(lines.First, height)}-{Padded(lines.Last, height)}.png";
         var start = Stopwatch.GetTimestamp();
@@ -44,10 +46,24 @@ internal sealed class PartCommand() : Command("part", "<scene> <lines>", "Draws 
             return ExitCode.Done;
         }
         var drawing = new Drawing(scene, line);
-        drawing.Write(file, PictureFormat.Png, lines.ToRange(), part);
+        drawing.Write(file, PictureFormat.Png, part);
         var which = lines.Count == height ? "" : $"lines {lines} of ";
         line.Tell(drawing.Summary(file, lines.Count, Stopwatch.GetElapsedTime(start), which));
         return ExitCode.Done;
+    }
+
+    /// <summary>Some lines of a picture, or some frames: the first and the last, both included, as in 0..249, or a share, as in 3/8.</summary>
+    /// <param name="count">How many there are in all; by default more than any picture has.</param>
+    /// <returns>Null for any other text, and if there are not all of them, or fewer than parts.</returns>
+    /// <exception cref="ProblemException">It is a share that does not exist, as 9/8.</exception>
+    public static NumberRange? RangeOf(string text, long count = 1L << 31)
+    {
+        if (NumberRange.Parse(text) is { } range) return range.Last < count ? range : null;
+        if (text.Split('/') is not [var k, var n] || Option.ReadCount(n) is not { } parts
+            || !long.TryParse(k, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var part)) return null;
+        if (part < 1 || part > parts)
+            throw ProblemException.Usage($"there is no part {text}: parts are 1/{parts} to {parts}/{parts} (--array=1-{parts})");
+        return parts <= count ? new((int)((part - 1) * count / parts), (int)(part * count / parts) - 1) : null;
     }
 
     /// <summary>Whether the picture exists already and need not be drawn. If a file exists but has other content, prints why it is drawn

@@ -20,7 +20,7 @@ internal sealed class StitchCommand() : Command("stitch", "<part>...", "Joins pa
             "The order does not matter."),
     ];
 
-    public override IReadOnlyList<Option> Options => [output, Option.Format, missing, Option.Quiet];
+    public override Option[] Options => [output, Option.Format, missing, Option.Quiet];
 
     public override string[] Examples => ["stitch room.part-*.png -o room.png"];
 

@@ -13,7 +13,7 @@ internal sealed class VaryCommand() : Command("vary", "<scene>", "Makes a simila
 
     public override IReadOnlyList<(string, string)> Arguments => [("<scene>", "The scene file.")];
 
-    public override IReadOnlyList<Option> Options => [seed, output, Option.Everything, Option.Quiet];
+    public override Option[] Options => [seed, output, Option.Everything, Option.Quiet];
 
     public override string[] Examples => ["vary scenes/weeks/4-all.json --seed 12345 -o scenes/my/12345.json"];
 

@@ -5,7 +5,6 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
     private static readonly Option<string> output = Option.Text("-o, --output", "<file>",
         "Where to write the picture: .png or .ppm. [default: <scene>.<ids>.png]");
 
-    /// <summary>The ids of all known mistakes.</summary>
     public static string[] Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
 
     public override string Description =>
@@ -14,7 +13,7 @@ internal sealed class WrongCommand() : Command("wrong", "<scene> <ids>", "Draws 
     public override IReadOnlyList<(string, string)> Arguments =>
         [Scene, ("<ids>", "The mistakes, for example r-nosq, or rows+bgr for two. docs/mistakes.md lists them.")];
 
-    public override IReadOnlyList<Option> Options => [output, Option.Format, Option.Size, Option.Threads, Option.Quiet];
+    public override Option[] Options => [output, Option.Format, Option.Size, Option.Threads, Option.Quiet];
 
     public override string[] Examples => ["wrong scenes/room.json r-nosq -o mine.png"];
 

@@ -8,11 +8,8 @@ internal sealed class BlankPicture(Color background)
 {
     private readonly List<int> seen = new(3); // colours as red, green and blue in one number
 
-    /// <summary>Whether the lines so far look like a mistake.</summary>
     public bool IsBlank => seen.Count <= 1 || (seen.Count == 2 && seen.Contains(0) && seen.Contains(Packed(background.ToBytes())));
 
-    /// <summary>Takes the next lines.</summary>
-    /// <param name="rgb">Whole lines of red, green and blue.</param>
     public void Take(ReadOnlySpan<byte> rgb)
     {
         for (var i = 0; i < rgb.Length && seen.Count <= 2; i += 3)

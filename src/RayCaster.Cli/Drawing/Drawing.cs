@@ -22,12 +22,11 @@ internal sealed class Drawing(Scene scene, CommandLine line, bool plain = false,
             (double)scene.Camera.Width * scene.Camera.Height * Math.Max(1, scene.ShapeCount) <= SmallWork);
 
     /// <summary>Draws lines of the picture, and writes them as soon as they are drawn: memory does not grow with their number.</summary>
-    /// <param name="lines">The first of them and the end; null for all.</param>
-    /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
+    /// <param name="part">What the file shows, to be written into it; null for all lines, and for nothing.</param>
     /// <returns>Whether the lines look like a mistake, since they show nothing or one colour.</returns>
-    public bool Write(string output, PictureFormat format, Range? lines = null, PartFacts? part = null)
+    public bool Write(string output, PictureFormat format, PartFacts? part = null)
     {
-        var (first, count) = (lines ?? ..).GetOffsetAndLength(scene.Camera.Height);
+        var (first, count) = part is null ? (0, scene.Camera.Height) : (part.Lines.First, part.Lines.Count);
         if (DrawInto(isByDefinition, out var isBlank) is not { } difference) return isBlank;
         StandardStreams.WriteError($"raycaster: the engine's picture is not the definition's at {difference}. The definition draws the picture.");
         if (output == StandardStreams.Name) throw new ProblemException("standard output has a wrong picture: write to a file, or add --plain");
@@ -54,7 +53,6 @@ internal sealed class Drawing(Scene scene, CommandLine line, bool plain = false,
         }
     }
 
-    /// <summary>What was drawn, in a line.</summary>
     /// <param name="part">Of a part, which lines.</param>
     public string Summary(string output, int lines, TimeSpan elapsed, string part = "")
     {

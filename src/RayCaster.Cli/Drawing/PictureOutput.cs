@@ -8,7 +8,6 @@ internal sealed class PictureOutput(string output, PictureFormat format, int wid
     private readonly OutputFile file = new(output);
     private PictureWriter? writer; // made for the first lines, because its header may fail, too
 
-    /// <summary>The format of --format, or that of the file's extension; PPM for standard output.</summary>
     public static PictureFormat FormatOf(string output, PictureFormat? format)
     {
         if (output == StandardStreams.Name && !Console.IsOutputRedirected)
@@ -16,7 +15,7 @@ internal sealed class PictureOutput(string output, PictureFormat format, int wid
                 "a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
         return format ?? (output == StandardStreams.Name ? PictureFormat.Ppm
             : Directory.Exists(output) ? throw new ProblemException($"cannot write {output}: it is a folder; name a file in it")
-            : PictureFormats.ByExtension(output));
+            : PictureFile.FormatOf(output));
     }
 
     public static void Write(string output, Picture picture, PictureFormat format)
@@ -33,7 +32,6 @@ internal sealed class PictureOutput(string output, PictureFormat format, int wid
         writer.WriteRows(rows);
     });
 
-    /// <summary>Ends the picture, and puts a file in its place.</summary>
     public void Finish()
     {
         file.Write([], (_, _) => writer!.Finish());

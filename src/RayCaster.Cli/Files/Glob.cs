@@ -7,7 +7,6 @@ internal static class Glob
     /// <param name="words">Files, which need not exist, and patterns with <c>*</c> and <c>?</c> in their last part.</param>
     public static List<string> Expand(IReadOnlyList<string> words) => [.. words.SelectMany(FilesOf).DistinctBy(Path.GetFullPath)];
 
-    /// <summary>The files of a folder, in the order of their names.</summary>
     public static string[] FilesIn(string folder, string pattern)
     {
         try

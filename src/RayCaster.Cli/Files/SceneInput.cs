@@ -4,12 +4,10 @@ namespace RayCaster.Cli;
 
 internal static class SceneInput
 {
-    /// <summary>The name of a scene's pictures: its file name without folder and extension.</summary>
     public static string NameOf(string scene) => scene == StandardStreams.Name ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
     /// <summary>Reads a scene and prints its errors and warnings.</summary>
     /// <param name="path">The file, or "-".</param>
-    /// <exception cref="ReportedException">It has errors.</exception>
     /// <inheritdoc cref="TryRead"/>
     public static Scene Read(string path, CommandLine line, bool warns = true, bool judges = false)
     {
@@ -24,7 +22,7 @@ internal static class SceneInput
     public static SceneReading TryRead(string path, CommandLine line, bool judges)
     {
         var reading = path == StandardStreams.Name ? ReadStandardInput() : SceneReader.Read(path);
-        OutputFile.Protect([path, .. reading.MeshFiles]);
+        OutputFile.Protect((string[])[path, .. reading.MeshFiles]); // no list that is compiled for it
         if (judges && path != StandardStreams.Name && reading.Scene is { } scene) WarnIfChanged(path, scene, line);
         return reading;
     }

@@ -13,7 +13,6 @@ internal static partial class Bodies
     /// <summary>A file with stubs in place of some bodies.</summary>
     /// <param name="file">Its name in messages.</param>
     /// <param name="isOpen">Whether students write the bodies of a step. Only these bodies keep their markers.</param>
-    /// <exception cref="ProblemException">A marker stands alone, or its slide belongs to no step.</exception>
     public static string With(string file, string text, Func<int, bool> isOpen)
     {
         var rest = Body().Replace(text, body => Regex.Replace(body.Value, ".+", "")); // with as many lines

@@ -1,16 +1,17 @@
+using System.Text.RegularExpressions;
+
 namespace RayCaster.Cli;
 
 /// <summary>
 /// This program in a hand-out: "dotnet lib/raycaster.dll diagnose", so that students need no clone of the repository, which has the solution. The
 /// lab and its tests use its assemblies. It has no marks and makes no hand-outs.
 /// </summary>
-internal static class CarriedTool
+internal static partial class CarriedTool
 {
     /// <summary>Those that the lab and the live page use, too.</summary>
     internal static readonly string[] Assemblies =
         ["RayCaster.Library.dll", "RayCaster.Files.dll", "RayCaster.Engine.dll", "RayCaster.Teaching.dll"];
 
-    /// <summary>The live page's program.</summary>
     internal const string Page = "raycaster-live.dll";
 
     private static readonly string[] page = [Page, "raycaster-live.runtimeconfig.json", "RayCaster.Page.dll"];
@@ -23,7 +24,6 @@ internal static class CarriedTool
 
     /// <summary>The folder of the page's program: this one's if it was installed, and in a hand-out; in a clone that of its project, if it was built
     /// with the same assemblies.</summary>
-    /// <exception cref="ProblemException">It is nowhere; the message says how to get it.</exception>
     public static string FolderOfPage()
     {
         var here = Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory);
@@ -51,4 +51,18 @@ internal static class CarriedTool
             AtomicFile.WriteInFolder(Path.Combine(to, name), File.ReadAllBytes(Path.Combine(from, name)));
         }
     }
+
+    /// <summary>What is written in this hand-out, as "diagnose --done" calls it: a step is, when none of its bodies calls <c>Todo.Note</c> any
+    /// more. None where there is no hand-out.</summary>
+    public static string[] WrittenParts()
+    {
+        var lab = new DirectoryInfo(Path.Combine(AppContext.BaseDirectory, "..", "src", "Lab"));
+        if (!lab.Exists) return [];
+        var open = lab.EnumerateFiles("*.cs").SelectMany(file => Note().Matches(File.ReadAllText(file.FullName)))
+            .Select(note => Slides.StepOf(note.Groups["slide"].Value)).ToHashSet();
+        return [.. MissingPart.All.Where(part => !open.Contains(MissingPart.StepOf(part)))];
+    }
+
+    [GeneratedRegex(@"^\s*(return )?Todo\.Note\(""(?<slide>[^""]+)""", RegexOptions.Multiline)]
+    private static partial Regex Note();
 }

@@ -8,7 +8,6 @@ internal static class HandOutFiles
 {
     private const string Source = "src/Lab/";
 
-    /// <summary>All files: their paths in the hand-out's folder, and their content.</summary>
     public static IEnumerable<(string Path, byte[] Content)> All()
     {
         var folder = Path.Combine(AppContext.BaseDirectory, "handout");
@@ -25,7 +24,6 @@ internal static class HandOutFiles
 
     /// <summary>All files, with stubs in place of the open bodies of the lab, and with texts that fit. If no step is open, the markers of the
     /// bodies stay.</summary>
-    /// <exception cref="ProblemException">A body of the lab has wrong markers.</exception>
     public static List<(string Path, byte[] Content)> With(Func<int, bool> isOpen)
     {
         int[] open = [.. Enumerable.Range(1, LabSteps.Count).Where(isOpen)];

@@ -5,7 +5,6 @@ namespace RayCaster.Cli;
 /// <summary>Adapts the texts of a hand-out to the steps that its students write: README.md says which ones, CI tests no other.</summary>
 internal static partial class OpenSteps
 {
-    /// <summary>Whether a file depends on the steps that are open.</summary>
     public static bool Concern(string path) => path is "README.md" or ".github/workflows/classroom.yml" or ".gitlab-ci.yml";
 
     /// <param name="open">The open steps; where none is, CI tests all.</param>

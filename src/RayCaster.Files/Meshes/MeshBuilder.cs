@@ -21,7 +21,6 @@ internal sealed class MeshBuilder(MeshSource source)
 
     public void AddVertex(Vector3 vertex) => vertices.Add(vertex);
 
-    /// <summary>Notes that a vertex follows, perhaps after faces.</summary>
     public void BeginBlock()
     {
         if (indices.Count > facesBefore) blocks.Add(vertices.Count);

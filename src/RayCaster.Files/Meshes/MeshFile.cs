@@ -1,12 +1,11 @@
 namespace RayCaster.Files;
 
 /// <summary>Reads meshes that other programs write.</summary>
-public static class MeshFile
+internal static class MeshFile
 {
     /// <summary>The longest line or row, and the longest mesh from a pipe, in bytes: these are in memory as a whole.</summary>
     public const int MaxBytesAtOnce = 1 << 28;
 
-    /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
     internal static MeshData Read(string path, MissingFileHint? names = null)
     {
         var reader = ReaderOf(path);

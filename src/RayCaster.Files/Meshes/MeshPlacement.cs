@@ -3,7 +3,7 @@ namespace RayCaster.Files;
 /// <summary>Where a scene puts a mesh: a vertex p becomes Rz·Ry·Rx·(scale ∘ p) + translate.</summary>
 /// <param name="Scale">A factor for each axis, none of them 0; negative mirrors.</param>
 /// <param name="Rotate">Right-handed turns about the x, y and z axis, in degrees, in this order.</param>
-public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vector3 Translate)
+internal readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vector3 Translate)
 {
     /// <summary>The largest coordinate or radius in a scene, in absolute value: products of a few larger ones are beyond the largest
     /// double.</summary>

@@ -8,7 +8,6 @@ internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 <
     private int first, end; // the bytes that are loaded and not taken yet
     private long loaded;
 
-    /// <summary>The bytes of the file when it was opened.</summary>
     public long Length { get; } = stream.Length;
 
     /// <summary>The place of the next byte in the file.</summary>
@@ -37,7 +36,6 @@ internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 <
         return true;
     }
 
-    /// <summary>Takes bytes that are there.</summary>
     public ReadOnlySpan<byte> Take(int count)
     {
         Has(count);
@@ -45,14 +43,12 @@ internal sealed class MeshSource(string path, Stream stream, int pieceSize = 1 <
         return buffer.AsSpan(first - count, count);
     }
 
-    /// <summary>Skips bytes that are there.</summary>
     public void Skip(long count)
     {
         for (; count > end - first; Load()) (count, first) = (count - (end - first), end);
         first += (int)count;
     }
 
-    /// <summary>Goes back to the first byte.</summary>
     public void Restart()
     {
         stream.Position = 0;

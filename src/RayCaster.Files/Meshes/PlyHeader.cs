@@ -14,7 +14,6 @@ internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType?
     public int Size => Sizes[(int)Type];
 }
 
-/// <summary>A table of the file.</summary>
 /// <param name="Name">What its rows are: <c>vertex</c>, <c>face</c>, <c>tristrips</c>, or anything else, which is skipped.</param>
 internal sealed record PlyElement(string Name, long Count, int Line)
 {
@@ -24,7 +23,6 @@ internal sealed record PlyElement(string Name, long Count, int Line)
 /// <summary>The lines from <c>ply</c> to <c>end_header</c>.</summary>
 internal sealed class PlyHeader
 {
-    /// <summary>The most bytes of a header.</summary>
     public const int MaxBytes = 1 << 20;
 
     private readonly MeshSource source;

@@ -5,14 +5,7 @@ internal sealed class SkippedStatements
 {
     private const int MostKinds = 1000, Named = 5;
 
-    /// <summary>The statements of curves and surfaces, also those of old versions.</summary>
-    private static readonly string[] freeForm =
-    [
-        "vp", "deg", "bmat", "step", "cstype", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con", "ctech", "stech",
-        "bzp", "bsp", "cdc", "cdp", "res",
-    ];
-
-    /// <summary>The statements that only say how a mesh looks or how its parts are called.</summary>
+    private static readonly string[] freeForm = ["cstype", "curv", "curv2", "surf", "bsp", "bzp"]; // a file with such forms has one of them
     private static readonly string[] harmless = ["mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "maplib", "usemap"];
 
     private readonly List<string> kinds = [];
@@ -26,7 +19,6 @@ internal sealed class SkippedStatements
         if (known.Count < MostKinds && known.Add(scanner.Quoted)) kinds.Add(scanner.Quoted);
     }
 
-    /// <summary>What was skipped; null for nothing.</summary>
     public string? Warning
     {
         get

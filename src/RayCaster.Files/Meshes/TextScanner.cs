@@ -5,7 +5,6 @@ namespace RayCaster.Files;
 /// <summary>Divides a text into lines and words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>
 internal sealed class TextScanner
 {
-    /// <summary>The most bytes of a word that a message quotes.</summary>
     public const int LongestQuote = 40;
 
     private readonly MeshSource source;
@@ -32,7 +31,6 @@ internal sealed class TextScanner
     /// <summary>The line of the last word, or where one was missing.</summary>
     public int LineNumber => lineNumber + (joinedLines > 0 ? CountLines(Line[..wordAt]) : 0);
 
-    /// <summary>The last word for a message, shortened, without control characters.</summary>
     public string Quoted
     {
         get
@@ -84,7 +82,6 @@ internal sealed class TextScanner
 
     public double NextNumber(string what) => ToNumber(NextInLine(), what);
 
-    /// <summary>Reads the word that came last as a number.</summary>
     public double ToNumber(ReadOnlySpan<byte> word, string what)
     {
         if (TryParse(word, out var number)) return number;
@@ -159,7 +156,6 @@ internal sealed class TextScanner
 
     private static int CountLines(ReadOnlySpan<byte> text) => text.Count((byte)'\n') + text.Count((byte)'\r') - text.Count("\r\n"u8);
 
-    /// <summary>The bytes of the line end at the beginning of a text; 0 for none.</summary>
     private static int LineEndOf(ReadOnlySpan<byte> text) => text switch
     {
         [(byte)'\r', (byte)'\n', ..] => 2,

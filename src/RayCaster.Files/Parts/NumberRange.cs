@@ -2,16 +2,11 @@ namespace RayCaster.Files;
 
 /// <summary>Numbers that follow each other: of the lines of a picture, counted from the top, from 0; of frames; of steps.</summary>
 /// <param name="Last">The last number, included; not less than the first.</param>
-public readonly record struct NumberRange(int First, int Last)
+internal readonly record struct NumberRange(int First, int Last)
 {
-    /// <summary>How many numbers.</summary>
     public int Count => Last - First + 1;
 
-    /// <summary>The numbers from 0 to count − 1.</summary>
     public static NumberRange Whole(int count) => new(0, count - 1);
-
-    /// <summary>The same as a <see cref="Range"/>, whose end is excluded.</summary>
-    public Range ToRange() => First..(Last + 1);
 
     /// <summary>Reads what <see cref="ToString"/> writes; null for any other text.</summary>
     public static NumberRange? Parse(string text) =>

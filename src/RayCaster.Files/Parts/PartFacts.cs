@@ -16,11 +16,10 @@ namespace RayCaster.Files;
 /// </summary>
 /// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
 /// <param name="Version">The version of the program, and 12 digits that change with its code.</param>
-public sealed partial record PartFacts(int Width, int Height, NumberRange Lines, string Digest, string Version)
+internal sealed partial record PartFacts(int Width, int Height, NumberRange Lines, string Digest, string Version)
 {
     internal const string Keyword = "raycaster:part";
 
-    /// <summary>The facts of a part that is drawn now.</summary>
     /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
     public static PartFacts Create(Scene scene, NumberRange lines, string models, Assembly engine) =>
         new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Compute(scene, models),
@@ -33,7 +32,6 @@ public sealed partial record PartFacts(int Width, int Height, NumberRange Lines,
         return $"{typeof(PartFacts).Assembly.GetName().Version!.ToString(3)}+{Convert.ToHexStringLower(code)[..12]}";
     }
 
-    /// <summary>Reads what <see cref="ToString"/> writes; null for any other text.</summary>
     public static PartFacts? Parse(string text)
     {
         var values = Form().Match(text).Groups;
@@ -43,10 +41,8 @@ public sealed partial record PartFacts(int Width, int Height, NumberRange Lines,
             : null;
     }
 
-    /// <summary>The facts as the text of a PNG.</summary>
     public (string Keyword, string Value) PngText => (Keyword, ToString());
 
-    /// <summary>The text.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture,
         $"picture {Width}x{Height}\nlines {Lines}\nscene {Digest}\nraycaster {Version}\n");
 

@@ -1,10 +1,9 @@
 namespace RayCaster.Files;
 
 /// <summary>PNGs that hold some lines of a picture (<see cref="PartFacts"/>).</summary>
-public static class PartFile
+internal static class PartFile
 {
     /// <summary>Which lines of which picture a file holds; null for a PNG that is no part.</summary>
-    /// <exception cref="ProblemException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
     /// <param name="whole">Whether its pixels are read, too, so that a damaged file is refused.</param>
     internal static PartFacts? FactsOf(string path, bool whole = false) => Open(path, (png, facts) =>
     {
@@ -29,7 +28,6 @@ public static class PartFile
         return reason is null;
     }
 
-    /// <summary>Opens a file for reading it line by line, with its facts.</summary>
     internal static T Open<T>(string path, Func<PngReader, PartFacts?, T> read) => PictureFile.Open(path, file =>
     {
         var png = new PngReader(file, 3 * Camera.MaxPixels, keyword: PartFacts.Keyword);

@@ -2,14 +2,13 @@ namespace RayCaster.Files;
 
 /// <summary>Files that should be the parts of one picture: checks them, and joins them.</summary>
 /// <remarks>Only the facts of each file are kept in memory: a set may have as many parts as a picture has lines.</remarks>
-public sealed class PartSet
+internal sealed class PartSet
 {
     private readonly List<(string Path, PartFacts Facts)> parts = [];
     private readonly List<string> problems = [];
     private readonly List<string> unreadable = [];
     private readonly List<NumberRange> missing = [];
 
-    /// <summary>Reads the facts of the files.</summary>
     /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
     /// none.</param>
     /// <param name="whole">Whether the pixels are read, too, so that damaged files are found; a damaged part holds no lines.</param>
@@ -35,7 +34,6 @@ public sealed class PartSet
         if (problems.Count == 0) FindGapsAndOverlaps();
     }
 
-    /// <summary>How many parts there are.</summary>
     public int Count => parts.Count;
 
     /// <summary>The files that are parts, from the top.</summary>
@@ -50,11 +48,9 @@ public sealed class PartSet
     /// <summary>The lines that no part holds, from the top; of parts without problems.</summary>
     public IReadOnlyList<NumberRange> Missing => missing;
 
-    /// <summary>The whole picture's size.</summary>
     public (int Width, int Height) Size => (parts[0].Facts.Width, parts[0].Facts.Height);
 
     /// <summary>Reads the picture of parts without problems and without missing lines, a line at a time.</summary>
-    /// <exception cref="ProblemException">A part is damaged, or was replaced.</exception>
     public void Read(Action<ReadOnlySpan<byte>> takeLine)
     {
         foreach (var (path, facts) in parts)

@@ -11,7 +11,7 @@ namespace RayCaster.Files;
 /// The last bit of tan, sin and cos may depend on the system. Therefore h = 2 tan(fovY / 2) and the placed vertices are hashed: if two systems
 /// compute different ones, their digests differ.
 /// </remarks>
-public static class SceneDigest
+internal static class SceneDigest
 {
     /// <summary>The digest of a scene: 64 hexadecimal digits, small letters.</summary>
     /// <param name="models">The digest of its models (<see cref="OfModels"/>), which all frames of a moving camera share.</param>
@@ -26,7 +26,6 @@ public static class SceneDigest
     }
 
     /// <summary>The digest of models in their order: of the text of each, which holds its numbers, and of the arrays of meshes.</summary>
-    /// <exception cref="ProblemException">A model's class does not say its numbers.</exception>
     public static string OfModels(IReadOnlyList<Model> models)
     {
         using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);

@@ -16,17 +16,8 @@ public static class PictureFile
     /// </summary>
     /// <param name="warn">Gets what is odd about a file that is read all the same, in a line that names the file.</param>
     /// <exception cref="ProblemException">The file cannot be read, is damaged, of another kind, or too large.</exception>
-    public static Picture Read(string path, Action<string>? warn = null) => Open(path, file =>
-    {
-        try
-        {
-            return Read(file, MaxBytes, odd => warn?.Invoke($"{path}: warning: {odd}"));
-        }
-        catch (IOException e)
-        {
-            throw ProblemException.From(e);
-        }
-    });
+    public static Picture Read(string path, Action<string>? warn = null) =>
+        Open(path, file => Read(file, MaxBytes, odd => warn?.Invoke($"{path}: warning: {odd}")));
 
     /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string, Action{string})"/> does; the messages name no file.</summary>
     /// <exception cref="ProblemException">The data are damaged, of another kind, or too large.</exception>
@@ -69,9 +60,17 @@ public static class PictureFile
     /// <exception cref="ProblemException">The extension names no format, or the file cannot be written.</exception>
     public static void Write(string path, Picture picture)
     {
-        var format = PictureFormats.ByExtension(path);
+        var format = FormatOf(path);
         AtomicFile.Write(path, file => Write(file, picture, format));
     }
+
+    internal static PictureFormat FormatOf(string path) => Path.GetExtension(path).ToLowerInvariant() switch
+    {
+        ".png" => PictureFormat.Png,
+        ".ppm" => PictureFormat.Ppm,
+        "" => throw new ProblemException($"no picture format for '{path}': the name has no extension; use .png or .ppm"),
+        var other => throw new ProblemException($"no picture format for '{path}': {other} is not known; use .png or .ppm"),
+    };
 
     /// <summary>Writes a picture to a stream, which is left open.</summary>
     public static void Write(Stream output, Picture picture, PictureFormat format)
@@ -93,16 +92,17 @@ public static class PictureFile
         {
             throw new ProblemException($"picture file not found: {path}\n  looked for {PrintableText.From(Path.GetFullPath(path))}", e);
         }
-        catch (ProblemException e) when (!e.NamesFile)
+        catch (Exception e) when (e is IOException or ProblemException { NamesFile: false })
         {
-            throw new ProblemException($"cannot read {path}{(e.Line > 0 ? $"({e.Line})" : "")}: {e.Message}", e) { NamesFile = true };
+            var line = e is ProblemException { Line: > 0 and var at } ? $"({at})" : "";
+            throw new ProblemException($"cannot read {path}{line}: {(e is IOException ? ProblemException.Reason(e) : e.Message)}", e)
+            { NamesFile = true };
         }
     }
 
     /// <summary>Refuses a picture that does not fit into memory as a whole, before anything is allocated for it.</summary>
     /// <param name="maxBytes">The most bytes that it may take, three for each pixel; those of the largest array if left out.</param>
-    /// <exception cref="ProblemException">It is too large, or a side is less than 1.</exception>
-    public static void ThrowIfTooLarge(long width, long height, long? maxBytes = null)
+    internal static void ThrowIfTooLarge(long width, long height, long? maxBytes = null)
     {
         if (width < 1 || height < 1)
             throw new ProblemException($"its size is {width} × {height} pixels, but each side must be at least 1");

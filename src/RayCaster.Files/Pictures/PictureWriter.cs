@@ -63,7 +63,6 @@ public abstract class PictureWriter : IDisposable
 
     private protected abstract void Encode(ReadOnlySpan<byte> lines);
 
-    /// <summary>Writes what follows the last line.</summary>
     private protected virtual void EncodeEnd()
     {
     }

@@ -47,7 +47,6 @@ internal sealed class PngChunkReader
         if (Left == 0) CheckCrc();
     }
 
-    /// <summary>Goes back to the chunk at a <see cref="Place"/>.</summary>
     public void Return(long chunk)
     {
         file.Position = chunk;
@@ -67,7 +66,6 @@ internal sealed class PngChunkReader
         return data.Length;
     }
 
-    /// <summary>The data, or the first bytes of it if there are more than expected.</summary>
     public byte[] ReadUpTo(int most)
     {
         var data = new byte[Math.Min(most, Left)];

@@ -45,15 +45,6 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     /// <summary>The bytes of a line, without the number of its filter; some bits of the last byte may mean nothing.</summary>
     public long LineBytes(int columns) => ((long)columns * BitsPerPixel + 7) / 8;
 
-    public byte[] ToBytes()
-    {
-        var data = new byte[Bytes]; // compression and filter method stay 0, the only ones
-        BinaryPrimitives.WriteInt32BigEndian(data, Width);
-        BinaryPrimitives.WriteInt32BigEndian(data.AsSpan(4), Height);
-        (data[8], data[9], data[12]) = ((byte)BitDepth, (byte)ColorType, (byte)(Interlaced ? 1 : 0));
-        return data;
-    }
-
     public static PngHeader Read(ReadOnlySpan<byte> data, long maxBytes)
     {
         long width = BinaryPrimitives.ReadUInt32BigEndian(data), height = BinaryPrimitives.ReadUInt32BigEndian(data[4..]);

@@ -8,7 +8,6 @@ internal sealed class PngScanlines(Stream data, PngHeader header)
     private readonly int margin = Math.Max(1, header.BitsPerPixel / 8);
     private byte[] line = [], above = [], samples = [];
 
-    /// <summary>Begins a pass, of the width of its lines.</summary>
     public void Begin(PngPass pass)
     {
         var columns = pass.Columns(header.Width);
@@ -29,7 +28,6 @@ internal sealed class PngScanlines(Stream data, PngHeader header)
         return samples;
     }
 
-    /// <summary>Converts the samples of a line to a byte each, rounded to nearest.</summary>
     private void Unpack(ReadOnlySpan<byte> packed)
     {
         switch (header.BitDepth)

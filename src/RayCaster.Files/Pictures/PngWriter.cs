@@ -30,7 +30,11 @@ internal sealed class PngWriter : PictureWriter
         compressor = new(compressed, options, leaveOpen: true);
 
         output.Write(PngChunk.Signature);
-        PngChunk.Write(output, "IHDR"u8, new PngHeader(width, height, 8, PngHeader.Rgb, Interlaced: false).ToBytes());
+        var header = new byte[PngHeader.Bytes]; // compression, filter and interlace method stay 0
+        BinaryPrimitives.WriteInt32BigEndian(header, width);
+        BinaryPrimitives.WriteInt32BigEndian(header.AsSpan(4), height);
+        (header[8], header[9]) = (8, PngHeader.Rgb);
+        PngChunk.Write(output, "IHDR"u8, header);
         if (text is var (keyword, value)) PngChunk.Write(output, "tEXt"u8, Encoding.Latin1.GetBytes($"{keyword}\0{value}"));
     }
 
@@ -74,7 +78,6 @@ internal sealed class PngWriter : PictureWriter
         compressed.SetLength(0);
     }
 
-    /// <summary>a − b modulo 256, byte by byte.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often written before the runtime would optimise by itself
     private static void Subtract(ReadOnlySpan<byte> a, ReadOnlySpan<byte> b, Span<byte> difference)
     {

@@ -80,13 +80,11 @@ internal sealed class PnmReader
         return new Picture(width, height, rgb);
     }
 
-    /// <summary>Doubles the picture's memory when it is full, up to what the header says.</summary>
     private void MakeRoom(ref byte[] rgb, int bytes)
     {
         if (bytes > rgb.Length) Array.Resize(ref rgb, (int)Math.Min(Math.Max(2L * rgb.Length, bytes), 3L * width * height));
     }
 
-    /// <summary>The next sample, scaled to 8 bits and rounded to nearest.</summary>
     private byte ReadSample()
     {
         var start = position;
@@ -133,7 +131,6 @@ internal sealed class PnmReader
         return PictureFile.Printable(word.AsSpan(0, wordLength));
     }
 
-    /// <summary>Skips blanks and comments.</summary>
     /// <param name="what">What must follow; null for nothing.</param>
     private void SkipBlanks(string? what = null)
     {
@@ -195,11 +192,9 @@ internal sealed class PnmReader
         return new(PictureFile.KindOf([.. begun]));
     }
 
-    /// <summary>The error for a header that promises more than the file holds.</summary>
     private ProblemException CutShort(long there) => new($"the file is cut short: {width:N0} × {height:N0} pixels need "
         + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
 
-    /// <summary>The error for a word that is no number, or none that is allowed.</summary>
     private ProblemException Wrong(string text, string? what, int most)
     {
         if (what is null && word.AsSpan(0, wordLength).ContainsAnyExceptInRange((byte)' ', (byte)'~'))

@@ -7,7 +7,7 @@ namespace RayCaster.Files;
 /// takes the target's place at the end. A program that must end at once deletes the temporary files, whatever its threads are doing, and can
 /// name the finished ones.
 /// </summary>
-public sealed class AtomicFile : IDisposable
+internal sealed class AtomicFile : IDisposable
 {
     private const string Circle = "symbolic links lead in a circle";
 
@@ -19,7 +19,6 @@ public sealed class AtomicFile : IDisposable
     private readonly bool isFile;
     private readonly FileStream file;
 
-    /// <summary>How many files are finished.</summary>
     public static int Count { get; private set; }
 
     /// <summary>The last finished file, as the caller named it; null if there is none.</summary>
@@ -37,7 +36,6 @@ public sealed class AtomicFile : IDisposable
 
     /// <summary>Begins a file. An old one stays until the new one is complete. A symbolic link is followed. What is no file, such as a device or a
     /// pipe, is not replaced: it gets the bytes when they are complete.</summary>
-    /// <exception cref="ProblemException">The file cannot be written.</exception>
     public AtomicFile(string path)
     {
         this.path = path;
@@ -57,9 +55,7 @@ public sealed class AtomicFile : IDisposable
     /// <summary>Takes the file's bytes. Its exceptions are the system's: <see cref="Failure(Exception)"/> says them in words.</summary>
     public Stream Stream => file;
 
-    /// <summary>Puts the file in its place.</summary>
     /// <param name="beforeReplacing">Called when all bytes are on the disk; if it throws, the old file stays.</param>
-    /// <exception cref="ProblemException">It cannot be written.</exception>
     public void Finish(Action? beforeReplacing = null) => Do(() =>
     {
         // A network drive reports only now that the quota is used up, and then the old picture must still be there.
@@ -69,10 +65,8 @@ public sealed class AtomicFile : IDisposable
         Finish(temporary, path, isFile ? () => Replace(path, target, temporary) : () => File.Delete(temporary));
     });
 
-    /// <summary>What is told of an exception of the system.</summary>
     public ProblemException Failure(Exception e) => Failure(path, ProblemException.Reason(e), e);
 
-    /// <summary>Deletes the file if it is not finished.</summary>
     public void Dispose()
     {
         try
@@ -86,8 +80,6 @@ public sealed class AtomicFile : IDisposable
         Delete(temporary);
     }
 
-    /// <summary>Writes a file at once.</summary>
-    /// <inheritdoc cref="Finish(Action)"/>
     public static void Write(string path, Action<Stream> write, Action? beforeReplacing = null)
     {
         using var file = new AtomicFile(path);
@@ -111,7 +103,6 @@ public sealed class AtomicFile : IDisposable
     /// <param name="path">The folder; the folders above it are made, too. If it is there, it must be empty, and stays: a shell may be in it, a link
     /// may lead to it, it may be a disk. Then the temporary folder is in it, and at the end what that holds is moved.</param>
     /// <param name="fill">Fills the temporary folder, whose path it gets, by <see cref="WriteInFolder"/>.</param>
-    /// <exception cref="ProblemException">It cannot be written, or a folder or file of this name came in between.</exception>
     public static void WriteFolder(string path, Action<string> fill)
     {
         string? temporary = null;
@@ -152,7 +143,6 @@ public sealed class AtomicFile : IDisposable
         Directory.Delete(temporary);
     }
 
-    /// <summary>The full path of a file that may be written, without links.</summary>
     private static string TargetOf(string path)
     {
         MissingFileHint.ThrowIfImpossible(path);

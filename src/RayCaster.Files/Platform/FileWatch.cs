@@ -3,7 +3,7 @@ namespace RayCaster.Files;
 /// <summary>Notices that one of some files has changed: compares their times and lengths, which works on every file system.</summary>
 /// <remarks>Two saves of the same length may have the same time: that of FAT counts in steps of two seconds. So a file also counts as changed once,
 /// when its time is <see cref="TimeStep"/> old.</remarks>
-public sealed class FileWatch(TimeProvider clock, CancellationToken end)
+internal sealed class FileWatch(TimeProvider clock, CancellationToken end)
 {
     private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(30), TimeStep = TimeSpan.FromSeconds(2);
 

@@ -23,7 +23,6 @@ internal static class InputFile
         }
     }
 
-    /// <summary>Reads a whole file in the form of a scene file.</summary>
     /// <param name="remedy">What to do if it has more than <paramref name="most"/> bytes.</param>
     public static ArraySegment<byte> Read(string path, string kind, int most, string remedy = "")
     {

@@ -11,7 +11,7 @@ public static class PathResolver
 
     /// <summary>The full path that a path leads to, without links; of a link that leads nowhere, the file that it names. Null if links lead in a
     /// circle.</summary>
-    public static string? Resolve(string path)
+    internal static string? Resolve(string path)
     {
         var place = "";
         var names = new Stack<string>();

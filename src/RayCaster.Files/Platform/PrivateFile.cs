@@ -1,10 +1,9 @@
 namespace RayCaster.Files;
 
 /// <summary>Small files that no other user of this machine may read.</summary>
-public static class PrivateFile
+internal static class PrivateFile
 {
     /// <summary>The full path of a file in a folder that belongs to this user, which is made if it is missing.</summary>
-    /// <exception cref="IOException">This user has no such folder.</exception>
     public static string PathOf(Environment.SpecialFolder folder, string file)
     {
         var path = Environment.GetFolderPath(folder, Environment.SpecialFolderOption.DoNotVerify);
@@ -12,8 +11,6 @@ public static class PrivateFile
         return Path.Combine(Directory.CreateDirectory(path).FullName, file);
     }
 
-    /// <exception cref="IOException">It cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
     public static void Write(string path, string text)
     {
         File.Delete(path); // an old file would keep its rights

@@ -12,9 +12,7 @@ public static class Programs
 
     /// <summary>Runs a program of .NET to its end, with a pipe as its standard input: however this process ends, the system closes it.</summary>
     /// <param name="arguments">Its file, and what it gets.</param>
-    /// <returns>Its exit code.</returns>
-    /// <exception cref="ProblemException">It cannot be started.</exception>
-    public static int Run(IEnumerable<string> arguments)
+    internal static int Run(IEnumerable<string> arguments)
     {
         using var program = Start(new(PathOf("dotnet"), arguments) { RedirectStandardInput = true });
         program.WaitForExit();
@@ -39,8 +37,7 @@ public static class Programs
     }
 
     /// <summary>Opens a file in the program that the user has chosen for its kind; on Windows an address, too.</summary>
-    /// <exception cref="ProblemException">No program opens it.</exception>
-    public static void Open(string file) => Start(OperatingSystem.IsWindows() ? new(file) { UseShellExecute = true }
+    internal static void Open(string file) => Start(OperatingSystem.IsWindows() ? new(file) { UseShellExecute = true }
         : new(PathOf(OperatingSystem.IsMacOS() ? "open" : "xdg-open"), [file]) { RedirectStandardError = true }).Dispose();
 
     /// <summary>The full path of a program: of this process's own if it has that name, otherwise of the first in a folder of PATH. Folders that

@@ -1,9 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>Writes a camera's position and target into the text of a scene. Only numbers that differ change; comments and layout stay.</summary>
-public static class CameraEdit
+internal static class CameraEdit
 {
-    /// <summary>The text with the camera's position and target.</summary>
     /// <param name="utf8">The text of a scene without errors, with or without a byte order mark.</param>
     public static byte[] Write(ReadOnlyMemory<byte> utf8, Camera camera)
     {

@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>Moves a camera: turns it about its target, brings it nearer, or shifts it together with its target.</summary>
-public static class CameraMotion
+internal static class CameraMotion
 {
     /// <summary>The least angle between the view and up, in radians. At 0 the picture would turn over.</summary>
     private const double LeastAngle = 0.01;
@@ -15,7 +15,6 @@ public static class CameraMotion
         return camera with { Position = camera.Target + turned };
     }
 
-    /// <summary>Turns the camera about its target by hand.</summary>
     /// <param name="around">The angle about the up direction in radians, counterclockwise seen from above.</param>
     /// <param name="over">The angle towards up in radians; limited so that the view never becomes parallel to up.</param>
     public static Camera Turn(Camera camera, double around, double over)
@@ -28,7 +27,6 @@ public static class CameraMotion
         return At(camera, camera.Target + Rotate(v, axis, around), camera.Target);
     }
 
-    /// <summary>Multiplies the distance from the target by a factor.</summary>
     public static Camera Approach(Camera camera, double factor) =>
         At(camera, camera.Target + factor * (camera.Position - camera.Target), camera.Target);
 

@@ -11,7 +11,6 @@ internal static class DecimalComma
             : $"; a decimal comma? Write {string.Join(" or ", readings.Select(reading => $"[{string.Join(", ", reading)}]"))}";
     }
 
-    /// <summary>The ways to join pairs of elements to numbers with a fraction.</summary>
     private static IEnumerable<string[]> Readings(ArraySegment<JsonValue> elements, int pairs)
     {
         if (pairs > elements.Count / 2 || elements.Count == 0) return pairs == 0 ? [[]] : [];
@@ -20,7 +19,6 @@ internal static class DecimalComma
         return joined.Concat(Readings(elements[1..], pairs).Select(rest => (string[])[elements[0].AsWritten, .. rest]));
     }
 
-    /// <summary>Whether two elements may be one number: whole ones, without a blank between them.</summary>
     private static bool IsFraction(JsonValue whole, JsonValue fraction) =>
         fraction.Start == whole.End + 1 && whole.IsWholeNumber && fraction.IsWholeNumber && fraction.Number >= 0;
 }

@@ -150,7 +150,6 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         return new(at, end, $"the [ of line {line} is not closed before the key {tree.Text.Quote(at, end)}");
     }
 
-    /// <summary>The innermost bracket that is open.</summary>
     private char Bracket(out int line)
     {
         var start = tree[open[^1]].Start;
@@ -182,7 +181,6 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         };
     }
 
-    /// <summary>A mistake in a text in double quotes; null if there is none.</summary>
     private JsonMistake? Text(int at, out int end)
     {
         for (end = at + 1; end < utf8.Length; end++)

@@ -22,7 +22,6 @@ internal sealed class JsonKeys(JsonValue json, List<KeySpec>? described = null)
 
     public SceneReading Reading => reading;
 
-    /// <summary>Whether no error was found in this object so far.</summary>
     public bool IsSound => reading.ErrorCount == errorsBefore;
 
     /// <summary>An object without keys that collects those that are read. Nobody sees what it reports.</summary>
@@ -44,7 +43,6 @@ internal sealed class JsonKeys(JsonValue json, List<KeySpec>? described = null)
 
     public bool Has(string key) => json.Find(key) is not null;
 
-    /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>
     public string PathOf(string key, int? element = null) => (path.Length > 0 ? path + "." + key : key) + (element is { } i ? $"[{i}]" : "");
 
     public double Number(string key, string meaning, Limits limits, double? orElse = null) =>
@@ -109,7 +107,6 @@ internal sealed class JsonKeys(JsonValue json, List<KeySpec>? described = null)
         return new(factor, factor, factor);
     }
 
-    /// <summary>A colour: three numbers of at least 0, or a text like <c>"#ff8800"</c>.</summary>
     public Color Color(string key, string meaning, Color orElse) => Take(new(key, KeyKind.Color, meaning, false, orElse))?.Color() ?? orElse;
 
     /// <summary>A text; null where it is left out or something else. A required one must not be empty.</summary>
@@ -187,7 +184,6 @@ internal sealed class JsonKeys(JsonValue json, List<KeySpec>? described = null)
         return free.Count is > 0 and <= 8 ? $"; keys that can be added here: {string.Join(", ", free)}" : "";
     }
 
-    /// <summary>A key of any length and content, fit for a message.</summary>
     private static string Shown(string key) => PrintableText.Escaped(key.Length > 60 ? key[..60] + "…" : key);
 
     /// <summary>Reports a problem at a value; at the object's opening brace where the value is null.</summary>
@@ -214,7 +210,6 @@ internal sealed class JsonKeys(JsonValue json, List<KeySpec>? described = null)
     private Vector3 Vector(string key, KeyKind kind, string meaning, Limits limits, Vector3? orElse) =>
         Take(new(key, kind, meaning, orElse is null, orElse))?.Vector(limits) ?? orElse ?? JsonValue.NoVector;
 
-    /// <summary>The elements of an array; none where it is left out or something else.</summary>
     private IEnumerable<JsonValue> Elements(KeySpec key, string name) =>
         Take(key) is { } value && value.IsArray(name) ? value.Elements : [];
 

@@ -17,13 +17,11 @@ internal readonly struct JsonValue(JsonTree tree, int node, string path = "", in
 
     public JsonTokenType Kind => tree[node].Kind;
 
-    /// <summary>The place of its first byte.</summary>
     public int Start => tree[node].Start;
 
     /// <summary>The place after its last byte.</summary>
     public int End => tree[node].End;
 
-    /// <summary>The text of the value, shortened if it is long.</summary>
     public string AsWritten => tree.Text.Quote(Start, End);
 
     /// <summary>The elements of an array; of an object key, value, key, value …</summary>
@@ -35,7 +33,6 @@ internal readonly struct JsonValue(JsonTree tree, int node, string path = "", in
         }
     }
 
-    /// <summary>How many values the content has.</summary>
     public int Count
     {
         get
@@ -98,7 +95,6 @@ internal readonly struct JsonValue(JsonTree tree, int node, string path = "", in
         }
     }
 
-    /// <summary>Whether it is a number that is written without a point and an exponent.</summary>
     public bool IsWholeNumber => Kind == JsonTokenType.Number && tree.Text.Utf8[Start..End].IndexOfAny(".eE"u8) < 0;
 
     /// <summary>A text or key without quotes and escapes; with its escapes if they contain half a surrogate pair, which is no character.</summary>
@@ -120,7 +116,6 @@ internal readonly struct JsonValue(JsonTree tree, int node, string path = "", in
         _ => AsWritten, // a number, true, false or null
     };
 
-    /// <summary>The number, within limits.</summary>
     public double Limited(Limits limits)
     {
         var number = Kind == JsonTokenType.Number ? Number : double.NaN;
@@ -168,7 +163,6 @@ internal readonly struct JsonValue(JsonTree tree, int node, string path = "", in
         return new(c.X, c.Y, c.Z);
     }
 
-    /// <summary>Adds the triangles of a face, an array of at least three indices.</summary>
     public void AddTriangles(Limits limits, List<int> triangles)
     {
         if (!IsArray("indices")) return;

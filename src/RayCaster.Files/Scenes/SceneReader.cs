@@ -4,65 +4,62 @@ namespace RayCaster.Files;
 public static class SceneReader
 {
     /// <summary>The longest scene file, in bytes: some 400,000 models. More triangles belong in a mesh file.</summary>
-    public const int MaxBytes = 1 << 26;
+    internal const int MaxBytes = 1 << 26;
 
-    /// <summary>The longest rubric, in bytes.</summary>
     internal const int MaxShortBytes = 1 << 20;
 
-    private const string TooLong = "; put large meshes into mesh files";
+    private const string Root = "the scene", TooLong = "; put large meshes into mesh files";
 
-    /// <summary>The types of models, as scene files name them.</summary>
-    public static IReadOnlyList<string> ModelTypes => PrimitiveList.Names;
+    internal static IReadOnlyList<string> ModelTypes => PrimitiveList.Names;
 
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     public static SceneReading Read(string path)
     {
         if (MeshFile.IsNamedLikeOne(path) && File.Exists(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-        return Read(path, Path.GetDirectoryName(path) ?? "", () => InputFile.Read(path, "scene file", MaxBytes, TooLong));
+        return Read(path, Path.GetDirectoryName(path) ?? "", () => InputFile.Read(path, "scene file", MaxBytes, TooLong), Root, ReadScene, out _);
     }
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
     /// <inheritdoc cref="Parse"/>
     /// <exception cref="IOException">The stream fails.</exception>
     public static SceneReading Read(Stream stream, string displayName, string folder) =>
-        Read(displayName, folder, () => InputFile.ReadToEnd(stream, "scene file", MaxBytes, TooLong));
+        Read(displayName, folder, () => InputFile.ReadToEnd(stream, "scene file", MaxBytes, TooLong), Root, ReadScene, out _);
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text, with or without a byte order mark.</param>
     /// <param name="displayName">Its name in messages; <c>&lt;stdin&gt;</c> for standard input.</param>
     /// <param name="folder">The folder where paths of mesh files start.</param>
-    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder) => Read(displayName, folder, () => utf8);
+    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder) =>
+        Read(displayName, folder, () => utf8, Root, ReadScene, out _);
 
     /// <summary>Reads a short file in the form of a scene file. Returns null if there is an error.</summary>
     /// <param name="name">The name of the outermost object in messages.</param>
-    internal static T? ReadShort<T>(string path, string name, Func<JsonKeys, T?> read, out SceneReading reading) where T : class =>
-        Read(path, "", () => InputFile.Read(path, "file", MaxShortBytes), name, read, out reading);
-
-    private static SceneReading Read(string displayName, string folder, Func<ReadOnlyMemory<byte>> open)
+    internal static T? ReadShort<T>(string path, string name, Func<JsonKeys, T?> read, out SceneReading reading) where T : class
     {
-        var scene = Read(displayName, folder, open, "the scene", ReadScene, out var reading);
-        reading.Scene = scene;
-        return reading;
+        reading = Read(path, "", () => InputFile.Read(path, "file", MaxShortBytes), name, read, out var result);
+        return result;
     }
 
-    private static T? Read<T>(
-        string displayName, string folder, Func<ReadOnlyMemory<byte>> open, string name, Func<JsonKeys, T?> read, out SceneReading reading)
-        where T : class
+    private static SceneReading Read<T>(
+        string displayName, string folder, Func<ReadOnlyMemory<byte>> open, string name, Func<JsonKeys, T?> read, out T? result) where T : class
     {
+        result = null;
+        SceneReading reading;
         try
         {
             reading = new(displayName, open(), folder);
         }
         catch (ProblemException e)
         {
-            reading = Unreadable(displayName, e.Message);
-            return null;
+            return Unreadable(displayName, e.Message);
         }
         var tree = JsonTree.Parse(reading, key => TakesText(key, read));
-        var result = tree is not null && JsonKeys.AsObject(tree.Root, name) is { } root ? read(root) : null;
+        var found = tree is not null && JsonKeys.AsObject(tree.Root, name) is { } root ? read(root) : null;
         reading.End();
-        return reading.ErrorCount == 0 ? result : null;
+        if (reading.ErrorCount == 0) result = found;
+        reading.Scene = result as Scene;
+        return reading;
     }
 
     /// <summary>Whether a key of a file, or of a model, may have a text as its value.</summary>
@@ -73,7 +70,6 @@ public static class SceneReader
             known.Name == key && known.Kind is KeyKind.Text or KeyKind.Texts or KeyKind.FileName or KeyKind.Choice or KeyKind.Color);
     }
 
-    /// <summary>Reads the outermost object of a scene; null if there is an error in it.</summary>
     internal static Scene? ReadScene(JsonKeys o)
     {
         o.Text("$schema", "Where editors find the schema of scene files; the program does not use it.", false);
@@ -126,7 +122,6 @@ public static class SceneReader
         return o.IsSound ? camera : null;
     }
 
-    /// <summary>Reads a model of any type; null if the type is unknown.</summary>
     private static Model? ReadModel(JsonKeys o)
     {
         var name = o.Choice("type", "What the model is.", null, PrimitiveList.Names);
@@ -137,7 +132,6 @@ public static class SceneReader
         return model;
     }
 
-    /// <summary>Reads all keys of a model but the type.</summary>
     internal static Model ReadModel(JsonKeys o, PrimitiveType type)
     {
         var model = type.Read(o);

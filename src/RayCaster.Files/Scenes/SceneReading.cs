@@ -5,10 +5,9 @@ public sealed class SceneReading
 {
     /// <summary>After this many errors the rest of a file is not read, and after this many problems no warning is kept: a large file that is all
     /// mistakes would take hours.</summary>
-    public const int MaxProblems = 1000;
+    internal const int MaxProblems = 1000;
 
-    /// <summary>How many problems <see cref="Report"/> writes out.</summary>
-    public const int Printed = 20;
+    internal const int Printed = 20;
 
     private const int LongestMessage = 2000; // a mesh file's path in it may have any length
     private readonly List<(bool IsError, int Start, int End, string Message)> findings = [];
@@ -41,7 +40,6 @@ public sealed class SceneReading
 
     internal int ErrorCount { get; private set; }
 
-    /// <summary>Whether so many errors were found that the rest is not read.</summary>
     internal bool HasTooManyErrors => ErrorCount >= MaxProblems;
 
     /// <summary>The first problems as text for people, errors before warnings; empty if there are none.</summary>

@@ -16,7 +16,6 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 
     public ReadOnlySpan<byte> Utf8 => bytes.AsSpan(mark);
 
-    /// <summary>A part of the text as written, shortened if it is long.</summary>
     public string Quote(int start, int end)
     {
         var text = Encoding.UTF8.GetString(Utf8[start..Math.Min(end, start + 240)]);

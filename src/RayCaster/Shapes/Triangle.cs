@@ -1,8 +1,6 @@
 namespace RayCaster;
 
 /// <summary>A triangle, visible from both sides, in any order of its corners (slide "Triangle").</summary>
-/// <param name="A">The first corner.</param>
-/// <param name="B">The second corner.</param>
 /// <param name="C">The third corner, not on one line with the others.</param>
 public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimitive, IBounded
 {

@@ -1,5 +1,7 @@
 namespace RayCaster;
 
+#pragma warning disable CS1591 // the operators are those of a double
+
 /// <summary>
 /// A kind of number. A primitive's formula is written once, over any kind: with one double it is the definition, with a packet of doubles it
 /// draws several pixels at once, with an interval it bounds what a whole region of rays can hit, and with a number that records its operations
@@ -17,37 +19,20 @@ public interface IReal<N> where N : struct, IReal<N>
     /// <summary>A constant of the formula.</summary>
     static abstract implicit operator N(double value);
 
-    /// <summary>Sum.</summary>
     static abstract N operator +(N a, N b);
-
-    /// <summary>Difference.</summary>
     static abstract N operator -(N a, N b);
-
-    /// <summary>The number with the other sign.</summary>
     static abstract N operator -(N a);
-
-    /// <summary>Product.</summary>
     static abstract N operator *(N a, N b);
 
     /// <summary>Quotient; x / 0 is infinite, 0 / 0 is NaN.</summary>
     static abstract N operator /(N a, N b);
 
-    /// <summary>Where a is less than b; false where either is NaN.</summary>
+    // The comparisons give masks, false where either is NaN; & and | join masks.
     static abstract N operator <(N a, N b);
-
-    /// <summary>Where a is greater than b; false where either is NaN.</summary>
     static abstract N operator >(N a, N b);
-
-    /// <summary>Where a is less than or equal to b; false where either is NaN.</summary>
     static abstract N operator <=(N a, N b);
-
-    /// <summary>Where a is greater than or equal to b; false where either is NaN.</summary>
     static abstract N operator >=(N a, N b);
-
-    /// <summary>Where both masks hold.</summary>
     static abstract N operator &(N a, N b);
-
-    /// <summary>Where at least one mask holds.</summary>
     static abstract N operator |(N a, N b);
 
     /// <summary>The square root; NaN of a negative number.</summary>

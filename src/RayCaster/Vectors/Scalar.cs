@@ -17,7 +17,6 @@ public readonly record struct Scalar(double Value) : IReal<Scalar>
 
     public static implicit operator Scalar(double value) => new(value);
 
-    /// <summary>The double itself.</summary>
     public static implicit operator double(Scalar scalar) => scalar.Value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -65,7 +64,6 @@ public readonly record struct Scalar(double Value) : IReal<Scalar>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Scalar Select(Scalar mask, Scalar a, Scalar b) => new(Vector128.ConditionalSelect(mask.Lane, a.Lane, b.Lane));
 
-    /// <summary>The number itself.</summary>
     public override string ToString() => Value.ToString(CultureInfo.InvariantCulture);
 
     private Vector128<double> Lane => Vector128.CreateScalarUnsafe(Value);

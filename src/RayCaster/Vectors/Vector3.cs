@@ -1,8 +1,6 @@
 namespace RayCaster;
 
 /// <summary>A point or a direction in space (slide "IDE &amp; Vectors").</summary>
-/// <param name="X">The coordinate along the x axis.</param>
-/// <param name="Y">The coordinate along the y axis.</param>
 /// <param name="Z">The coordinate along the z axis, which is up in most scenes.</param>
 public readonly record struct Vector3(double X, double Y, double Z)
 {

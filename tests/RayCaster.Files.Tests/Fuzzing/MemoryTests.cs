@@ -124,7 +124,7 @@ public class MemoryTests
         var (file, data) = (new MemoryStream(), new MemoryStream());
         using (var zlib = new ZLibStream(data, CompressionLevel.Optimal, leaveOpen: true)) zlib.Write(new byte[(long)header.DataBytes]);
         file.Write(PngChunk.Signature);
-        PngChunk.Write(file, "IHDR"u8, header.ToBytes());
+        file.Write(RayCaster.Files.Tests.Pictures.TestPng.Header(width, height, bits, color, (byte)(interlaced ? 1 : 0)));
         if (color == PngHeader.Palette) PngChunk.Write(file, "PLTE"u8, [0, 0, 0]);
         PngChunk.Write(file, "IDAT"u8, data.ToArray());
         PngChunk.Write(file, "IEND"u8, []);

@@ -42,15 +42,16 @@ public sealed class PartFileTests : InTemporaryFolder
         Assert.True(PartFile.Holds(Write(Facts), Facts, out _));
     }
 
-    public static TheoryData<PartFacts> Others =>
-    [
-        Facts with { Width = 8 }, Facts with { Height = 91 }, Facts with { Lines = new(11, 15) }, Facts with { Digest = "0" },
-        Facts with { Version = "1.0.1" },
-    ];
-
-    [Theory]
-    [MemberData(nameof(Others))]
-    public void AnotherPartIsDrawnAgain(PartFacts other) => Assert.False(PartFile.Holds(Write(Facts), other, out _));
+    [Fact]
+    public void AnotherPartIsDrawnAgain()
+    {
+        PartFacts[] others =
+        [
+            Facts with { Width = 8 }, Facts with { Height = 91 }, Facts with { Lines = new(11, 15) }, Facts with { Digest = "0" },
+            Facts with { Version = "1.0.1" },
+        ];
+        Assert.All(others, other => Assert.False(PartFile.Holds(Write(Facts), other, out _)));
+    }
 
     [Fact]
     public void ADamagedPartIsDrawnAgainWhereverItIsDamaged()

@@ -82,13 +82,13 @@ public class PictureWriterTests
     [InlineData("a/room.png", PictureFormat.Png)]
     [InlineData("ROOM.PNG", PictureFormat.Png)]
     [InlineData("room.v2.Ppm", PictureFormat.Ppm)]
-    public void TheExtensionChoosesTheFormat(string path, PictureFormat format) => Assert.Equal(format, PictureFormats.ByExtension(path));
+    public void TheExtensionChoosesTheFormat(string path, PictureFormat format) => Assert.Equal(format, PictureFile.FormatOf(path));
 
     [Theory]
     [InlineData("room.jpg", "no picture format for 'room.jpg': .jpg is not known; use .png or .ppm")]
     [InlineData("a.png/room", "no picture format for 'a.png/room': the name has no extension; use .png or .ppm")]
     public void AnotherExtensionIsAnErrorThatNamesTheAllowedOnes(string path, string message) =>
-        Assert.Equal(message, Assert.Throws<ProblemException>(() => PictureFormats.ByExtension(path)).Message);
+        Assert.Equal(message, Assert.Throws<ProblemException>(() => PictureFile.FormatOf(path)).Message);
 
     /// <summary>Half noise, which does not compress, half one colour, which does.</summary>
     internal static Picture Noise(int width, int height)
