@@ -144,12 +144,11 @@ internal sealed class SceneDifference
             var without = Without(some);
             int[] left = [.. Enumerable.Range(0, difference.Pixels).Where(i => !Shows(i, without.BytesAt(others, i)))];
             WrongWithoutMissing = left.Length;
-            if (left.Length <= (1 - Mostly) * difference.Wrong)
-                return some.Any(FaultLocalization.ShowsElsewhere) ? [] : [.. some.Order()];
             int[] kept = [.. Enumerable.Range(0, scene.Models.Count).Except(some)];
             int[] behind = [.. left.Where(i => others.Model[i] >= 0).GroupBy(i => others.Model[i])
                 .Where(model => model.Count() >= Nearly * others.Model.Count(other => other == model.Key)).Select(model => kept[model.Key])];
-            if (behind.Length == 0) return [];
+            if (behind.Length == 0)
+                return left.Length > (1 - Mostly) * difference.Wrong || some.Any(FaultLocalization.ShowsElsewhere) ? [] : [.. some.Order()];
             some = [.. some, .. behind];
         }
         return [];

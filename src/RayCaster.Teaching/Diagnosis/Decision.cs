@@ -10,25 +10,24 @@ internal sealed class Decision
     public const double Explained = 0.1;
 
     private readonly IReadOnlyList<PictureSample> samples;
+    private readonly IReadOnlyList<Observations> observed;
     private readonly SearchOptions options;
     private readonly Lazy<double> without;
 
     /// <param name="samples">A sample of each picture.</param>
     /// <param name="wrong">The places of the pictures that are wrong.</param>
-    public Decision(IReadOnlyList<PictureSample> samples, IReadOnlyList<int> wrong, SearchOptions options)
+    /// <param name="observed">What these show by themselves, in their order.</param>
+    public Decision(IReadOnlyList<PictureSample> samples, IReadOnlyList<int> wrong, IReadOnlyList<Observations> observed, SearchOptions options)
     {
-        (this.samples, this.options, Wrong) = (samples, options, wrong);
+        (this.samples, this.options, this.observed, Wrong) = (samples, options, observed, wrong);
         without = new(() => Enumerable.Range(0, Wrong.Count).Sum(Alone));
     }
 
     /// <summary>The places of the wrong pictures among all.</summary>
     public IReadOnlyList<int> Wrong { get; }
 
-    /// <summary>What the wrong pictures show by themselves, in their order.</summary>
-    public IReadOnlyList<Observations> Observed => field ??= [.. Wrong.Select(i => samples[i].Observe(options.Threads))];
-
     /// <summary>Whether no picture shows more than very many programs draw.</summary>
-    public bool TellsNothing => Wrong.Count == samples.Count && Observed.All(of => of.Plain is not null);
+    public bool TellsNothing => Wrong.Count == samples.Count && observed.All(of => of.Plain is not null);
 
     /// <summary>Programs that may have drawn the pictures, the shortest explanation first.</summary>
     public List<Hypothesis> Ranked => field ??= new HypothesisSearch(samples, options,
@@ -50,5 +49,5 @@ internal sealed class Decision
     /// <summary>Whether a program is short enough to be mentioned where none is named.</summary>
     public bool IsMentioned(Hypothesis program) => program.Total < Priors.Mentioned * Wrong.Count;
 
-    private double Alone(int i) => Observed[i].Best?.Total(samples[Wrong[i]].WrongCount) ?? Priors.OtherProgram;
+    private double Alone(int i) => observed[i].Best?.Total(samples[Wrong[i]].WrongCount) ?? Priors.OtherProgram;
 }

@@ -12,7 +12,9 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
     /// <summary>How many of the best are examined, and how many of them are named.</summary>
     private const int Examined = 12, MaxNamed = 5;
 
-    private readonly Decision decision = new([sample], [0], options);
+    private Observations Observed => field ??= sample.Observe(options.Threads);
+
+    private Decision Decision => field ??= new([sample], [0], [Observed], options);
 
     private SuspectFinder Suspects => new(prepared, sample);
 
@@ -32,35 +34,34 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
     public DiagnosisResult Find()
     {
         if (sample.WrongCount == 0 || (prepared.TooManyModels && sample.IsOnlyOutlines)) return Facts with { Kind = DiagnosisKind.Matches };
-        var observed = decision.Observed[0];
-        if (decision.TellsNothing) return Facts with { Kind = DiagnosisKind.TellsNothing, Likely = [observed.Plain!] };
-        if (prepared.TooManyModels) return FromObserved(observed);
-        var best = decision.Best;
+        if (Decision.TellsNothing) return Facts with { Kind = DiagnosisKind.TellsNothing, Likely = [Observed.Plain!] };
+        if (prepared.TooManyModels) return FromObserved();
+        var best = Decision.Best;
         if (best.Total < Priors.LeastWithoutFormulas) return Naming();
-        var (sentence, byNumber) = observed.Best is null ? OtherNumberFor(best, observed) : default;
-        if (sentence is not null && byNumber < Math.Min(best.Total, decision.Without))
+        var (sentence, byNumber) = Observed.Best is null ? OtherNumberFor(best) : default;
+        if (sentence is not null && byNumber < Math.Min(best.Total, Decision.Without))
             return Facts with { Kind = DiagnosisKind.NoneOfThese, Likely = [sentence], IsOfScene = true };
-        if (decision.IsNamed) return Naming();
+        if (Decision.IsNamed) return Naming();
         if (sample.IsOnlyOutlines) return Facts with { Kind = DiagnosisKind.Matches };
-        var none = FromObserved(observed);
-        return observed.Best is not null ? none : none with { Nearest = NearestOf(observed.ByModels?.FaultLocalization), IsOpen = true };
+        var none = FromObserved();
+        return Observed.Best is not null ? none : none with { Nearest = NearestOf(Observed.ByModels?.FaultLocalization), IsOpen = true };
     }
 
     /// <summary>What is said if no formula explains the picture.</summary>
-    private DiagnosisResult FromObserved(Observations observed) => Facts with
+    private DiagnosisResult FromObserved() => Facts with
     {
-        Kind = observed.Best?.Way == Way.Places ? DiagnosisKind.NotTheFormulas : DiagnosisKind.NoneOfThese,
-        Likely = observed.Sentences,
-        MissingModel = observed.MissingModels,
-        IsOfScene = observed.IsOfScene,
+        Kind = Observed.Best?.Way == Way.Places ? DiagnosisKind.NotTheFormulas : DiagnosisKind.NoneOfThese,
+        Likely = Observed.Sentences,
+        MissingModel = Observed.MissingModels,
+        IsOfScene = Observed.IsOfScene,
     };
 
     /// <summary>What is said if another number of the scene explains the picture, and its bits; null if none does.</summary>
-    private (string? Sentence, double Total) OtherNumberFor(Hypothesis best, Observations observed)
+    private (string? Sentence, double Total) OtherNumberFor(Hypothesis best)
     {
         var isOfCamera = best.Reported.Count > 1 && best.Reported.All(mistake => mistake.Steps.All(step => step.IsOfRays()));
         var price = isOfCamera ? Priors.NumberForTwo : Priors.NumberOfScene;
-        if (best.Total <= price || sample.IsOnlyOutlines || observed.ByModels is not { } byModels) return default;
+        if (best.Total <= price || sample.IsOnlyOutlines || Observed.ByModels is not { } byModels) return default;
         var (residual, sentence) = GivenNumber.Find(prepared.Scene, byModels, sample, prepared.Threads);
         return residual.Unexplained <= Decision.Explained * sample.WrongCount ? (sentence, price + sample.BitsOf(residual)) : default;
     }
@@ -71,11 +72,11 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
         var background = prepared.Scene.Background.ToBytes();
         return
         [
-            .. decision.Ranked.Where(candidate => candidate.Mistakes.Count > 0 && candidate.Mistakes.All(mistake => mistake.Mutation is null)
-                    && decision.IsMentioned(candidate) && IsOfTheseKinds(candidate)
+            .. Decision.Ranked.Where(candidate => candidate.Mistakes.Count > 0 && candidate.Mistakes.All(mistake => mistake.Mutation is null)
+                    && Decision.IsMentioned(candidate) && IsOfTheseKinds(candidate)
                     && sample.ShareExplained(candidate.Program, IsDrawnWrong) >= LeastExplained && candidate.Changes.All(IsNeeded(candidate)))
                 .DistinctBy(candidate => IdsOf(candidate.Mistakes)).Take(Shown)
-                .OrderBy(candidate => candidate.Residual.Unexplained).Select(candidate => Suspects.Examine(candidate, decision.Best)),
+                .OrderBy(candidate => candidate.Residual.Unexplained).Select(candidate => Suspects.Examine(candidate, Decision.Best)),
         ];
 
         bool IsOfTheseKinds(Hypothesis candidate) => wrong is null or { Kinds.Count: 0, Agreeing.Count: 0 } || candidate.Mistakes.All(mistake =>
@@ -93,7 +94,7 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
     /// <summary>Names the best candidate, and others that also explain the picture.</summary>
     private DiagnosisResult Naming()
     {
-        var best = decision.Best;
+        var best = Decision.Best;
         string[] missing = [.. best.MissingShapes];
         if (best.Mistakes.Count == 0 && missing.Length > 0 && sample.BitsOf(best.Residual) > Priors.MissingPart)
         {
@@ -112,7 +113,7 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
                     IsOpen = rest.IsOpen,
                 };
         }
-        var named = decision.Ranked.Where(candidate => candidate.Reported.Count > 0 && candidate.Total < Priors.OtherProgram)
+        var named = Decision.Ranked.Where(candidate => candidate.Reported.Count > 0 && candidate.Total < Priors.OtherProgram)
             .DistinctBy(candidate => candidate.Key).Take(Examined);
         if (best.Reported.Count == 0) // what may have lost those shapes, if they are written already
             named = named.Where(candidate => candidate.MissingParts.Count == 0 && candidate.Total < best.Total + Priors.Known);

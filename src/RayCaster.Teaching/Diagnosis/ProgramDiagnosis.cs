@@ -67,20 +67,21 @@ public sealed record ProgramDiagnosis
         PictureSample[] samples = [.. pictures.Select(picture => picture.Scene.Sample(picture.Picture, Pixels))];
         int[] wrong = [.. Enumerable.Range(0, samples.Length).Where(i => !samples[i].IsRight)];
         if (wrong.Length == 0) return new();
-        var decision = new Decision(samples, wrong, new(known, [], Threads: 1));
+        Observations[] observed = [.. wrong.Select(i => samples[i].Observe(1))];
+        var decision = new Decision(samples, wrong, observed, new(known, [], Threads: 1));
         var none = new ProgramDiagnosis { Wrong = wrong, Unexplained = wrong };
         if (decision.TellsNothing) return none with { TellsNothing = true };
         var (verdict, ranked) = (decision.Best, decision.Ranked);
         if (!decision.IsNamed)
         {
-            var (steps, note) = OnlyLight(decision.Observed);
+            var (steps, note) = OnlyLight(observed);
             none = new(steps) { Wrong = wrong, Unexplained = wrong };
-            return decision.Observed.All(of => of.Best is not null)
-                ? none with { Causes = wrong.Zip(decision.Observed.Select(of => of.Best!.Sentence)).ToDictionary() }
+            return observed.All(of => of.Best is not null)
+                ? none with { Causes = wrong.Zip(observed.Select(of => of.Best!.Sentence)).ToDictionary() }
                 : none with
                 {
                     Nearest = verdict.Reported.Count > 0 && decision.IsMentioned(verdict) ? Find(verdict) : null,
-                    Note = note ?? OnlyKind(decision.Observed),
+                    Note = note ?? OnlyKind(observed),
                 };
         }
         return none with

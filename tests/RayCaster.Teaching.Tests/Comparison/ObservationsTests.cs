@@ -59,6 +59,17 @@ public class ObservationsTests
         Assert.Contains("All other triangles are larger", Assert.Single(DiagnosisResult.Find(scene, mine, new()).Likely));
     }
 
+    [Fact] // however small: the scene without the other one would show it
+    public void AModelThatAMissingOneHidesIsMissing()
+    {
+        var front = Model.Of(new Triangle(new(6, -2, 0), new(6, 2, 0), new(6, 0, 2)));
+        var behind = Model.Of(new Triangle(new(5, -1.05, 0), new(5, -0.55, 0), new(5, -0.8, 0.5)));
+        (front.Name, front.Color, behind.Name, behind.Color) = ("front", new(0.9, 0.1, 0.1), "behind", new(0.1, 0.9, 0.1));
+        var scene = generic with { Models = [.. generic.Models, front, behind] };
+        Assert.Contains("`front`, `behind` are missing",
+            ComparisonText.Format(new(Renderer.Render(generic), Renderer.Render(scene), scene), "mine", "right"));
+    }
+
     /// <summary>What must be done to the picture is the opposite of what was done.</summary>
     [Theory]
     [InlineData("Flipped top to bottom it is right: are rows written upside down?")]
