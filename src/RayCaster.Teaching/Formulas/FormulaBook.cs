@@ -42,7 +42,8 @@ internal sealed class FormulaBook
     public IEnumerable<Symbol> GivenTo(StepKind kind) => givens[kind].Keys.Select(Symbol.From);
 
     /// <summary>What one sees if the formulas of a step are wrong.</summary>
-    public string SymptomOf(StepKind kind) => symptoms[kind];
+    public string SymptomOf(StepKind kind) => symptoms.GetValueOrDefault(kind)
+        ?? $"Only {ShapeKind.Find(kind).Many} are wrong; everything else is right.";
 
     /// <summary>What a name means; itself where it stands on the slide.</summary>
     public string InWords(string name) => words.GetValueOrDefault(name, name);
