@@ -33,7 +33,7 @@ internal static class ClassPage
     private static string Mean(IReadOnlyList<StudentMarks> marks, Func<StudentMarks, double> points) =>
         MarksTable.Number(Math.Round(marks.Average(points), 2));
 
-    private static string Cause(string id) => MistakeCatalog.Named(id)?.Cause ?? MarkWords.MissingParts(id);
+    private static string Cause(string id) => MistakeCatalog.Named(id)?.Cause ?? MarkWords.NotWritten(id);
 
     /// <summary>What a mistake makes of the scene that it changes most, as small pictures show, beside the right picture.</summary>
     private static string Pictures(Rubric rubric, string id)

@@ -46,7 +46,7 @@ internal static class FeedbackPage
     /// <summary>A hint; empty for a mistake if the rubric has no hints.</summary>
     private static string Hint(Rubric rubric, string because, StudentMarks marks) => rubric.Hint switch
     {
-        null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.MissingParts(because)) : "",
+        null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.NotWritten(because)) : "",
         HintLevel.Symptom => Page.Escaped(MarkWords.Symptom(because, marks.Typical)),
         _ => Page.Escaped($"{MarkWords.Symptom(because, marks.Typical)} {MarkWords.Question(because, marks.HidingMistakes)}".Trim()),
     };

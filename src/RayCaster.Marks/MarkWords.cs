@@ -4,7 +4,7 @@ internal static class MarkWords
 {
     /// <summary>What one sees of a mistake, if the pictures certainly show it, or what is not drawn yet.</summary>
     public static string Symptom(string because, IReadOnlyList<string> typical) =>
-        MistakeCatalog.Named(because) is not { } mistake ? MissingParts(because) : typical.Contains(because) ? mistake.Hint.Symptom : "";
+        MistakeCatalog.Named(because) is not { } mistake ? NotWritten(because) : typical.Contains(because) ? mistake.Hint.Symptom : "";
 
     /// <summary>The question that leads to a mistake; for a missing shape the question of a mistake that hides it, or an empty text.</summary>
     public static string Question(string because, IReadOnlyList<string> hiding) => MistakeCatalog.Named(because)?.Hint.Question
@@ -12,7 +12,7 @@ internal static class MarkWords
                 .FirstOrDefault(mistake => mistake.Usual.IsOnlyOf(because)) is { } mistake
             ? $"If they are written: {mistake.Hint.Question}" : "");
 
-    public static string MissingParts(string part) => part == MissingPart.Attenuation
+    public static string NotWritten(string part) => part == MissingPart.Attenuation
         ? $"{NotSeen(part)}: attenuation is not written yet, or a mistake hides it."
         : $"{NotSeen(part)}: they are not written yet, or a mistake hides them.";
 

@@ -41,7 +41,7 @@ internal static class Messages
     public static LedgerMessage OfLedger(Scene scene, SceneVisibility ledger) => new(
         ledger.Rays,
         ledger.Models.Take(MaxModels).Select((entry, i) => new LedgerEntry(
-            ModelName.Plain(scene, i), entry[Outcome.Shows], entry[Outcome.Shows] > 0 ? "" : OutcomeText.Of(entry.Reason).Place)),
+            ModelName.Plain(scene, i), entry[Outcome.Shows], entry[Outcome.Shows] > 0 ? "" : OutcomeText.Find(entry.Reason).Place)),
         ledger.Report());
 
     public static LegendMessage OfLegend(MapPicture map, MapKind kind)

@@ -16,7 +16,7 @@ internal static class ChangeReader
     public static IEnumerable<StepChange[]> Read(string line)
     {
         if (line.Split(' ', 3) is ["for", var shapes, var rest])
-            return (shapes == "some" ? some : [[.. shapes.Split('+').SelectMany(KindsOf)]]).SelectMany(own => Read(rest, own));
+            return (shapes == "some" ? some : [ShapesOf(shapes, line)]).SelectMany(own => Read(rest, own));
         return Read(line, []);
     }
 
@@ -59,6 +59,9 @@ internal static class ChangeReader
         ["moved", var many, "byte" or "bytes"] => new StepChange.ByteShift(int.Parse(many, CultureInfo.InvariantCulture)),
         _ => null,
     };
+
+    private static StepKind[] ShapesOf(string words, string line) =>
+        [.. words.Split('+').SelectMany(word => KindsOf(word) is [_, ..] kinds ? kinds : throw Unknown(line))];
 
     private static FormatException Unknown(string text) => new($"Mistakes.txt: '{text}' where a step and a formula are expected");
 }

@@ -142,7 +142,7 @@ public sealed class MutationCoverage
     /// <summary>What a scene shows of mistakes.</summary>
     private sealed class View(Scene scene, SearchBudget? budget)
     {
-        private readonly Rendering most = Rendering.Of(scene, MoreSamples, budget), few = Rendering.Of(scene, VariantSamples, budget);
+        private readonly Rendering most = Rendering.OfPicture(scene, MoreSamples, budget), few = Rendering.OfPicture(scene, VariantSamples, budget);
         private readonly ConcurrentDictionary<Mistake, FormulaProgram> usual = [];
         private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [];
 
@@ -154,8 +154,8 @@ public sealed class MutationCoverage
         /// <summary>The same for its first variant.</summary>
         public bool ShowsFirst(Mistake mistake) => shownFirst.GetValueOrDefault(mistake);
 
-        /// <summary>Whether a mistake changes any byte of some samples.</summary>
-        public bool ShowsByALevel(Mistake mistake) => !few.Draw(usual[mistake], ..).SequenceEqual(few.Draw(FormulaProgram.Slides, ..));
+        /// <summary>Whether a hidden mistake changes any byte of the samples.</summary>
+        public bool ShowsByALevel(Mistake mistake) => mistake.Touches(scene) && !most.AreEqual(usual[mistake], FormulaProgram.Slides);
 
         /// <summary>Draws as much of the picture as is needed to see the mistake. It is an edit of the slides' formulas: other last bits than the
         /// definition's are none.</summary>

@@ -21,7 +21,7 @@ internal sealed class Rendering(
 
     /// <summary>The whole picture of a scene, in a part of its pixels.</summary>
     /// <param name="most">How many pixels.</param>
-    public static Rendering Of(Scene scene, int most, SearchBudget? budget)
+    public static Rendering OfPicture(Scene scene, int most, SearchBudget? budget)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         var spread = new GoldenRatioSequence(width * height);
@@ -50,6 +50,10 @@ internal sealed class Rendering(
             left -= Differing(ofOne[i].Value, ofOther[i].Value);
         return left > 0;
     }
+
+    /// <summary>Whether two programs draw the same bytes.</summary>
+    public bool AreEqual(FormulaProgram one, FormulaProgram other) =>
+        Known(one).Zip(Known(other)).All(piece => piece.First.Value.SequenceEqual(piece.Second.Value));
 
     /// <summary>Pieces of what a program draws, each drawn once at most.</summary>
     private Lazy<byte[]>[] Known(FormulaProgram program) => known.GetValue(program, own =>

@@ -11,6 +11,7 @@ public sealed class Diagnoser
     private const int Pixels = 6000;
 
     private readonly Lazy<(IReadOnlyList<Mistake> Hidden, int Tried)> hidden;
+    private readonly Lazy<Rendering> rendering; // only a picture with a mistake needs it
     private readonly (int Width, int Height)? size;
 
     /// <summary>Draws the scene.</summary>
@@ -30,7 +31,7 @@ public sealed class Diagnoser
         Right = Renderer.Render(scene, threads);
         Known = [.. MistakeCatalog.Visible.Where(mistake => mistake.Touches(scene) && possible?.Invoke(mistake.Usual) != false
             && mistake.Changes.All(change => MutationCoverage.CanTry(scene, change)))];
-        Rendering = Rendering.Of(scene, MutationCoverage.MoreSamples, budget);
+        rendering = new(() => Rendering.OfPicture(scene, MutationCoverage.MoreSamples, budget));
         hidden = new(() => TooManyModels ? ([], 0) : MutationCoverage.HiddenIn(scene, threads, budget));
     }
 
@@ -56,7 +57,7 @@ public sealed class Diagnoser
     internal SearchBudget? Budget { get; }
 
     /// <summary>What programs draw of the picture, as <see cref="MutationCoverage"/> judges it.</summary>
-    internal Rendering Rendering { get; }
+    internal Rendering Rendering => rendering.Value;
 
     /// <summary>The mistakes that can show in this scene at all.</summary>
     public IReadOnlyList<Mistake> Known { get; }
@@ -85,9 +86,9 @@ public sealed class Diagnoser
         if (!CanJudge(Scene, picture))
             throw new ArgumentException(
                 $"a picture of {picture.Width} x {picture.Height} for a scene of {Scene.Camera.Width} x {Scene.Camera.Height}", nameof(picture));
-        if (Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop)
-            return new() { Kind = DiagnosisKind.Cropped, CroppedPart = crop.CroppedPart };
-        return new PictureDiagnosis(this, StrictWhereNeeded(picture), new(Known, done ?? [], likely, Possible, Budget, Threads)).Find();
+        var diagnosis = new PictureDiagnosis(this, StrictWhereNeeded(picture), new(Known, done ?? [], likely, Possible, Budget, Threads));
+        return Whole(picture) is { } whole && Crop.Find(picture, whole) is { } crop
+            ? diagnosis.Facts with { Kind = DiagnosisKind.Cropped, CroppedPart = crop.CroppedPart } : diagnosis.Find();
     }
 
     /// <summary>The pixels by which a picture is judged.</summary>

@@ -64,7 +64,7 @@ internal sealed class HypothesisSearch(
     }
 
     /// <summary>Without each of its changes.</summary>
-    private IEnumerable<Hypothesis?> Less(Hypothesis of) =>
+    private static IEnumerable<Hypothesis?> Less(Hypothesis of) =>
         of.Changes.Select(change => Hypothesis.Create(of.Changes.Remove(change)));
 
     /// <summary>With a name for each slip: a picture that several slips draw tells the likeliest.</summary>
@@ -149,7 +149,7 @@ internal sealed class HypothesisSearch(
     }
 
     /// <summary>Every subset of what may be missing, but for a program that draws nothing.</summary>
-    private IEnumerable<Hypothesis?> Ways(Change[] missing, int kinds) =>
+    private static IEnumerable<Hypothesis?> Ways(Change[] missing, int kinds) =>
         from bits in Enumerable.Range(1, (1 << missing.Length) - 1)
         let parts = missing.Where((_, i) => (bits >> i & 1) != 0)
         where parts.Count(part => MissingPart.IsShape(part.MissingPart!)) < kinds

@@ -19,7 +19,7 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
     private SuspectFinder Suspects => new(prepared, sample);
 
     /// <summary>What is known before a mistake is tried.</summary>
-    private DiagnosisResult Facts => new()
+    public DiagnosisResult Facts => new()
     {
         TooManyModels = prepared.TooManyModels,
         ProvesNothing = prepared.Right.IsNearlyOneColor,

@@ -15,10 +15,9 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         var shown = Visible(hypothesis);
         if (shown is [var named] && !own.HasNoisyTriangles && prepared.Budget?.IsSpent() != true)
         {
-            var rest = With(hypothesis.Changes.Where(change => hypothesis.HasOtherSample && change.IsOtherSample
+            var rest = Hypothesis.Create(hypothesis.Changes.Where(change => hypothesis.HasOtherSample && change.IsOtherSample
                 || (change.MissingPart is not null && hypothesis.Mistakes.Count > 0)))!;
-            twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
-                .Where(other => other.Id != named.Id && other.Changes.Any(change => AreTwins(own, rest.Plus(change))))];
+            twins = Those(prepared.Known, other => other.Id != named.Id && other.Changes.Any(change => AreTwins(own, rest.Plus(change))));
             if (ReferenceEquals(hypothesis, likeliest)) others = OtherFormulas(named, own, rest);
         }
         var isSame = own.HasNoisyTriangles == likeliest.Program.HasNoisyTriangles && sample.AreAlike(own, likeliest.Program);
@@ -41,8 +40,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         Mutation[] slips = [.. MutationFactory.MutationsOf(right).Where(mutation => mutation.Formula is not null && mutation.Label != named.Id)];
         return
         [
-            .. slips.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
-                .Where(mutation => AreAlike(own, rest.Plus(ChangeSource.From(mutation)))).AsEnumerable()
+            .. Those(slips, mutation => AreAlike(own, rest.Plus(ChangeSource.From(mutation))))
                 .Select(mutation => mutation.Formula!.Computed).Distinct().Except(changed).Select(FormulaBook.Slides.InWords).Take(MaxFormulas),
         ];
     }
@@ -51,7 +49,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     public IEnumerable<Hypothesis> HidingMistakes(Hypothesis best)
     {
         var shapes = best.MissingShapes;
-        var rest = With(best.Changes.Where(change => change.MissingPart is null || !shapes.Contains(change.MissingPart)))!;
+        var rest = Hypothesis.Create(best.Changes.Where(change => change.MissingPart is null || !shapes.Contains(change.MissingPart)))!;
         return from mistake in prepared.Known
                where shapes.All(mistake.Touches)
                let hiding = mistake.Changes.Select(rest.Plus).FirstOrDefault(other => AreAlike(best.Program, other))
@@ -64,7 +62,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     /// what people write who make the mistake: "half of the height" is no question about one that is twice too large.</summary>
     private bool Fits(Change slip, Hypothesis hypothesis) => slip is not { Mutation: { } mutation, Mistake: { } mistake }
         || IsAbout(mistake, mutation) && (!IsOfSize(mutation)
-            || mistake.Changes.Any(change => AreAlike(hypothesis.Program, With(hypothesis.Changes.Select(own => own == slip ? change : own)))));
+            || mistake.Changes.Any(change => AreAlike(hypothesis.Program, Hypothesis.Create(hypothesis.Changes.Select(own => own == slip ? change : own)))));
 
     /// <summary>Whether a mistake is made in the formula that is edited. Only the slides' own style has its names.</summary>
     private static bool IsAbout(Mistake mistake, Mutation mutation)
@@ -86,13 +84,19 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     private bool AreTwins(FormulaProgram one, Hypothesis? other) =>
         AreAlike(one, other) && prepared.Rendering.AreAlike(one, other!.Program);
 
-    private Hypothesis? With(IEnumerable<Change> changes) => Hypothesis.Create(changes);
+    /// <summary>Those for which something holds that takes long to find out.</summary>
+    private T[] Those<T>(IReadOnlyList<T> all, Predicate<T> holds)
+    {
+        var found = new bool[all.Count];
+        SearchBudget.Do(null, all.Count, all.Count, prepared.Threads, i => found[i] = holds(all[i]));
+        return [.. all.Where((_, i) => found[i])];
+    }
 
     /// <summary>The mistakes that show. Of zNear and zFar, which are not written yet, the picture may show only one.</summary>
     private Change[] Visible(Hypothesis hypothesis)
     {
         var reported = hypothesis.Reported;
-        var hidden = reported.Count < 2 ? null : reported.Except(hypothesis.Mistakes).FirstOrDefault(part => AreAlike(hypothesis.Program, With(
+        var hidden = reported.Count < 2 ? null : reported.Except(hypothesis.Mistakes).FirstOrDefault(part => AreAlike(hypothesis.Program, Hypothesis.Create(
             hypothesis.Changes.Where(change => change.MissingPart is null)
                 .Concat(reported.Except(hypothesis.Mistakes).Where(other => other != part)))));
         return [.. reported.Where(mistake => mistake != hidden)];

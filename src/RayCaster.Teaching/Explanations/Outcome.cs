@@ -62,7 +62,7 @@ internal sealed record OutcomeText(Outcome Outcome, string Title, string Place, 
         new(Outcome.Misses, "misses", "missed", "is missed by every ray", "are missed by every ray"),
     ];
 
-    public static OutcomeText Of(Outcome outcome) => All.First(text => text.Outcome == outcome);
+    public static OutcomeText Find(Outcome outcome) => All.First(text => text.Outcome == outcome);
 }
 
 /// <summary>How many models, triangles or rays have each outcome.</summary>

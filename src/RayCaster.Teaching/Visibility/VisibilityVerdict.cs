@@ -20,8 +20,8 @@ internal static class VisibilityVerdict
         var groups = visibility.Models.GroupBy(entry => entry.Reason).OrderBy(group => group.Key)
             .Select(group => (Reason: group.Key, Entries: group.ToList())).ToList();
         var parts = groups.Select(group => group.Entries is [var only]
-            ? $"{only.Label} {OutcomeText.Of(group.Reason).One}"
-            : $"{Digits.Count(group.Entries.Count, "model")} {OutcomeText.Of(group.Reason).Many}");
+            ? $"{only.Label} {OutcomeText.Find(group.Reason).One}"
+            : $"{Digits.Count(group.Entries.Count, "model")} {OutcomeText.Find(group.Reason).Many}");
         return groups.Select(group => Remedy(visibility, group.Reason, group.Entries)).OfType<string>()
             .Prepend($"0 of {Digits.Count(visibility.Rays, "ray")} hit anything: {string.Join(", ", parts)}.");
     }
@@ -104,7 +104,7 @@ internal static class VisibilityVerdict
             if (entry[Outcome.Shows] > 0 || missing++ >= MaxNamed) continue;
             yield return entry.Hits > 0
                 ? $"{entry.Label} does not show: it is hit by {Digits.Count(entry.Hits, "ray")}, but something nearer hides it there."
-                : $"{entry.Label} does not show: it {OutcomeText.Of(entry.Reason).One}.";
+                : $"{entry.Label} does not show: it {OutcomeText.Find(entry.Reason).One}.";
         }
         if (missing > MaxNamed) yield return $"Nor do {Digits.Number(missing - MaxNamed)} more.";
     }
