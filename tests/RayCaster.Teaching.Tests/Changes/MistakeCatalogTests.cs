@@ -46,6 +46,10 @@ public class MistakeCatalogTests
     }
 
     /// <summary>A variant draws it in all scenes; or it is written in another way, which the diagnosis names in a scene.</summary>
+    [Fact]
+    public void AMisspelledShapeIsRefused() =>
+        Assert.Throws<FormatException>(() => ChangeReader.Read("for spere rule hit = z ≤ zFar").ToArray());
+
     [Theory(Explicit = true)]
     [MemberData(nameof(Ids))]
     public void WhatTheLabWithThatMistakeDrawsIsKnown(string id)

@@ -67,7 +67,7 @@ public class DiagnosisTests
         var (whole, (width, height)) = (ScalarRenderer.Render(scene), (scene.Camera.Width, scene.Camera.Height));
         var mine = Picture.Create(width - left - right, height - top - bottom, (x, y) => whole[x + left, y + top]);
         var diagnosis = new Diagnoser(scene.WithSize(mine.Width, mine.Height), size: (width, height)).Diagnose(mine);
-        Assert.Equal((DiagnosisKind.Cropped, 0), (diagnosis.Kind, diagnosis.Suspects.Count));
+        Assert.Equal((DiagnosisKind.Cropped, 0, mine.Count), (diagnosis.Kind, diagnosis.Suspects.Count, diagnosis.PixelCount));
         Assert.Equal($"mine.png is the picture of scene.json without {missing}. Was it cropped on its way, for example by a screenshot?",
             DiagnosisReport.Text(diagnosis, "mine.png", "scene.json").ReplaceLineEndings(" ").TrimEnd());
     }

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching.Tests.Changes;
 
 /// <summary>Programs that do not draw everything yet: the pictures are <see cref="EditedLab"/>'s, of scenes from which models were
 /// taken.</summary>
-public class MissingPartsTests
+public class MissingPartTests
 {
     private static readonly Scene scene = DiagnosisTests.scene;
 
