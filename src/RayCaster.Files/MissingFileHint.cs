@@ -31,12 +31,9 @@ internal sealed class MissingFileHint
             var folder = Path.GetDirectoryName(full)!;
             if (!Directory.Exists(folder)) return $"{sought}; there is no folder {PrintableText.From(folder)}{FolderHint(folder)}";
             var names = NamesIn(folder, isFolder: false);
-            var plain = Spelling.WithAccentsApart(Path.GetFileName(path));
-            if (Array.Find(names, name => Spelling.WithAccentsApart(name) == plain) is { } same)
-                return $"{sought}; the accents of \"{same}\" are encoded otherwise: copy the name from the folder";
             var completed = Path.GetFileName(path) + extension;
             if (extension.Length > 0 && Array.IndexOf(names, completed) >= 0) return $"{sought}; did you mean \"{completed}\"?";
-            return sought + Spelling.DidYouMean(Path.GetFileName(path), names);
+            return sought + Similar(Path.GetFileName(path), names);
         }
         catch (Exception e) when (ProblemException.IsCausedByFile(e))
         {
@@ -47,8 +44,11 @@ internal sealed class MissingFileHint
     private static string FolderHint(string folder)
     {
         while (Path.GetDirectoryName(folder) is { } parent && !Directory.Exists(parent)) folder = parent;
-        return Spelling.DidYouMean(Path.GetFileName(folder), NamesIn(Path.GetDirectoryName(folder)!, isFolder: true));
+        return Similar(Path.GetFileName(folder), NamesIn(Path.GetDirectoryName(folder)!, isFolder: true));
     }
+
+    private static string Similar(string name, string[] names) => Array.Find(names, other => Accents.AreEquivalent(name, other)) is { } same
+        ? $"; the accents of \"{same}\" are encoded otherwise: copy the name from the folder" : Spelling.DidYouMean(name, names);
 
     private static string[] NamesIn(string folder, bool isFolder) =>
     [

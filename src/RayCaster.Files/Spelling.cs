@@ -76,15 +76,6 @@ internal static class Spelling
         return $"; did you mean {quote}{nearest}{quote}?" + (nearest.Equals(word, StringComparison.OrdinalIgnoreCase) ? " (case matters)" : "");
     }
 
-    /// <summary>À (U+00C0) and the letters after it, without their accents. (Without ICU the runtime does not take texts apart.)</summary>
-    private const string Plain = "AAAAAA CEEEEIIII NOOOOO  UUUUY  aaaaaa ceeeeiiii nooooo  uuuuy yAaAaAaCcCcCcCcDd  EeEeEeEeEeGgGg" +
-        "GgGgHh  IiIiIiIiI   JjKk LlLlLl    NnNnNn   OoOoOo  RrRrRrSsSsSsSsTtTt  UuUuUuUuUuUuWwYyYZzZzZz";
-
-    /// <summary>A name in which é is e and an accent, whether it is encoded as one character or as two.</summary>
-    internal static string WithAccentsApart(string name) => string.Concat(name.Select(c =>
-        CharUnicodeInfo.GetUnicodeCategory(c) == UnicodeCategory.NonSpacingMark ? "'"
-        : c >= 'À' && c - 'À' < Plain.Length && Plain[c - 'À'] != ' ' ? $"{Plain[c - 'À']}'" : $"{c}"));
-
     /// <summary>How many letters must be added, left out, changed or swapped with their neighbour; case is ignored.</summary>
     private static int Mistakes(string a, string b, int[,] mistakes)
     {

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace RayCaster.Marks;
 
 /// <summary>A student's work: a folder of pictures and test results that is named after the student.</summary>
@@ -31,8 +29,8 @@ internal sealed record Submission(string Folder)
         if (!all.Any(submission => submission.HasPicture(rubric))) RefuseWrongFolder(folder, whole, all, rubric);
         if (all.FirstOrDefault(submission => !submission.Student.All(PrintableText.IsPrintable)) is { } odd)
             throw new ProblemException($"the submission '{PrintableText.From(odd.Student)}' has an invisible character in its name: rename it");
-        foreach (var (submission, equivalent) in all.Select(submission => (submission, submission.EquivalentNames())))
-            if (all.FirstOrDefault(other => other != submission && equivalent.IsMatch(other.Student)) is { } other)
+        foreach (var (i, submission) in all.Index())
+            if (all.Skip(i + 1).FirstOrDefault(other => AreEquivalent(submission.Student, other.Student)) is { } other)
                 throw new ProblemException($"the submissions '{submission.Student}' and '{other.Student}' differ only " +
                     (submission.Student.Length == other.Student.Length ? "by case" : "in how accents are encoded") +
                     ": on some systems their pages would be the same file, so rename one");
@@ -78,10 +76,8 @@ internal sealed record Submission(string Folder)
     private IEnumerable<Submission> Below() => Directory.EnumerateDirectories(Folder)
         .Where(path => !Path.GetFileName(path).StartsWith('.')).Select(path => new Submission(path));
 
-    /// <summary>The names that some systems take for this one: they differ only by case, or where this one has a letter and an accent, they have a
-    /// letter beyond ASCII. (Without ICU the runtime does not normalise texts.)</summary>
-    private Regex EquivalentNames() => new($"^{Regex.Replace(Regex.Escape(Student), @"\P{M}\p{M}+", @"[^\0-\x7F]")}$",
-        RegexOptions.IgnoreCase | RegexOptions.CultureInvariant);
+    /// <summary>Whether some systems take two names for one: they differ only by case, or in how accents are encoded.</summary>
+    private static bool AreEquivalent(string one, string other) => Accents.AreEquivalent(one.ToUpperInvariant(), other.ToUpperInvariant());
 
     /// <summary>No submission has a picture. Perhaps another folder was meant.</summary>
     private static void RefuseWrongFolder(string folder, Submission whole, Submission[] all, Rubric rubric)

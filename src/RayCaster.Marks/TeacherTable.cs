@@ -44,7 +44,7 @@ internal static class TeacherTable
 
     /// <summary>The folder of a row; null if none fits, or several do. Programs write é as one character or as two.</summary>
     private static string? Folder(string row, IReadOnlyCollection<string> students) => students.Contains(row) ? row
-        : students.Where(student => Spelling.WithAccentsApart(student) == Spelling.WithAccentsApart(row)).ToArray() is [var only] ? only : null;
+        : students.Where(student => Accents.AreEquivalent(student, row)).ToArray() is [var only] ? only : null;
 
     private static TeacherDecision? Decision(string path, string student, string points, string comment)
     {

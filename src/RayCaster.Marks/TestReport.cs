@@ -89,7 +89,8 @@ internal static partial class TestReport
         if (report is [0x1F, 0x8B, ..] or [(byte)'P', (byte)'K', ..]) throw new ProblemException("it is packed: unpack it");
         var all = Parsed(ForeignText.Decode(report));
         var classes = Named(all, "TestMethod").ToLookup(method => Text(method.Parent!, "id"), method => Text(method, "className"));
-        foreach (var sum in Named(all, "InnerResults").Select(rows => rows.Parent!).ToArray()) sum.Name = "SumOfRows"; // is no test
+        foreach (var rows in Named(all, "InnerResults").Where(rows => Named(rows, "UnitTestResult").Any()).ToArray())
+            rows.Parent!.Name = "SumOfRows"; // is no test
         foreach (var result in Named(all, "UnitTestResult")) result.SetAttributeValue("classname", classes[Text(result, "testId")].FirstOrDefault());
 
         ReportedTest[] tests =
@@ -108,25 +109,40 @@ internal static partial class TestReport
         XElement[][] tests =
         [
             .. listed.GroupBy(test => string.Join('\n', dialect.Others.Prepend("classname").Append(dialect.Name).Select(part => Text(test, part))))
-                .SelectMany(same => same.Count(IsRepetition) >= same.Count() - 1 ? [[.. same]] : same.Select(test => (XElement[])[test])),
+                .SelectMany(same => AreAttempts([.. same]) ? [[.. same.OrderBy(AttemptOf)]] : same.Select(test => (XElement[])[test])),
         ];
         var hasTodo = Number(suite, "tests", int.MaxValue) < tests.Length; // jest lists what is to do as if it passed, but does not count it
-        foreach (var test in tests) yield return Last([.. test.Select(attempt => Read(attempt, dialect, hasTodo))]);
+        var begun = BegunOf(suite);
+        foreach (var test in tests) yield return Last([.. test.Select(attempt => Read(attempt, dialect, hasTodo, begun))]);
         var idle = tests.Count(test => test.Any(attempt => Said(attempt, dialect).Any(said => said.Outcome == TestOutcome.NotRun)));
         if (Number(suite, "disabled", 0) + Number(suite, "skipped", 0) > idle) // xunit does not list explicit tests, but counts them
             yield return new("", null, 0, "", TestOutcome.NotRun, "");
     }
 
-    private static bool IsRepetition(XElement test) => Named(test, "property").Any(property =>
-        repetitions.Any(word => Text(property, "name").Contains(word, StringComparison.OrdinalIgnoreCase)));
+    /// <summary>Whether tests of one name are attempts of one test: properties number them, perhaps all but the first. The same number of all is
+    /// no attempt's, but how many are allowed.</summary>
+    private static bool AreAttempts(XElement[] same)
+    {
+        string[] numbers = [.. same.Select(NumberOf).OfType<string>()];
+        return numbers.Length == same.Length - 1 || numbers.Length == same.Length && numbers.Distinct().Count() > 1;
+    }
 
-    /// <summary>When the run of a test began, as its suite or the run says, or else the test.</summary>
-    private static DateTimeOffset? BegunOf(XElement test) =>
-        test.Ancestors().Select(suite => Text(suite, "timestamp"))
-            .Concat(test.Ancestors().Elements().Where(times => times.Name.LocalName == "Times").Select(times => Text(times, "start")))
-            .Append(Text(test, "startTime"))
-            .Select(text => DateTimeOffset.TryParse(text, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal, out var time) ? time
-                : (DateTimeOffset?)null).FirstOrDefault(time => time is not null);
+    private static string? NumberOf(XElement test) => Named(test, "property")
+        .Where(property => repetitions.Any(word => Text(property, "name").Contains(word, StringComparison.OrdinalIgnoreCase)))
+        .Select(property => Text(property, "value")).FirstOrDefault();
+
+    private static int AttemptOf(XElement test) =>
+        int.TryParse(NumberOf(test), NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : 0;
+
+    /// <summary>When the run of a suite's tests began, as it, a suite around it or the run says.</summary>
+    private static DateTimeOffset? BegunOf(XElement suite) =>
+        suite.AncestorsAndSelf().Select(around => Text(around, "timestamp"))
+            .Concat(suite.AncestorsAndSelf().Elements().Where(times => times.Name.LocalName == "Times").Select(times => Text(times, "start")))
+            .Select(Time).FirstOrDefault(time => time is not null);
+
+    /// <summary>A time as ISO 8601 writes it. Of 12.11.2026 nobody knows the month.</summary>
+    private static DateTimeOffset? Time(string text) => text.IndexOf('-') == 4
+        && DateTimeOffset.TryParse(text, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal, out var time) ? time : null;
 
     private static ReportedTest Last(ReportedTest[] attempts) =>
         (attempts.LastOrDefault(attempt => attempt.Outcome != TestOutcome.NotRun) ?? attempts[^1]) with
@@ -135,16 +151,16 @@ internal static partial class TestReport
                 || attempts.Select(attempt => attempt.Outcome).Except([TestOutcome.NotRun]).Count() > 1,
         };
 
-    private static ReportedTest Read(XElement test, Dialect dialect, bool hasTodo)
+    private static ReportedTest Read(XElement test, Dialect dialect, bool hasTodo, DateTimeOffset? begun)
     {
         var (outcome, word) = Said(test, dialect).Append((Outcome: TestOutcome.Passed, Word: "")).MaxBy(said => said.Outcome);
         if (hasTodo && !test.HasElements && Text(test, "time") == "0") (outcome, word) = (TestOutcome.NotRun, "todo");
         var (type, name) = (Text(test, "classname"), Text(test, dialect.Name));
-        var isQualified = type != "" && name.StartsWith(type + ".", StringComparison.Ordinal);
         var step = StepOf(test, type, name);
-        var (suite, places) = (type == "" ? Text(test.Parent!, "name") : type, dialect.Others.Where(other => other != "executionId"));
-        var key = string.Join('\n', [$"{step}", suite, name, .. places.Select(place => Text(test, place))]);
-        return new(key, BegunOf(test), step, Cut(isQualified ? name[(type.Length + 1)..] : name), outcome, Cut(word),
+        if (type != "" && name.StartsWith(type + ".", StringComparison.Ordinal)) name = name[(type.Length + 1)..];
+        var places = dialect.Others.Where(other => other != "executionId").Select(place => Text(test, place)).Where(place => place != "");
+        var key = string.Join('\n', [$"{step}", type == "" ? Text(test.Parent!, "name") : type, name, .. places]); // the same in JUnit and TRX
+        return new(key, begun ?? Time(Text(test, "startTime")), step, Cut(name), outcome, Cut(word),
             outcome == TestOutcome.Passed && test.Elements().Any(element => attempts.Contains(element.Name.LocalName)),
             test.Elements().Any(error => Text(error, "message").StartsWith(Stopped, StringComparison.Ordinal)));
     }

@@ -128,7 +128,7 @@ solved changed
     (cd ../shallow && CI=1 sh .ci/restore.sh) 2> ../said && exit 1
     grep -q "lacks a part of its history" ../said
     [ -z "$(git -C ../shallow status --porcelain --ignored)" ]
-    CI=1 sh .ci/restore.sh
+    GIT_TRACE=1 CI=1 sh .ci/restore.sh 2> ../said # what git prints besides its answer is none
     [ "$(git status --porcelain -uall)" = "$(printf ' D src/Lab/Circle.cs\n M src/Lab/Sphere.cs\n?? src/Lab/Shapes/Circle.cs')" ]
 )
 

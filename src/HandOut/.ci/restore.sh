@@ -8,8 +8,8 @@ fail() {
 }
 [ -n "$CI" ] || fail "It deletes every file that git does not know and checks out the hand-out's commit, so it runs only in CI, where \$CI is set."
 cd "$(dirname "$0")/.."
-shallow=$(git rev-parse --is-shallow-repository 2>&1) || fail "git cannot read the clone: $shallow"
-[ "$shallow" = false ] || fail "The clone lacks a part of its history: let CI fetch all of it (depth 0)."
+shallow=$(git rev-parse --is-shallow-repository) || fail "git cannot read the clone: its own words are above."
+[ "$shallow" != true ] || fail "The clone lacks a part of its history: let CI fetch all of it (depth 0)."
 handout=$(git log --diff-filter=A --format=%H -- .ci/restore.sh | tail -n 1)
 [ -n "$handout" ] || fail "No commit adds .ci/restore.sh: commit the hand-out's whole folder, with the files whose names begin with a dot."
 for path in src/Lab tests/Lab.Tests lib scenes; do

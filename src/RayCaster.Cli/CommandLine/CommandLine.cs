@@ -77,7 +77,7 @@ internal sealed class CommandLine(string command)
     {
         foreach (var (option, value) in values)
         {
-            string[] torn = [.. operands.Where(word => !File.Exists(word) && option.Known.Contains(word.Trim(',')))];
+            string[] torn = [.. operands.Where(word => !File.Exists(word) && Spelling.Nearest(word.Trim(','), option.Known) is not null)];
             if (torn.Length > 0)
                 throw ProblemException.Usage($"'{string.Join(' ', torn)}' seems to belong to the list of {option.Name}: write {option.Name} " +
                     $"{string.Join(',', ((string[])value).Concat(torn.Select(word => word.Trim(','))))}, without blanks (in PowerShell in quotes)");

@@ -11,7 +11,7 @@ internal sealed class MeshBuilder(MeshSource source)
     private readonly List<Vector3> vertices = [];
     private readonly List<int> indices = [];
     private readonly List<(int Index, int Count, long Place)> early = []; // polygons before their vertices
-    private readonly List<int> blocks = []; // where vertices follow faces: each begins the vertices of another object
+    private readonly List<(int Vertices, int Indices)> blocks = []; // where vertices follow faces, another object begins
     private int first, previous, greatest, folded, facesBefore;
     private long foldedAt;
 
@@ -23,21 +23,26 @@ internal sealed class MeshBuilder(MeshSource source)
 
     public void BeginBlock()
     {
-        if (indices.Count > facesBefore) blocks.Add(vertices.Count);
+        if (indices.Count > facesBefore) blocks.Add((vertices.Count, indices.Count));
         facesBefore = indices.Count;
     }
 
-    /// <summary>A warning if no face has a vertex of some object; otherwise null.</summary>
+    /// <summary>A warning if the faces of an object begin at the file's first vertex, while it has unused vertices of its own and as many as they
+    /// need; otherwise null.</summary>
     public string? UnusedBlocks()
     {
         if (blocks.Count == 0) return null;
         var isUsed = new bool[vertices.Count];
         foreach (var index in indices) isUsed[index] = true;
-        blocks.Add(vertices.Count);
+        blocks.Add((vertices.Count, indices.Count));
         for (var i = 1; i < blocks.Count; i++)
-            if (blocks[i] - blocks[i - 1] >= 3 && !isUsed.AsSpan(blocks[i - 1], blocks[i] - blocks[i - 1]).Contains(true))
+        {
+            var own = isUsed.AsSpan(blocks[i - 1].Vertices..blocks[i].Vertices);
+            var faces = CollectionsMarshal.AsSpan(indices)[blocks[i - 1].Indices..blocks[i].Indices];
+            if (own.Contains(false) && faces.Contains(0) && !faces.ContainsAnyExceptInRange(0, own.Length - 1))
                 return $"{isUsed.Count(used => !used)} of {vertices.Count} vertices belong to no face: do the indices of each object begin at 1? " +
                     "They count on through the file";
+        }
         return null;
     }
 

@@ -42,7 +42,7 @@ internal static class ObjFile
         foreach (var (index, line) in ahead)
             if (index > mesh.VertexCount)
                 throw source.ErrorAtLine(line, $"face index {index} is beyond the file's {mesh.VertexCount} vertices");
-        var warnings = string.Join("; ", ((string?[])[warning, skipped.Warning, mesh.UnusedBlocks()]).OfType<string>());
+        var warnings = string.Join("; ", ((string?[])[warning, skipped.Warning, lines + points > 0 ? null : mesh.UnusedBlocks()]).OfType<string>());
         return mesh.Finish(warnings.Length > 0 ? warnings : null, others: [(lines, "line"), (points, "point")]);
     }
 
@@ -50,7 +50,7 @@ internal static class ObjFile
     {
         mesh.AddVertex(new(scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z")));
         while (scanner.NextInLine() is { IsEmpty: false } more) // weights and colours, which may be no numbers
-            if (!IsNotFinite(more)) scanner.ToNumber(more, "what follows a vertex's x, y and z");
+            if (!TextScanner.IsNumber(more) && !IsNotFinite(more)) scanner.ToNumber(more, "what follows a vertex's x, y and z");
     }
 
     private static void ReadFace(TextScanner scanner, MeshBuilder mesh, List<(long Index, int Line)> ahead)

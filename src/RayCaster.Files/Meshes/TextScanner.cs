@@ -95,6 +95,9 @@ internal sealed class TextScanner
     public static bool TryParse(ReadOnlySpan<byte> word, out double number) =>
         Utf8Parser.TryParse(word, out number, out var length) && length == word.Length && double.IsFinite(number);
 
+    /// <summary>Whether a word is a number, perhaps one that no double can hold.</summary>
+    public static bool IsNumber(ReadOnlySpan<byte> word) => Utf8Parser.TryParse(word, out double _, out var length) && length == word.Length;
+
     public ProblemException Error(string reason) => source.ErrorAtLine(LineNumber, reason);
 
     private static string Beginning(ReadOnlySpan<byte> word) => Encoding.UTF8.GetString(word[..Math.Min(word.Length, LongestQuote)]);

@@ -115,7 +115,8 @@ internal sealed class FaultLocalization
         double LightBehind(int i) => behind.Model[i] < 0 ? 0 : scene.Attenuation<Scalar>(behind.T[i]);
     }
 
-    /// <summary>Whether a pixel shows a colour that lies before something in a light: what is nearer is brighter.</summary>
+    /// <summary>Whether a pixel shows a colour that lies before something in a light: what is nearer is brighter. A black model is as black in any
+    /// light, and so are pixels that nothing was written to: it proves nothing.</summary>
     private static bool Covers((byte, byte, byte) shown, Color color, double lightBehind) =>
         Shade.IsOf(shown, color) ? Shade.MostLightOf(shown, color) >= lightBehind : Shade.IsTooBright(shown, color);
 

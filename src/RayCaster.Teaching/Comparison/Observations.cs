@@ -12,11 +12,15 @@ internal sealed class Observations
     /// <summary>The shares of the wrong pixels: nearly all; most.</summary>
     private const double NearlyAll = 0.97, Most = 0.5;
 
+    /// <summary>The share of the right picture's edges that a picture of the same outlines has.</summary>
+    private const double SameEdges = 0.9;
+
     /// <summary>By how many levels neighbours differ on one model, and by how many at a new edge.</summary>
     private const int Smooth = 8, Edge = 40;
 
     private const string OtherOutlines =
-        "The outlines are others: look at the camera (P, T, up), at h and w, uc and ur, and at which hit is the nearest.";
+        "The outlines are others: look at the camera (P, T, up), at h and w, uc and ur, at which hit is the nearest, " +
+        "and at the order of the pixels.";
 
     private readonly Scene? scene;
     private readonly PictureJudge judge;
@@ -65,15 +69,15 @@ internal sealed class Observations
     /// light.</summary>
     public IReadOnlyDictionary<string, int> OtherLight => field ??= FindOtherLight();
 
-    /// <summary>What is said of the picture where no formula explains it: the cheapest explanation, or what is certain of the rest.</summary>
-    public IReadOnlyList<string> Sentences => field ??= Best is { } shortest ? [shortest.Sentence]
+    /// <summary>What is said of the picture where no formula explains it: that it shows very little, the cheapest explanation, or what is
+    /// certain of the rest.</summary>
+    public IReadOnlyList<string> Sentences => field ??= Plain is { } plain ? [plain] : Best is { } shortest ? [shortest.Sentence]
         : Table().Where(row => row.Holds()).Select(row => row.Say().ToArray()).FirstOrDefault(said => said.Length > 0) ?? [];
 
     /// <summary>Each sentence with its condition; the first that holds is said.</summary>
     private IEnumerable<(Func<bool> Holds, Func<IEnumerable<string>> Say)> Table() =>
     [
-        (() => Plain is not null, () => [Plain!]),
-        (() => OtherLight.Count > 0 && (KindsOfWrong.Length == 1 || !IsCertain), () => [LightInWords]),
+        (() => LightInWords is not null, () => [LightInWords!]),
         (() => ByModels is not null && (IsCertain || ModelsText.Reported(ByModels) is [_]
             || ModelsText.Reported(ByModels).All(model => model.IsExplained)),
             () => ModelsText.Sentences(scene!, ByModels!)),
@@ -82,7 +86,8 @@ internal sealed class Observations
             $"that no model of the scene has in any light.")]),
         (() => IsWrongOnlyOnOutlines, () =>
             ["Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?"]),
-        (() => scene is not null && strangeShare.Value <= 0.1 && (difference is null || difference.Wrong >= difference.Pixels / 3), () =>
+        (() => scene is not null && strangeShare.Value <= 0.1
+            && (difference is null || difference.Wrong >= difference.Pixels / 3 && !HasItsEdges), () =>
             [$"Its colours are those of the scene. {OtherOutlines}"]),
     ];
 
@@ -91,11 +96,12 @@ internal sealed class Observations
     private string[] KindsOfWrong => field ??= ByModels is null ? [] :
         [.. ModelsText.Reported(ByModels).Where(model => model.Model >= 0).Select(model => scene!.Models[model.Model].Kind).Distinct()];
 
-    private string LightInWords => ModelsText.Reported(ByModels!) is [var only]
-        ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
+    /// <summary>What is said if nearly all wrong pixels show what they should in another light; null if that is not so, or not of all.</summary>
+    private string? LightInWords => OtherLight.Count == 0 || ByModels!.LostPixels is not null || IsCertain && KindsOfWrong.Length != 1 ? null
+        : ModelsText.Reported(ByModels) is [var only] ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
         : KindsOfWrong is [var kind] && scene!.Models.Any(model => model.Kind != kind)
             ? $"Only {MissingPart.Many(kind)}: the same outlines, but another light. Is their t right?"
-        : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
+        : IsCertain ? null : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
 
     private Explanation? FindBest()
     {
@@ -131,6 +137,8 @@ internal sealed class Observations
             return "The picture is black, and so is the background: either no hit counts, or all light is lost. " +
                 "Which hits count, and what is the attenuation?";
         if (Share(Mine, IsBlack) <= Hardly) return "There is nothing but background: no model is hit, or no hit counts.";
+        if (Share(Mine, IsBlack) >= 1 - Hardly)
+            return "The picture is black, and the background is not: are the bytes written, and in their range from 0 to 255?";
         // Black that is no model's outline is another scene, or another camera.
         return difference is not null && Enumerable.Range(0, Mine.Count).Count(i =>
             IsBlack(Mine.At(i)) != (Right.At(i) != scene.Background.ToBytes()))
@@ -145,6 +153,21 @@ internal sealed class Observations
     /// <summary>Whether most wrong pixels have a neighbour of another colour in the right picture.</summary>
     private bool IsWrongOnlyOnOutlines => difference is not null && Enumerable.Range(0, difference.Pixels).Where(difference.IsWrong).Count(i =>
         Neighbours(i).Any(other => PictureDifference.Levels(Right.At(other), Right.At(i)) > Smooth)) > Most * difference.Wrong;
+
+    /// <summary>Whether nearly all edges of the right picture are there. Then its outlines are right, whatever lies between them.</summary>
+    private bool HasItsEdges
+    {
+        get
+        {
+            var edges = from i in Enumerable.Range(0, Right.Count)
+                        from other in Neighbours(i)
+                        where other < i && PictureDifference.Levels(Right.At(i), Right.At(other)) > Edge
+                        select PictureDifference.Levels(Mine.At(i), Mine.At(other)) > Smooth;
+            var (all, there) = (0, 0);
+            foreach (var isThere in edges) (all, there) = (all + 1, there + (isThere ? 1 : 0));
+            return there >= SameEdges * all;
+        }
+    }
 
     private IEnumerable<int> Neighbours(int i)
     {

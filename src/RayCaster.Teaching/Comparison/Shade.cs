@@ -29,9 +29,9 @@ internal static class Shade
         return true;
     }
 
-    /// <summary>The brightest light in which a shade of a colour is so bright; a shade of black tells nothing of the light.</summary>
+    /// <summary>The brightest light in which a shade of a colour is so bright; 0 for black, whose shades tell nothing of the light.</summary>
     public static double MostLightOf((byte R, byte G, byte B) shade, Color color) =>
-        Most(color) == 0 ? double.PositiveInfinity : LightOf(shade, color) + Near / (255 * Most(color));
+        Most(color) == 0 ? 0 : LightOf(shade, color) + Near / (255 * Most(color));
 
     private static double LightOf((byte R, byte G, byte B) shade, Color color) =>
         Math.Max(shade.R, Math.Max(shade.G, shade.B)) / (255 * Most(color));

@@ -63,6 +63,7 @@ public class ObjFileTests
     [InlineData("v +1 .2e1 3.")]
     [InlineData("v 1 2 3 nan -nan(ind) Infinity")]
     [InlineData("v 1 2 3 1.#QNAN -1.#IND 1.#INF000")]
+    [InlineData("v 1 2 3 1e400 -1e999")]
     [InlineData("v 1 2 3.#in the comment")]
     [InlineData("v 1e0 20E-1 0.3e+1")]
     public void ExtraNumbersOfAVertexAreSkipped(string vertex) => Assert.Equal(new(1, 2, 3), Read(vertex + "\nf 1 1 1\n").Vertices[0]);
@@ -130,4 +131,15 @@ public class ObjFileTests
         Read(notch + "f 1 2 3 4 5\nf 1 2 3\nf 1 2 3 4 5\nf 1 2 3 4 5\nusemtl a\n").Warning);
 
     private static MeshData Read(string text) => PiecesTests.ReadInPieces("box.obj", Encoding.ASCII.GetBytes(text));
+
+    [Theory]
+    [InlineData("f 1 2 3\nf 2 3 4\n", true)] // a larger object
+    [InlineData("f 1 2 3\n", true)]
+    [InlineData("f 4 5 6\nf 5 6 7\n", false)]
+    [InlineData("f 4 5 6\n", false)] // one vertex belongs to no face
+    [InlineData("f -4 -3 -2\n", false)]
+    [InlineData("f 1 2 7\n", false)] // it shares vertices with the first object
+    [InlineData("f 1 2 3\nl 4 5 6 7\n", false)]
+    public void NumbersThatBeginAnewInEachObjectAreReported(string faces, bool isReported) => Assert.Equal(isReported,
+        Read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 6 1 0\n" + faces).Warning?.Contains("begin at 1?") == true);
 }

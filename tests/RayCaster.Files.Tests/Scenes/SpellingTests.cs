@@ -39,10 +39,4 @@ public class SpellingTests
     [Fact]
     public void WhereOnlyTheCaseDiffersTheHintSaysSo() =>
         Assert.Equal("; did you mean \"fovY\"? (case matters)", Spelling.DidYouMean("FovY", Known));
-
-    [Theory]
-    [InlineData("Zo\u00EB \u00C0\u017E.obj", "Zoe\u0308 A\u0300z\u030C.obj", true)]
-    [InlineData("Zo\u00EB.obj", "Zoe.obj", false)]
-    public void NamesDifferInHowTheirAccentsAreEncodedOnly(string one, string other, bool isSo) =>
-        Assert.Equal(isSo, Spelling.WithAccentsApart(one) == Spelling.WithAccentsApart(other));
 }

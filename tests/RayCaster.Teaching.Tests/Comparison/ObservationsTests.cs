@@ -47,6 +47,43 @@ public class ObservationsTests
             : fromElsewhere ? right[random.Next(right.Width), random.Next(right.Height)] : default), says);
     }
 
+    [Fact]
+    public void ALineThatWasBegunIsOneOfThoseThatWereNotReached() => Says(
+        Picture.Create(right.Width, right.Height, (x, y) => y < 30 || y == 30 && x < 20 ? right[x, y] : default),
+        $"The last {right.Height - 31} lines are (0, 0, 0): does your loop reach them?");
+
+    [Fact] // one model of the scene is black
+    public void BlackBlocksAreNoKindsFault()
+    {
+        var random = new Random(1);
+        var isLost = Enumerable.Range(0, 1000).Select(_ => random.NextDouble() < 0.1).ToArray();
+        Assert.DoesNotContain("formula", ComparisonText.Format(new(Picture.Create(right.Width, right.Height,
+            (x, y) => isLost[y / 8 * 30 + x / 8] ? default : right[x, y]), right, generic), "mine", "right"));
+    }
+
+    [Fact]
+    public void ABlackPictureOnAnotherBackgroundIsAboutItsBytes() => Says(
+        Picture.Create(right.Width, right.Height, (x, y) => x == y && x < 9 ? right[x, y] : default),
+        "The picture is black, and the background is not: are the bytes written");
+
+    [Fact] // all is too bright, and some pixels are lost
+    public void OutlinesThatAreThereAreNotCalledOthers()
+    {
+        var (random, flat) = (new Random(1), MistakeCatalog.Draw(generic, [MistakeCatalog.Named("att-none")!.Usual]));
+        Assert.DoesNotContain("The outlines are others", ComparisonText.Format(new(Picture.Create(right.Width, right.Height,
+            (x, y) => random.NextDouble() < 0.02 ? default : flat[x, y]), right, generic), "mine", "right"));
+    }
+
+    [Fact] // light is the same for all boxes, and some are right
+    public void HolesInSomeModelsAreNotTheLight()
+    {
+        var scene = generic with { Models = [.. generic.Models.Where(model => model.Kind == "aabb")] };
+        var (drawn, hits) = (Renderer.Render(scene), new Renderer(scene, 1).CastHits());
+        var mine = Picture.Create(drawn.Width, drawn.Height, (x, y) => (x * 7 + y * 3) % 5 > 1 || hits.Model[y * drawn.Width + x] != 0 ? drawn[x, y]
+            : ((byte)(0.8 * drawn[x, y].R), (byte)(0.8 * drawn[x, y].G), (byte)(0.8 * drawn[x, y].B)));
+        Assert.DoesNotContain("the light is not", ComparisonText.Format(new(mine, drawn, scene), "mine", "right"));
+    }
+
     [Fact] // four of them lie behind others, and uncover them
     public void SeveralMissingModelsAreNamed()
     {

@@ -194,6 +194,17 @@ public sealed class ClassMarksTests : InTemporaryFolder
     public void ATableIsReadAsSpreadsheetsWriteIt(string text, string cells) => Assert.Equal(cells,
         string.Join('/', Csv.Read(folder.Write("table.csv", text)).Select(row => string.Join('|', row))).TrimEnd('/'));
 
+    [Fact]
+    public void APictureOfWhichAPartWasNotDrawnIsForTheTeacher()
+    {
+        var drawn = ScalarRenderer.Render(ball);
+        PictureFile.Write(Place("class/anna/ball.png"), Picture.Create(drawn.Width, drawn.Height,
+            (x, y) => y < 25 ? drawn[x, y] : ((byte)9, (byte)9, (byte)9)));
+        var row = Assert.Single(Mark());
+        Assert.StartsWith("anna,0,5,5,", row);
+        Assert.Contains("ball: The last 15 lines are (9, 9, 9): does your loop reach them?", row);
+    }
+
     [Theory]
     [InlineData("Anna", "anna", "by case")]
     [InlineData("Jose\u0301", "Jos\u00E9", "in how accents are encoded")]

@@ -95,6 +95,15 @@ public class TestReportTests
     }
 
     [Theory]
+    [InlineData("<testcase name='step8' status='pass'>{2}</testcase><testcase name='step8' status='fail'>{1}</testcase>", "8: 1 of 1")]
+    [InlineData("<testcase name='step8' status='fail'/><testcase name='step8' status='pass'>{2}</testcase>", "8: 1 of 1")]
+    [InlineData("<testcase name='step8' status='fail'>{2}</testcase><testcase name='step8' status='pass'>{2}</testcase>", "8: 1 of 2")]
+    public void AttemptsAreThoseThatAPropertyNumbersInTheirOrder(string tests, string counts) => Assert.Equal(counts,
+        Counts(Tests(string.Format(tests, "", Attempt(1), Attempt(2)))));
+
+    private static string Attempt(int number) => $"<properties><property name='attempt' value='{number}'/></properties>";
+
+    [Theory]
     [InlineData("pass fail pass", "1 of 3 tests called near fails, in step 8")]
     [InlineData("fail pass", "1 of 2 tests called near fails, in step 8")]
     public void WhereTestsOfOneNameEndDifferentlyTheStepIsOpen(string ends, string note)
@@ -128,6 +137,21 @@ public class TestReportTests
     public void AResultThatSumsUpDataRowsIsNoTest() => Assert.Equal("8: 1 of 2", Counts(Tests(
         "<UnitTestResult testName='Step8 At' outcome='Failed'><InnerResults><UnitTestResult testName='Step8 At (1)' outcome='Passed'/>" +
         "<UnitTestResult testName='Step8 At (2)' outcome='Failed'/></InnerResults></UnitTestResult>")));
+
+    [Fact]
+    public void AResultWhoseDataRowsAreNotListedIsATest() => Assert.Equal("8: 0 of 1",
+        Counts(Tests("<UnitTestResult testName='Step8 At' outcome='Failed'><InnerResults/></UnitTestResult>")));
+
+    [Theory]
+    [InlineData("2026-11-20T10:00:00", "8: 1 of 1")]
+    [InlineData("20.11.2026 10:00", "8: 1 of 2")] // no time: others write the month first
+    public void ATestOfJUnitAndOfTrxIsOne(string begun, string counts) => Assert.Equal(counts, Counts(TestResults.Joined(
+    [
+        ("a.xml", Tests($"<testsuite timestamp='{begun}'>" +
+            "<testcase classname='Lab.Step8' name='Lab.Step8.Near'><failure/></testcase></testsuite>")[0]),
+        ("b.trx", Tests("<UnitTestResult testName='Lab.Step8.Near' outcome='Passed' startTime='2026-11-20T11:00:00' testId='1'/>" +
+            "<UnitTest id='1'><TestMethod className='Lab.Step8'/></UnitTest>")[0]),
+    ], [])));
 
     [Theory]
     [InlineData("<testsuite name='debug'>{0}</testsuite><testsuite name='release'>{1}</testsuite>")]
