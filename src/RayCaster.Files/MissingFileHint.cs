@@ -20,9 +20,6 @@ internal sealed class MissingFileHint
     /// <param name="extension">An extension that may have been left out.</param>
     public string Hint(string path, string extension = "")
     {
-        if (path.AsSpan().IndexOfAnyInRange('\b', '\r') is >= 0 and var at)
-            return $"; {PrintableText.Escaped(path[at..(at + 1)])} in a text is {(path[at] == '\t' ? "a tab" : "a control character")}: " +
-                "write / or \\\\ between folders";
         var full = Path.GetFullPath(path);
         var sought = full == path.Replace('/', Path.DirectorySeparatorChar) ? "" : $"; looked for {PrintableText.From(full)}";
         if (++hints > MaxHints) return sought;

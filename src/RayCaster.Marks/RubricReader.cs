@@ -45,8 +45,8 @@ public static class RubricReader
             Title = title,
             Hint = hint switch { "question" => HintLevel.Question, "symptom" => HintLevel.Symptom, _ => null },
             Items = items,
-            Pictures = pictures ?? "{name}.png",
-            Tests = tests,
+            Pictures = pictures?.Replace('\\', '/') ?? "{name}.png",
+            Tests = tests?.Replace('\\', '/'),
         };
     }
 

@@ -193,8 +193,11 @@ internal readonly struct JsonValue(JsonTree tree, int node, string path = "", in
     public bool IsFileName()
     {
         if (!IsText()) return false;
-        if (!Text.Contains('\0')) return true;
-        Report(true, " must not hold the character U+0000, which no file name has");
+        if (Text.Contains('\0')) Report(true, " must not hold the character U+0000, which no file name has");
+        else if (Text.AsSpan().IndexOfAnyInRange('\b', '\r') is >= 0 and var at)
+            Report(true, $": {PrintableText.Escaped(Text[at..(at + 1)])} in a text is {(Text[at] == '\t' ? "a tab" : "a control character")}: " +
+                "write / or \\\\ between folders");
+        else return true;
         return false;
     }
 

@@ -64,6 +64,18 @@ public sealed class RubricReaderTests : InTemporaryFolder
         Assert.Contains($"\n{Path.GetRelativePath(".", folder["rum.json"])}(1,3): error: ", report);
     }
 
+    [Fact]
+    public void ABackslashThatIsWrittenOnceIsNamed() => Assert.EndsWith(
+        @" error: tests: \r in a text is a control character: write / or \\ between folders", ErrorOf(
+            """{ "scenes": ["room.json"], "tests": "TestResults\results.xml", "items": [{ "name": "a", "points": 1 }] }"""));
+
+    [Fact]
+    public void BackslashesMaySeparateFolders() => Assert.Equal(("out/{name}.png", "TestResults/results.xml"), Read(
+        """
+        { "scenes": ["room.json"], "pictures": "out\\{name}.png", "tests": "TestResults\\results.xml",
+          "items": [{ "name": "a", "points": 1, "mistakes": ["r-nosq"] }] }
+        """, out _) is { } rubric ? (rubric.Pictures, rubric.Tests) : default);
+
     [Theory]
     [InlineData("""{ "scenes": ["a\u0000.json"], "items": [{ "name": "a", "points": 1 }] }""", "scenes[0]")]
     [InlineData("""{ "scenes": ["room.json"], "pictures": "\u0000{name}.png", "items": [{ "name": "a", "points": 1 }] }""", "pictures")]
