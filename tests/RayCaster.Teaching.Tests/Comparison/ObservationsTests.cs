@@ -80,7 +80,8 @@ public class ObservationsTests
         var scene = generic with { Models = [.. generic.Models.Where(model => model.Kind == "aabb")] };
         var (drawn, hits) = (Renderer.Render(scene), new Renderer(scene, 1).CastHits());
         var mine = Picture.Create(drawn.Width, drawn.Height, (x, y) =>
-            (x * 7 + y * 3) % 5 > 1 || hits.Model[y * drawn.Width + x] is not (0 or 1) ? drawn[x, y] : ((byte)(0.8 * drawn[x, y].R), (byte)(0.8 * drawn[x, y].G), (byte)(0.8 * drawn[x, y].B)));
+            (x * 7 + y * 3) % 5 > 1 || hits.Model[y * drawn.Width + x] is not (0 or 1) ? drawn[x, y]
+            : ((byte)(0.8 * drawn[x, y].R), (byte)(0.8 * drawn[x, y].G), (byte)(0.8 * drawn[x, y].B)));
         Assert.DoesNotContain("the light is not", ComparisonText.Format(new(mine, drawn, scene), "mine", "right"));
     }
 
