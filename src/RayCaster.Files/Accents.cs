@@ -26,6 +26,7 @@ internal static class Accents
     /// beyond ASCII.</summary>
     public static bool AreEquivalent(string one, string other)
     {
+        if (Ascii.IsValid(one) && Ascii.IsValid(other)) return one == other; // most names, and quickly: a class is compared in pairs
         var (a, b) = (Apart(one), Apart(other));
         var (i, j) = (0, 0);
         while (i < a.Length && j < b.Length)

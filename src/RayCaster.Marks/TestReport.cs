@@ -91,20 +91,22 @@ internal static partial class TestReport
         var classes = Named(all, "TestMethod").ToLookup(method => Text(method.Parent!, "id"), method => Text(method, "className"));
         foreach (var rows in Named(all, "InnerResults").Where(rows => Named(rows, "UnitTestResult").Any()).ToArray())
             rows.Parent!.Name = "SumOfRows"; // is no test
+        var starts = Named(all, "Times").ToLookup(times => times.Parent!, times => Text(times, "start")); // of whole runs
         foreach (var result in Named(all, "UnitTestResult")) result.SetAttributeValue("classname", classes[Text(result, "testId")].FirstOrDefault());
 
         ReportedTest[] tests =
         [
             .. from dialect in dialects
                from suite in Named(all, dialect.Element).GroupBy(test => test.Parent!)
-               from test in TestsOf(suite.Key, suite, dialect)
+               from test in TestsOf(suite.Key, suite, dialect, starts)
                select test,
         ];
         var root = all.Elements().FirstOrDefault()?.Name.LocalName ?? "";
         return tests.Length > 0 ? tests : throw new ProblemException($"it {others.GetValueOrDefault(root, $"holds no tests: {GetJUnit}")}");
     }
 
-    private static IEnumerable<ReportedTest> TestsOf(XElement suite, IEnumerable<XElement> listed, Dialect dialect)
+    private static IEnumerable<ReportedTest> TestsOf(
+        XElement suite, IEnumerable<XElement> listed, Dialect dialect, ILookup<XElement, string> starts)
     {
         XElement[][] tests =
         [
@@ -112,7 +114,7 @@ internal static partial class TestReport
                 .SelectMany(same => AreAttempts([.. same]) ? [[.. same.OrderBy(AttemptOf)]] : same.Select(test => (XElement[])[test])),
         ];
         var hasTodo = Number(suite, "tests", int.MaxValue) < tests.Length; // jest lists what is to do as if it passed, but does not count it
-        var begun = BegunOf(suite);
+        var begun = BegunOf(suite, starts);
         foreach (var test in tests) yield return Last([.. test.Select(attempt => Read(attempt, dialect, hasTodo, begun))]);
         var idle = tests.Count(test => test.Any(attempt => Said(attempt, dialect).Any(said => said.Outcome == TestOutcome.NotRun)));
         if (Number(suite, "disabled", 0) + Number(suite, "skipped", 0) > idle) // xunit does not list explicit tests, but counts them
@@ -135,9 +137,8 @@ internal static partial class TestReport
         int.TryParse(NumberOf(test), NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : 0;
 
     /// <summary>When the run of a suite's tests began, as it, a suite around it or the run says.</summary>
-    private static DateTimeOffset? BegunOf(XElement suite) =>
-        suite.AncestorsAndSelf().Select(around => Text(around, "timestamp"))
-            .Concat(suite.AncestorsAndSelf().Elements().Where(times => times.Name.LocalName == "Times").Select(times => Text(times, "start")))
+    private static DateTimeOffset? BegunOf(XElement suite, ILookup<XElement, string> starts) =>
+        suite.AncestorsAndSelf().Select(around => Text(around, "timestamp")).Concat(suite.AncestorsAndSelf().SelectMany(around => starts[around]))
             .Select(Time).FirstOrDefault(time => time is not null);
 
     /// <summary>A time as ISO 8601 writes it. Of 12.11.2026 nobody knows the month.</summary>

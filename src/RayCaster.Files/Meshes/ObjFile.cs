@@ -50,7 +50,7 @@ internal static class ObjFile
     {
         mesh.AddVertex(new(scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z")));
         while (scanner.NextInLine() is { IsEmpty: false } more) // weights and colours, which may be no numbers
-            if (!TextScanner.IsNumber(more) && !IsNotFinite(more)) scanner.ToNumber(more, "what follows a vertex's x, y and z");
+            if (!TextScanner.IsNumber(more, out _) && !IsNotFinite(more)) scanner.ToNumber(more, "what follows a vertex's x, y and z");
     }
 
     private static void ReadFace(TextScanner scanner, MeshBuilder mesh, List<(long Index, int Line)> ahead)

@@ -32,9 +32,6 @@ public sealed record Change
     /// <summary>What is not written yet: a kind of shape, attenuation or clipping; null for others.</summary>
     internal string? MissingPart { get; init; }
 
-    /// <summary>The lines that no loop reaches; null for others.</summary>
-    internal UnreachedLines? Unreached { get; init; }
-
     /// <summary>Where it is, if it is a slip that the catalogue does not have.</summary>
     public FormulaPlace? Place { get; internal init; }
 

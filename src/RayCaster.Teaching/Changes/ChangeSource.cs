@@ -17,7 +17,7 @@ internal static class ChangeSource
     }
 
     /// <summary>Lines that no loop reaches.</summary>
-    public static Change From(UnreachedLines lines) => new([new StepChange.Unreached(lines)], Priors.BitsOf(lines)) { Unreached = lines };
+    public static Change From(UnreachedLines lines) => new([new StepChange.Unreached(lines)], Priors.BitsOf(lines));
 
     /// <summary>Known mistakes, each in all its ways.</summary>
     /// <param name="likely">Which are likelier than the others; null for none.</param>

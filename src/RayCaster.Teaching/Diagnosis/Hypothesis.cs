@@ -32,6 +32,9 @@ internal sealed record Hypothesis(FormulaProgram Program, ImmutableArray<Change>
     /// <summary>The parts that are not written yet.</summary>
     public IReadOnlyList<string> MissingParts => [.. Changes.Select(change => change.MissingPart).OfType<string>()];
 
+    /// <summary>Which lines no loop reached, in words; null if the program reaches all.</summary>
+    public string? Unreached => Program.Unreached?.Sentence;
+
     /// <summary>The kinds of shape that are not drawn.</summary>
     public IReadOnlyList<string> MissingShapes => [.. MissingParts.Where(MissingPart.IsShape)];
 

@@ -126,7 +126,7 @@ internal sealed class PictureDiagnosis(Diagnoser prepared, PictureSample sample,
             Kind = best.Reported.Count > 0 ? DiagnosisKind.Mistake : best.MissingParts.Count > 0 ? DiagnosisKind.Unfinished
                 : DiagnosisKind.NotTheFormulas,
             MissingParts = best.MissingParts,
-            Likely = [.. best.Changes.Select(change => change.Unreached?.Sentence).OfType<string>()],
+            Likely = best.Unreached is { } lines ? [lines] : [],
             Suspects = suspects is [{ Twins: var twins }, ..] // no mistake is told twice
                 ? [.. suspects.Where((suspect, i) => i == 0 || suspect.Mistakes is not [var one] || twins.All(twin => twin.Id != one.Id))] : [],
             IsOpen = best.Reported.Count > 0 && best.Residual.Unexplained >= 0.5,

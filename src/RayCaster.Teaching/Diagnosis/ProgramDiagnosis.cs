@@ -84,11 +84,10 @@ public sealed record ProgramDiagnosis
                     Note = note ?? OnlyKind(observed),
                 };
         }
-        var unreached = verdict.Changes.Select(change => change.Unreached?.Sentence).OfType<string>().FirstOrDefault(); // only of one picture
         return none with
         {
-            Unexplained = unreached is null ? decision.Unexplained : wrong, // what was not drawn may hide anything
-            Causes = unreached is null ? none.Causes : new Dictionary<int, string> { [wrong[0]] = unreached },
+            Unexplained = verdict.Unreached is null ? decision.Unexplained : wrong, // what was not drawn may hide anything
+            Causes = verdict.Unreached is not { } lines ? none.Causes : new Dictionary<int, string> { [wrong[0]] = lines }, // of one picture
             Verdict = Find(verdict),
             Alternatives = [.. AsGood(verdict, ranked).Select(Find)],
             HidingMistakes = verdict.MissingShapes.Count > 0 ? [.. Hiding(verdict, ranked)] : [],

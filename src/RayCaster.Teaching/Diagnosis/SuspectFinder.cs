@@ -62,7 +62,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
     /// what people write who make the mistake: "half of the height" is no question about one that is twice too large.</summary>
     private bool Fits(Change slip, Hypothesis hypothesis) => slip is not { Mutation: { } mutation, Mistake: { } mistake }
         || IsAbout(mistake, mutation) && (!IsOfSize(mutation)
-            || mistake.Changes.Any(change => IsAlike(hypothesis, hypothesis.Changes.Select(own => own == slip ? change : own))));
+            || mistake.Changes.Any(change => AreAlike(hypothesis, hypothesis.Changes.Select(own => own == slip ? change : own))));
 
     /// <summary>Whether a mistake is made in the formula that is edited. Only the slides' own style has its names.</summary>
     private static bool IsAbout(Mistake mistake, Mutation mutation)
@@ -80,7 +80,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
 
     private bool AreAlike(FormulaProgram one, Hypothesis? other) => other is not null && sample.AreAlike(one, other.Program);
 
-    private bool IsAlike(Hypothesis hypothesis, IEnumerable<Change> others) => AreAlike(hypothesis.Program, Hypothesis.Create(others));
+    private bool AreAlike(Hypothesis one, IEnumerable<Change> others) => AreAlike(one.Program, Hypothesis.Create(others));
 
     /// <summary>Whether a mistake draws the same picture, as "check" sees it.</summary>
     private bool AreTwins(FormulaProgram one, Hypothesis? other) =>
@@ -101,7 +101,7 @@ internal sealed class SuspectFinder(Diagnoser prepared, PictureSample sample)
         var missing = reported.Except(hypothesis.Mistakes).ToArray();
         var rest = hypothesis.Changes.Where(change => change.MissingPart is null);
         var hidden = reported.Count < 2 ? null
-            : missing.FirstOrDefault(part => IsAlike(hypothesis, rest.Concat(missing.Where(other => other != part))));
+            : missing.FirstOrDefault(part => AreAlike(hypothesis, rest.Concat(missing.Where(other => other != part))));
         return [.. reported.Where(mistake => mistake != hidden)];
     }
 }

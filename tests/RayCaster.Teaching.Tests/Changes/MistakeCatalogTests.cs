@@ -45,11 +45,11 @@ public class MistakeCatalogTests
         Assert.False(MistakeCatalog.Named("tri-uv")!.Touches(scene));
     }
 
-    /// <summary>A variant draws it in all scenes; or it is written in another way, which the diagnosis names in a scene.</summary>
     [Fact]
     public void AMisspelledShapeIsRefused() =>
         Assert.Throws<FormatException>(() => ChangeReader.Read("for spere rule hit = z ≤ zFar").ToArray());
 
+    /// <summary>A variant draws it in all scenes; or it is written in another way, which the diagnosis names in a scene.</summary>
     [Theory(Explicit = true)]
     [MemberData(nameof(Ids))]
     public void WhatTheLabWithThatMistakeDrawsIsKnown(string id)

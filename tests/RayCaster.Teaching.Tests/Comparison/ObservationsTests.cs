@@ -74,6 +74,16 @@ public class ObservationsTests
             (x, y) => random.NextDouble() < 0.02 ? default : flat[x, y]), right, generic), "mine", "right"));
     }
 
+    [Fact]
+    public void HolesOfOneKindAreNotTheLight()
+    {
+        var (random, hits) = (new Random(1), new Renderer(generic, 1).CastHits());
+        Assert.Contains("full of holes", ComparisonText.Format(new(Picture.Create(right.Width, right.Height, (x, y) =>
+            generic.Models[Math.Max(0, hits.Model[y * right.Width + x])].Kind != "aabb" || hits.Model[y * right.Width + x] < 0
+            || random.NextDouble() > 0.3 ? right[x, y]
+            : ((byte)(0.8 * right[x, y].R), (byte)(0.8 * right[x, y].G), (byte)(0.8 * right[x, y].B))), right, generic), "mine", "right"));
+    }
+
     [Fact] // light is the same for all boxes, and some are right
     public void HolesInSomeModelsAreNotTheLight()
     {
